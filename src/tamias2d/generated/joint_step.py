@@ -1,10 +1,11 @@
-"""Joint step: Row of a joint; Impulse of a row of a joint; Joint in a substep.
+"""Joint step: Row of a joint; Impulse of a row of a joint; Joint in a substep; Spring of a joint
+in a substep; Energy of a mechanism with springs.
 
 Generated from srs/models/joint_step.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, largest, sqrt
+from tamias2d.spec.functions import Scalar, Vector, largest, least, sqrt
 
 
 def row_rate(
@@ -275,7 +276,7 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:115.
+    Source: IM15, srs/models/joint_step.md:109.
     """
     return (1 - removed_share) * row_value
 
@@ -289,7 +290,7 @@ def drive_error(row_rate: Scalar, drive_rate: Scalar) -> Scalar:
         row_rate: Rate of a row's value, or a body's part in it, m/s
         drive_rate: Rate at which a motor keeps a row, m/s
 
-    Source: IM15, srs/models/joint_step.md:116.
+    Source: IM15, srs/models/joint_step.md:110.
     """
     return row_rate - drive_rate
 
@@ -303,53 +304,9 @@ def row_impulse_most(row_force_most: Scalar, time_step: Scalar) -> Scalar:
         row_force_most: The most that a motor exerts, for slopes of length one, N
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:117.
+    Source: IM15, srs/models/joint_step.md:111.
     """
     return time_step * row_force_most
-
-
-def spring_firmness(row_stiffness: Scalar, row_damping: Scalar, time_step: Scalar) -> Scalar:
-    """Impulse that a spring gives in a substep against a rate (kg).
-
-    spring_firmness = time_step*(row_damping + time_step*row_stiffness)
-
-    Args:
-        row_stiffness: Force of a spring for a row's value, N/m
-        row_damping: Force of a damper for a row's rate, kg/s
-        time_step: Length of one step of a stepped scheme, s
-
-    Source: IM15, srs/models/joint_step.md:118.
-    """
-    return time_step * (row_damping + time_step * row_stiffness)
-
-
-def spring_error(
-    row_value: Scalar,
-    row_rate: Scalar,
-    row_given: Scalar,
-    row_stiffness: Scalar,
-    row_damping: Scalar,
-    firmness: Scalar,
-    time_step: Scalar,
-) -> Scalar:
-    """Rate of a row that its spring has not answered yet (m/s).
-
-    spring_error = (time_step*(row_stiffness*row_value + row_damping*row_rate) +
-    row_given)/firmness
-
-    Args:
-        row_value: Number of a joint's equation that is zero where it holds, m
-        row_rate: Rate of a row's value, or a body's part in it, m/s
-        row_given: Impulse that a row has had in a substep so far, N*s
-        row_stiffness: Force of a spring for a row's value, N/m
-        row_damping: Force of a damper for a row's rate, kg/s
-        firmness: Mass with which a firm contact resists the velocity that its row is not to
-            have, kg
-        time_step: Length of one step of a stepped scheme, s
-
-    Source: IM15, srs/models/joint_step.md:119.
-    """
-    return (time_step * (row_stiffness * row_value + row_damping * row_rate) + row_given) / firmness
 
 
 def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
@@ -361,7 +318,7 @@ def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
         row_force: Force of a row of a joint, for slopes of length one, N
         row_bend: Second derivative of a row's value by the orientation of a body, m
 
-    Source: IM15, srs/models/joint_step.md:122.
+    Source: IM15, srs/models/joint_step.md:112.
     """
     return (-row_force) * row_bend
 
@@ -376,7 +333,7 @@ def inertia_held(inertia: Scalar, leaning: Scalar, time_step: Scalar) -> Scalar:
         leaning: By how much less a joint's pull turns a body that has turned by a radian, N*m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:123.
+    Source: IM15, srs/models/joint_step.md:113.
     """
     return largest(inertia, time_step * time_step * leaning)
 
@@ -389,7 +346,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:124.
+    Source: IM15, srs/models/joint_step.md:114.
     """
     return sqrt(kick_decay)
 
@@ -403,7 +360,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:125.
+    Source: IM15, srs/models/joint_step.md:115.
     """
     return kick_gain / (1 + half_decay)
 
@@ -418,7 +375,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:126.
+    Source: IM15, srs/models/joint_step.md:116.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -433,7 +390,7 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:127.
+    Source: IM15, srs/models/joint_step.md:117.
     """
     return (kick_velocity - half_gain) / half_decay
 
@@ -447,6 +404,177 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM15, srs/models/joint_step.md:128.
+    Source: IM15, srs/models/joint_step.md:118.
     """
     return largest(kinetic_energy_start + work, 0.0)
+
+
+def implicit_share(
+    row_stiffness: Scalar, row_damping: Scalar, row_yield: Scalar, time_step: Scalar
+) -> Scalar:
+    """Share of a substep's way after which a spring at a joint answers (1).
+
+    implicit_share = (2 + unresolved)/(4 + unresolved)
+        where unresolved = time_step*row_damping*row_yield + max(time_step**2*row_stiffness*row_yield - 1, 0)
+
+    Args:
+        row_stiffness: Force of a spring for a row's value, N/m
+        row_damping: Force of a damper for a row's rate, kg/s
+        row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
+            1/kg
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM19, srs/models/joint_step.md:225.
+    """
+    unresolved = time_step * row_damping * row_yield + largest(
+        time_step * time_step * row_stiffness * row_yield - 1, 0
+    )
+    return (2 + unresolved) / (4 + unresolved)
+
+
+def spring_firmness(
+    row_stiffness: Scalar, row_damping: Scalar, implicit_share: Scalar, time_step: Scalar
+) -> Scalar:
+    """Impulse that a spring gives in a substep against a rate (kg).
+
+    spring_firmness = implicit_share*time_step*(row_damping +
+    implicit_share*time_step*row_stiffness)
+
+    Args:
+        row_stiffness: Force of a spring for a row's value, N/m
+        row_damping: Force of a damper for a row's rate, kg/s
+        implicit_share: Share of a substep's way after which a spring at a joint answers, 1
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM19, srs/models/joint_step.md:229.
+    """
+    return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
+
+
+def spring_error(
+    row_value: Scalar,
+    row_value_start: Scalar,
+    row_rate: Scalar,
+    row_given: Scalar,
+    row_stiffness: Scalar,
+    row_damping: Scalar,
+    implicit_share: Scalar,
+    firmness: Scalar,
+    time_step: Scalar,
+) -> Scalar:
+    """Rate of a row that its spring has not answered yet (m/s).
+
+    spring_error = (row_given - implicit_share*time_step*row_force)/firmness
+        where spring_value = (1 - implicit_share)*row_value_start + implicit_share*row_value
+        where row_force = -row_stiffness*spring_value - row_damping*row_rate
+
+    Args:
+        row_value: Number of a joint's equation that is zero where it holds, m
+        row_value_start: Number of a joint's equation that is zero where it holds; at the start,
+            m
+        row_rate: Rate of a row's value, or a body's part in it, m/s
+        row_given: Impulse that a row has had in a substep so far, N*s
+        row_stiffness: Force of a spring for a row's value, N/m
+        row_damping: Force of a damper for a row's rate, kg/s
+        implicit_share: Share of a substep's way after which a spring at a joint answers, 1
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM19, srs/models/joint_step.md:231.
+    """
+    spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
+    row_force = (-row_stiffness) * spring_value - row_damping * row_rate
+    return (row_given - implicit_share * time_step * row_force) / firmness
+
+
+def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
+    """Impulse that a spring at a joint gives where bodies have moved to (N*s).
+
+    left_impulse = (1 - implicit_share)/implicit_share*row_given
+
+    Args:
+        row_given: Impulse that a row has had in a substep so far, N*s
+        implicit_share: Share of a substep's way after which a spring at a joint answers, 1
+
+    Source: IM19, srs/models/joint_step.md:232.
+    """
+    return (1 - implicit_share) / implicit_share * row_given
+
+
+def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
+    """Energy of a spring at a joint (J).
+
+    row_energy = row_stiffness*row_value**2/2
+
+    Args:
+        row_stiffness: Force of a spring for a row's value, N/m
+        row_value: Number of a joint's equation that is zero where it holds, m
+
+    Source: DD79, srs/models/joint_step.md:325.
+    """
+    return row_stiffness * row_value * row_value / 2
+
+
+def sprung_energy_most(
+    kinetic_energy_start: Scalar,
+    work: Scalar,
+    row_energy_start: Scalar,
+    row_energy: Scalar,
+    energy_reserve: Scalar,
+) -> Scalar:
+    """Kinetic energy with which a step of a mechanism with springs may end (J).
+
+    sprung_energy_most = max(kinetic_energy_start + work + row_energy_start - row_energy +
+    energy_reserve, 0[J])
+
+    Args:
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+        row_energy_start: Energy of a spring at a joint; at the start, J
+        row_energy: Energy of a spring at a joint, J
+        energy_reserve: What a mechanism with springs may gain of what it has lost, J
+
+    Source: DD79, srs/models/joint_step.md:326.
+    """
+    return largest(
+        kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve, 0.0
+    )
+
+
+def energy_scale_later(
+    energy_scale: Scalar, kinetic_energy: Scalar, row_energy: Scalar, scale_fade: Scalar
+) -> Scalar:
+    """The most of motion and springs that a mechanism has had lately; after the bodies have moved
+    (J).
+
+    energy_scale_later = max(scale_fade*energy_scale, kinetic_energy + row_energy)
+
+    Args:
+        energy_scale: The most of motion and springs that a mechanism has had lately, J
+        kinetic_energy: Energy of motion, turning included, J
+        row_energy: Energy of a spring at a joint, J
+        scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
+
+    Source: DD79, srs/models/joint_step.md:329.
+    """
+    return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
+
+
+def energy_reserve_later(
+    kinetic_energy_most: Scalar, kinetic_energy: Scalar, energy_scale: Scalar, reserve_ratio: Scalar
+) -> Scalar:
+    """What a mechanism with springs may gain of what it has lost; after the bodies have moved (J).
+
+    energy_reserve_later = max(min(kinetic_energy_most - kinetic_energy,
+    reserve_ratio*energy_scale), 0[J])
+
+    Args:
+        kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
+        kinetic_energy: Energy of motion, turning included, J
+        energy_scale: The most of motion and springs that a mechanism has had lately, J
+        reserve_ratio: Reserve of a mechanism with springs, of its scale at most, 1
+
+    Source: DD79, srs/models/joint_step.md:331.
+    """
+    return largest(least(kinetic_energy_most - kinetic_energy, reserve_ratio * energy_scale), 0.0)

@@ -2341,6 +2341,102 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1447,
     ),
+    "spring_value": Symbol(
+        "spring_value",
+        "m",
+        "value of a row for which its spring pulls through a substep",
+        tex="C_\\theta",
+        file="srs/symbols.md",
+        line=1451,
+    ),
+    "implicit_share": Symbol(
+        "implicit_share",
+        "1",
+        "share of a substep's way after which a spring at a joint answers",
+        range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
+        tex="\\theta_C",
+        file="srs/symbols.md",
+        line=1455,
+    ),
+    "unresolved": Symbol(
+        "unresolved",
+        "1",
+        "how fast a spring at a joint and its damper are for a substep",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="u_C",
+        file="srs/symbols.md",
+        line=1460,
+    ),
+    "left_impulse": Symbol(
+        "left_impulse",
+        "N*s",
+        "impulse that a spring at a joint gives where bodies have moved to",
+        tex="\\Lambda_\\theta",
+        file="srs/symbols.md",
+        line=1465,
+    ),
+    "row_energy": Symbol(
+        "row_energy",
+        "J",
+        "energy of a spring at a joint",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_C",
+        file="srs/symbols.md",
+        line=1469,
+    ),
+    "sprung_energy_most": Symbol(
+        "sprung_energy_most",
+        "J",
+        "kinetic energy with which a step of a mechanism with springs may end",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="K_{most}",
+        file="srs/symbols.md",
+        line=1474,
+    ),
+    "energy_reserve": Symbol(
+        "energy_reserve",
+        "J",
+        "what a mechanism with springs may gain of what it has lost",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_r",
+        file="srs/symbols.md",
+        line=1479,
+    ),
+    "energy_scale": Symbol(
+        "energy_scale",
+        "J",
+        "the most of motion and springs that a mechanism has had lately",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_s",
+        file="srs/symbols.md",
+        line=1484,
+    ),
+    "reserve_ratio": Symbol(
+        "reserve_ratio",
+        "1",
+        "reserve of a mechanism with springs, of its scale at most",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="r_E",
+        file="srs/symbols.md",
+        line=1489,
+    ),
+    "scale_fade": Symbol(
+        "scale_fade",
+        "1",
+        "factor by which the scale of a mechanism's energy fades in a step",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="f_E",
+        file="srs/symbols.md",
+        line=1494,
+    ),
+    "row_energy_rise": Symbol(
+        "row_energy_rise",
+        "J",
+        "what a substep adds to the energies of a row's motion and of its spring",
+        tex="\\Delta E_C",
+        file="srs/symbols.md",
+        line=1499,
+    ),
     "firm_ratio": Symbol(
         "firm_ratio",
         "1",
@@ -2348,7 +2444,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1451,
+        line=1503,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2356,7 +2452,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1456,
+        line=1508,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2364,7 +2460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1460,
+        line=1512,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2373,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1464,
+        line=1516,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2382,7 +2478,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1469,
+        line=1521,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2391,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1474,
+        line=1526,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2399,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1479,
+        line=1531,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2407,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1483,
+        line=1535,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2415,7 +2511,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1487,
+        line=1539,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2424,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1491,
+        line=1543,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2433,7 +2529,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1496,
+        line=1548,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2442,7 +2538,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1501,
+        line=1553,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2451,7 +2547,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1506,
+        line=1558,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2460,7 +2556,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1511,
+        line=1563,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2469,7 +2565,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1516,
+        line=1568,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2478,7 +2574,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1521,
+        line=1573,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2487,7 +2583,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1526,
+        line=1578,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2495,7 +2591,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1531,
+        line=1583,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2504,7 +2600,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1535,
+        line=1587,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2512,7 +2608,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1540,
+        line=1592,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2521,7 +2617,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1544,
+        line=1596,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2530,7 +2626,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1549,
+        line=1601,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2539,7 +2635,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1554,
+        line=1606,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2548,7 +2644,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1559,
+        line=1611,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2557,7 +2653,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1564,
+        line=1616,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2565,7 +2661,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1569,
+        line=1621,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2574,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1573,
+        line=1625,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2583,7 +2679,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1578,
+        line=1630,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2592,7 +2688,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1583,
+        line=1635,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2601,7 +2697,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1588,
+        line=1640,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2609,7 +2705,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1593,
+        line=1645,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2617,7 +2713,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1597,
+        line=1649,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2626,7 +2722,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1601,
+        line=1653,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2635,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1606,
+        line=1658,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2644,7 +2740,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1611,
+        line=1663,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2653,7 +2749,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1616,
+        line=1668,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2662,7 +2758,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1621,
+        line=1673,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2671,7 +2767,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1626,
+        line=1678,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2680,7 +2776,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1631,
+        line=1683,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2689,7 +2785,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1636,
+        line=1688,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2698,7 +2794,15 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1641,
+        line=1693,
+    ),
+    "hinged_yield": Symbol(
+        "hinged_yield",
+        "1/kg",
+        "yield of a row with the hinge on which its body hangs",
+        tex="k_{gh}",
+        file="srs/symbols.md",
+        line=1698,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2706,7 +2810,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1646,
+        line=1702,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2715,7 +2819,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1650,
+        line=1706,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2723,7 +2827,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1655,
+        line=1711,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2731,7 +2835,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1659,
+        line=1715,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2740,7 +2844,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1663,
+        line=1719,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2749,7 +2853,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1668,
+        line=1724,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2758,7 +2862,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1673,
+        line=1729,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2766,7 +2870,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1678,
+        line=1734,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2775,7 +2879,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1682,
+        line=1738,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2783,7 +2887,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1687,
+        line=1743,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2792,7 +2896,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1691,
+        line=1747,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2801,7 +2905,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1696,
+        line=1752,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2809,7 +2913,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1701,
+        line=1757,
     ),
     "change": Symbol(
         "change",
@@ -2818,7 +2922,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1705,
+        line=1761,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2827,7 +2931,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1710,
+        line=1766,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2836,7 +2940,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1715,
+        line=1771,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2844,7 +2948,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1720,
+        line=1776,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2853,7 +2957,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1724,
+        line=1780,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2861,7 +2965,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1729,
+        line=1785,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2869,7 +2973,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1733,
+        line=1789,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2877,7 +2981,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1737,
+        line=1793,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2886,7 +2990,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1741,
+        line=1797,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2894,7 +2998,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1746,
+        line=1802,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2903,6 +3007,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1750,
+        line=1806,
     ),
 }

@@ -20,10 +20,10 @@ from tamias2d.engine.tables import (
     BOUNDING_RADIUS,
     DYNAMIC,
     J_APART,
+    J_SCALE,
     J_SLIGHT,
     J_STEP_TOTAL,
     J_TURNED,
-    J_WARM,
     JOINTS_APART,
     JOINTS_TURNED,
     KEPT,
@@ -47,7 +47,7 @@ from tamias2d.simulator.told_only import REMEDIES
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
-_KEPT = slice(J_STEP_TOTAL, J_WARM + MOST_ROWS)  # numbers of a joint that a step leaves to the next
+_KEPT = slice(J_STEP_TOTAL, J_SCALE + 1)  # numbers of a joint that a step leaves to the next
 _COUNT = _KEPT.stop - _KEPT.start
 STIFFEST = 2.0**29  # of a spring, times the squared step, over mass or inertia
 APART = 1e-3

@@ -3,7 +3,8 @@
 Rows of other joints do the same with slopes for places, too, which are zero here.
 """
 
-from tamias2d.engine.joints.linearise import firmness_by_law, firmness_that_yields
+from tamias2d.engine.joints.hinged_yield import yield_at_hinge
+from tamias2d.engine.joints.linearise import firmness_by_law
 from tamias2d.engine.tables import (
     H_CHANGE,
     H_FIRM,
@@ -18,6 +19,7 @@ from tamias2d.engine.tables import (
     J_NODE,
     J_PULL,
     J_ROW,
+    J_SHARE,
     J_TOTAL,
     JOINED_ABOVE,
     JOINED_SLOT,
@@ -64,7 +66,7 @@ def hung_by_law(j: int, joints: Joints) -> tuple[int, float]:
     return one, numbers[TURNING]
 
 
-def add_law(j: int, substep: float, joints: Joints) -> None:
+def add_law(j: int, root: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Find how firm a law is; add it to the firmness of the hinge whose angle it governs."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     yielding = 0.0
@@ -73,9 +75,18 @@ def add_law(j: int, substep: float, joints: Joints) -> None:
         if inverse == 0.0:
             numbers[TURNING + 3 * end] = 0.0
         yielding += row_yield((0.0, 0.0), numbers[TURNING + 3 * end], 0.0, inverse)
-    firm = firmness_by_law(firmness_that_yields(yielding), j, substep, joints)
-    numbers[J_FIRMNESS] = firm
     m, turning = hung_by_law(j, joints)
+    above = joints.members[m, JOINED_ABOVE]
+    held, held_above = (
+        joints.places[m, HELD_INVERSE_INERTIA],
+        joints.places[above, HELD_INVERSE_INERTIA],
+    )
+    far = numbers[TURNING] if ends[J_MEMBER] == above else numbers[TURNING + 3]
+    spin = angular_velocity_later(0.0, 1.0, turning, held)
+    spins = (spin, angular_velocity_later(0.0, 1.0, far, held_above))
+    hinged = yield_at_hinge(m, root, yielding, (0.0, 0.0), spins, bodies, joints)
+    firm = firmness_by_law(yielding, hinged, j, substep, joints)
+    numbers[J_FIRMNESS] = firm
     joints.hinges[m, H_FIRM] += coupled_inertia(turning, turning, firm)
 
 
@@ -91,9 +102,9 @@ def error_of_law(j: int, substep: float, bodies: Bodies, joints: Joints) -> floa
         error = drive_error(rate_of_law(j, bodies, joints), law[LAW_RATE])
     elif firm > 0.0:
         rate, given = rate_of_law(j, bodies, joints), numbers[J_GIVEN]
-        error = spring_error(
-            angle, rate, given, law[LAW_STIFFNESS], law[LAW_DAMPING], firm, substep
-        )
+        start, share = numbers[J_AIM], numbers[J_SHARE]
+        stiffness, damping = law[LAW_STIFFNESS], law[LAW_DAMPING]
+        error = spring_error(angle, start, rate, given, stiffness, damping, share, firm, substep)
     numbers[J_ERROR] = error
     return float(error)
 

@@ -3,8 +3,9 @@
 What is too much is taken from the motion of all bodies in proportion: relative to what the
 mechanism is tied to, or else to its motion as one. Rows that have no rate have none afterwards.
 One that is tied and has not the energy for its way keeps a part of it.
+Springs have energies, too, and with them what was lost may be gained again (DD79).
 
-Cost: a visit to each body, and two more where there is too much.
+Cost: a visit to each body and spring, and two more where there is too much.
 """
 
 from tamias2d.engine.solver.energy import mass_and_inertia
@@ -25,11 +26,22 @@ from tamias2d.engine.tables import (
     GRAVITY_Y,
     I_NODE,
     ISLAND_MASS,
+    J_ENERGY,
+    J_LAW,
+    J_RESERVE,
+    J_RESERVE_LATER,
+    J_ROW,
+    J_SCALE,
+    J_SCALE_LATER,
+    LAW_STIFFNESS,
+    M_GOVERNED,
+    M_JOINT,
     M_TIED,
     MOMENT_OF_INERTIA,
     N_BODY,
     REFERENCE,
     SPIN,
+    SPRING,
     STEP_START,
     SUPPORT,
     VX,
@@ -48,8 +60,17 @@ from tamias2d.generated.island_energy import (
     velocity_damped,
     work,
 )
-from tamias2d.generated.joint_step import kinetic_energy_most
+from tamias2d.generated.joint_step import (
+    energy_reserve_later,
+    energy_scale_later,
+    kinetic_energy_most,
+    row_energy,
+    sprung_energy_most,
+)
 from tamias2d.state import Array
+
+RESERVE = 0.01  # of the energy at play lately: what may be gained of what was lost
+SCALE_FADE = 0.99  # in a part, of the energy at play: oscillations of some seconds keep theirs
 
 
 def bound_mechanism(
@@ -69,13 +90,46 @@ def bound_mechanism(
         shift, force = (motion[DX], motion[DY]), (load[0], load[1])
         given += work(mass, gravity, force, load[2], shift, motion[DANGLE])
     tied = joints.mechanisms[n, M_TIED] == 1
-    if tied and start + given < 0.0:
-        keep_part_of_way(first, last, -start / given, bodies, joints)
-    most = kinetic_energy_most(start, given)
+    if joints.mechanisms[n, M_GOVERNED] == 1:
+        most = most_with_springs(n, start, given, now, joints)
+    else:
+        if tied and start + given < 0.0:
+            keep_part_of_way(first, last, -start / given, bodies, joints)
+        most = kinetic_energy_most(start, given)
     if now > most:
         row = islands.energy[joints.sparse[first, N_BODY]]
         row[ENERGY_KEPT], row[ENERGY_BOUND] = now, most
         damp_mechanism(first, last, tied, row, bodies, joints)
+
+
+def energy_of_springs(n: int, joints: Joints) -> float:
+    """Return the energy of the springs of a mechanism, J, at the values that their rows have."""
+    energy = 0.0
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        if joints.joints[j, J_LAW] == SPRING:
+            energy += row_energy(joints.laws[j, LAW_STIFFNESS], joints.numbers[j, J_ROW])
+    return energy
+
+
+def note_energy_of_springs(n: int, joints: Joints) -> None:
+    """Note the energy of the springs of a mechanism as a part begins; nothing is left as yet."""
+    numbers = joints.numbers[joints.mechanisms[n, M_JOINT]]
+    numbers[J_ENERGY] = energy_of_springs(n, joints)
+    numbers[J_RESERVE_LATER], numbers[J_SCALE_LATER] = numbers[J_RESERVE], numbers[J_SCALE]
+
+
+def most_with_springs(n: int, start: float, given: float, now: float, joints: Joints) -> float:
+    """Return with how much kinetic energy, J, a part may end; note what may be gained later.
+
+    It began with some, forces gave some, and it has some now.
+    """
+    numbers = joints.numbers[joints.mechanisms[n, M_JOINT]]
+    energy = energy_of_springs(n, joints)
+    most = sprung_energy_most(start, given, numbers[J_ENERGY], energy, numbers[J_RESERVE])
+    scale = energy_scale_later(numbers[J_SCALE], now, energy, SCALE_FADE)
+    numbers[J_SCALE_LATER] = scale
+    numbers[J_RESERVE_LATER] = energy_reserve_later(most, now, scale, RESERVE)
+    return float(most)
 
 
 def keep_part_of_way(first: int, last: int, share: float, bodies: Bodies, joints: Joints) -> None:

@@ -45,6 +45,7 @@ from tamias2d.engine.tables import (
     H_MOMENT,
     H_OWED,
     H_SHARE,
+    H_SLIGHT,
     H_YIELD,
     HELD_INVERSE_INERTIA,
     I_NODE,
@@ -97,8 +98,6 @@ from tamias2d.generated.joint_step import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-SLIGHT_TURN = 1e-4  # rad^2, of a body in a substep times that by impulses: of arms, what it leaves
-
 
 def aim_tree(n: int, length: float, joints: Joints) -> None:
     """Note to which gaps a substep brings the hinges of a tree; its length is as `aim_joints` says.
@@ -121,6 +120,7 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
     """
     turning = joints.mechanisms[n, M_CHOOSING] == 0  # trial impulses of motors may go anywhere
     first, before, turned = 0.0, inf, False
+    root = joints.sparse[n, I_NODE] + 1
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_gap_errors(n, substep, bodies, joints)
         if k == 0:
@@ -134,7 +134,7 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
         if turned:
             turn_tree(n, substep, bodies, joints)
         before = size
-        if not substep * substep * solve_hinges(n, bodies, joints) > SLIGHT_TURN:
+        if not substep * substep * solve_hinges(n, bodies, joints) > joints.hinges[root, H_SLIGHT]:
             return
 
 

@@ -7,14 +7,15 @@ bodies.
 """
 
 from tamias2d.engine.joints.angle_laws import add_law, is_law
+from tamias2d.engine.joints.hinged_yield import yield_at_hinge
 from tamias2d.engine.joints.linearise import (
     ENDS_OF_JOINT,
     firmness_by_law,
-    firmness_of,
     move_members,
     rows_where_placed,
     turn_members,
     write_rows,
+    yield_of_row,
 )
 from tamias2d.engine.tables import (
     H_ANCHOR,
@@ -36,19 +37,25 @@ from tamias2d.engine.tables import (
     H_PULL,
     H_SHARE,
     H_SIDE,
+    H_SLIGHT,
     H_TURN,
     H_YIELD,
+    HELD_INVERSE_INERTIA,
     I_NODE,
+    INVERSE_MASS,
     J_APART,
     J_FIRMNESS,
     J_LAW,
+    J_MEMBER,
     J_NODE,
     J_PULL,
     J_ROW,
     J_ROWS,
+    J_SHARE,
     J_TOTAL,
     JOINED_ABOVE,
     JOINED_HINGE,
+    JOINED_SLOT,
     M_GOVERNED,
     M_JOINT,
     NODE_INERTIA,
@@ -57,6 +64,7 @@ from tamias2d.engine.tables import (
     PLACE_Y,
     SPRING,
     Bodies,
+    Integers,
     Joints,
 )
 from tamias2d.generated.hinge_tree import (
@@ -75,9 +83,18 @@ from tamias2d.generated.hinge_tree import (
     turning_yield,
 )
 from tamias2d.generated.joint_rows import ROW
-from tamias2d.generated.joint_step import coupled_inertia, coupled_mass, coupled_moment
+from tamias2d.generated.joint_step import (
+    angular_velocity_later,
+    coupled_inertia,
+    coupled_mass,
+    coupled_moment,
+    velocity_later,
+)
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
+
+SLIGHT_TURN = 1e-4  # rad^2, of a body in a substep times that by impulses: of arms, what it leaves
+OF_LOSS = 0.4  # the same for springs, of the share beyond a half, by which they lose energy
 
 
 def linearise_tree(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -124,6 +141,7 @@ def hang_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     Springs count through a substep, s; not where that is 0 and velocities alone are looked at.
     """
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    joints.hinges[first, H_SLIGHT] = SLIGHT_TURN
     for m in range(first, last):
         begin_node(m, joints)
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
@@ -131,16 +149,30 @@ def hang_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
         if substep == 0.0 and ends[J_LAW] == SPRING:
             numbers[J_FIRMNESS] = 0.0
         elif is_law(j, joints):
-            add_law(j, substep, joints)
+            add_law(j, first, substep, bodies, joints)
         else:
             for r in range(ends[J_ROWS]):
-                firm = firmness_of(r, ends, numbers, bodies, joints)
-                numbers[J_FIRMNESS + r] = firmness_by_law(firm, j, substep, joints)
+                yielding = yield_of_row(r, ends, numbers, bodies, joints)
+                hinged = yield_of_tie(r, first, yielding, ends, numbers, bodies, joints)
+                numbers[J_FIRMNESS + r] = firmness_by_law(yielding, hinged, j, substep, joints)
                 add_tie(j, r, joints)
+        if ends[J_LAW] == SPRING:
+            slight = slight_turn(numbers[J_SHARE])
+            joints.hinges[first, H_SLIGHT] = min(joints.hinges[first, H_SLIGHT], slight)
     for m in range(last - 1, first, -1):
         hang(joints.hinges[m])
         add_to_node_above(joints.hinges[m], joints.hinges[joints.members[m, JOINED_ABOVE]])
     hang(joints.hinges[first])
+
+
+@inlined
+def slight_turn(share: float) -> float:
+    """Return how much turning is not looked at again where a spring answers after a share, rad^2.
+
+    What gaps take or give then is little beside what the spring loses; where it loses nothing, none
+    is slight.
+    """
+    return OF_LOSS * (share - 0.5)
 
 
 def first_besides(n: int, joints: Joints) -> int:
@@ -208,6 +240,27 @@ def begin_node(m: int, joints: Joints) -> None:
     row[H_NODE_INERTIA] = inertia
     row[H_YIELD] = 1.0 if inertia > 0.0 else 0.0
     row[H_FIRM] = 0.0
+
+
+def yield_of_tie(
+    r: int,
+    root: int,
+    yielding: float,
+    ends: Integers,
+    numbers: Array,
+    bodies: Bodies,
+    joints: Joints,
+) -> float:
+    """Return by how much a row yields, 1/kg, with the hinge of the body that it ties."""
+    for end in range(ENDS_OF_JOINT):
+        if ends[J_NODE + end] >= 0 and ends[J_LAW] == SPRING:
+            m, at = ends[J_MEMBER + end], J_ROW + ROW * r + 1 + 3 * end
+            inverse_mass = bodies.properties[joints.members[m, JOINED_SLOT], INVERSE_MASS]
+            slope, held = (numbers[at], numbers[at + 1]), joints.places[m, HELD_INVERSE_INERTIA]
+            by = velocity_later((0.0, 0.0), 1.0, slope, inverse_mass)
+            spin = angular_velocity_later(0.0, 1.0, numbers[at + 2], held)
+            return yield_at_hinge(m, root, yielding, by, (spin, 0.0), bodies, joints)
+    return yielding
 
 
 def add_tie(j: int, r: int, joints: Joints) -> None:

@@ -30,6 +30,7 @@ from tamias2d.engine.tables import (
     J_NODE,
     J_ROW,
     J_ROWS,
+    J_SHARE,
     J_STATE,
     J_TURNED,
     JOINED_SLOT,
@@ -66,6 +67,7 @@ from tamias2d.generated.joint_step import (
     coupled_mass,
     coupled_moment,
     firmness,
+    implicit_share,
     inertia_held,
     leaning,
     row_yield,
@@ -140,19 +142,27 @@ def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[J_ROWS]):
-            firm = firmness_of(r, ends, numbers, bodies, joints)
-            numbers[J_FIRMNESS + r] = firmness_by_law(firm, j, substep, joints)
+            yielding = yield_of_row(r, ends, numbers, bodies, joints)
+            numbers[J_FIRMNESS + r] = firmness_by_law(yielding, yielding, j, substep, joints)
             if not meshed:
                 add_joint_row(r, ends, numbers, joints)
     if not meshed:
         factor(n, joints.sparse, joints.factors)
 
 
-def firmness_by_law(firm: float, j: int, substep: float, joints: Joints) -> float:
-    """Return how firm a row is, kg, where one that is kept is so firm."""
+def firmness_by_law(
+    yielding: float, hinged: float, j: int, substep: float, joints: Joints
+) -> float:
+    """Return how firm a row is, kg, that yields so much, 1/kg, by itself, and so much with a hinge.
+
+    It is noted after which share a spring answers.
+    """
+    firm = firmness_that_yields(yielding)
     if joints.joints[j, J_LAW] == SPRING:
-        law = joints.laws[j]
-        return min(firm, spring_firmness(law[LAW_STIFFNESS], law[LAW_DAMPING], substep))
+        stiffness, damping = joints.laws[j, LAW_STIFFNESS], joints.laws[j, LAW_DAMPING]
+        share = implicit_share(stiffness, damping, hinged, substep)
+        joints.numbers[j, J_SHARE] = share
+        return min(firm, spring_firmness(stiffness, damping, share, substep))
     return firm if joints.joints[j, J_STATE] == HOLDS else 0.0
 
 
@@ -208,8 +218,8 @@ def add_joint_row(r: int, ends: Integers, numbers: Array, joints: Joints) -> Non
             add_coupling(at + 3 * one, at + 3 * other, firm, numbers, joints.factors[edge])
 
 
-def firmness_of(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints: Joints) -> float:
-    """Return how firm a row is: by how much it yields, kg; 0 for one that nothing moves.
+def yield_of_row(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints: Joints) -> float:
+    """Return by how much a row yields, 1/kg; 0 for one that nothing moves.
 
     A body that does not turn gets no slopes for turning.
     """
@@ -224,7 +234,7 @@ def firmness_of(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints: 
             yielding += row_yield(
                 slope, numbers[at + 2], inverse_mass, inverse[HELD_INVERSE_INERTIA]
             )
-    return firmness_that_yields(yielding)
+    return yielding
 
 
 @inlined

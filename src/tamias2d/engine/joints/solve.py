@@ -28,11 +28,13 @@ from tamias2d.engine.tables import (
     J_IMPULSE,
     J_KIND,
     J_LAW,
+    J_LEFT,
     J_MEMBER,
     J_NODE,
     J_RESIDUAL,
     J_ROW,
     J_ROWS,
+    J_SHARE,
     J_WARM,
     JOINED_SLOT,
     LAW_DAMPING,
@@ -46,6 +48,7 @@ from tamias2d.engine.tables import (
     M_MESHED,
     MOTOR,
     SPIN,
+    SPRING,
     UPPER_LIMIT,
     VX,
     VY,
@@ -75,7 +78,7 @@ def aim_joints(n: int, length: float, joints: Joints) -> None:
     """Note to which values a substep brings the rows of a mechanism, which were just written.
 
     Its length is a share of that of a substep of a whole step: shorter ones remove less. A limit
-    aims at nothing unless it is passed already.
+    aims at nothing unless it is passed already. Of springs it is noted where they are.
     """
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         aim_joint(j, length, joints)
@@ -90,8 +93,9 @@ def aim_joint(j: int, length: float, joints: Joints) -> None:
             value = min(value, 0.0)
         elif law == UPPER_LIMIT:
             value = max(value, 0.0)
-        numbers[J_AIM + r] = row_aim(value, REMOVED_BY_JOINTS * length)
-        numbers[J_GIVEN + r] = 0.0
+        removed = 0.0 if law == SPRING else REMOVED_BY_JOINTS * length
+        numbers[J_AIM + r] = row_aim(value, removed)
+        numbers[J_GIVEN + r] = -numbers[J_LEFT] if law == SPRING else 0.0
 
 
 def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -247,9 +251,10 @@ def error_of_row(j: int, r: int, substep: float, bodies: Bodies, joints: Joints)
     if joints.joints[j, J_LAW] == MOTOR:
         return drive_error(rate, law[LAW_RATE])
     stiffness, damping = law[LAW_STIFFNESS], law[LAW_DAMPING]
+    start, given, share = numbers[J_AIM + r], numbers[J_GIVEN + r], numbers[J_SHARE]
     if firm == 0.0:
         return 0.0
-    return spring_error(value, rate, numbers[J_GIVEN + r], stiffness, damping, firm, substep)
+    return spring_error(value, start, rate, given, stiffness, damping, share, firm, substep)
 
 
 def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:

@@ -5,7 +5,7 @@ itself. A mechanism that no contact touches is taken through the step by itself,
 ends of each substep; one that is touched is solved before and after the contacts (IM15).
 """
 
-from tamias2d.engine.joints.energy import bound_mechanism
+from tamias2d.engine.joints.energy import bound_mechanism, note_energy_of_springs
 from tamias2d.engine.joints.governed import begin_motors, begin_rows
 from tamias2d.engine.joints.hinge_laws import keep_tree_positions
 from tamias2d.engine.joints.hinge_net import (
@@ -17,6 +17,7 @@ from tamias2d.engine.joints.hinge_net import (
 )
 from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
 from tamias2d.engine.joints.hinge_tree import hang_tree, linearise_tree, store_hinge_impulses
+from tamias2d.engine.joints.left_impulses import give_left, note_left
 from tamias2d.engine.joints.linearise import (
     factor_mechanism,
     linearise,
@@ -29,6 +30,8 @@ from tamias2d.engine.joints.tree_blocks import (
     begin_blocks,
     bring_blocks_to_aims,
     fit_blocks,
+    give_left_of_blocks,
+    note_left_of_blocks,
     store_blocks,
     write_blocks,
 )
@@ -49,7 +52,13 @@ from tamias2d.engine.tables import (
     J_APART,
     J_FORCE,
     J_GIVEN,
+    J_LEFT,
+    J_LEFT_BEFORE,
     J_PULL,
+    J_RESERVE,
+    J_RESERVE_LATER,
+    J_SCALE,
+    J_SCALE_LATER,
     J_SLIGHT,
     J_STEP_TOTAL,
     J_TOTAL,
@@ -188,10 +197,13 @@ def begin_joints(substep: float, world: World) -> None:
                 begin_net(n, bodies, joints)
             if joints.mechanisms[n, M_IN_BLOCK] == 0:
                 write_mechanism(n, bodies, joints)
-            joints.mechanisms[n, M_HALF] = joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS
+            joints.mechanisms[n, M_HALF] = joints.mechanisms[n, M_STATUS] != IN_CONTACT
             if joints.mechanisms[n, M_HALF] == 1:
                 kick_half(n, False, bodies, joints)
     begin_blocks(bodies, joints)
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP and joints.mechanisms[n, M_GOVERNED] == 1:
+            note_energy_of_springs(n, joints)
 
 
 def write_mechanism(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -212,6 +224,7 @@ def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
             joints.numbers[j, k] = 0.0
         for k in range(J_WARM, J_WARM + 3):
             joints.numbers[j, k] *= ratio
+        joints.numbers[j, J_LEFT] = joints.numbers[j, J_LEFT_BEFORE]
 
 
 def keep_joint_impulses(world: World) -> None:
@@ -226,6 +239,9 @@ def keep_joint_impulses(world: World) -> None:
                 for k in range(9):
                     before = kept * numbers[J_STEP_TOTAL + k]
                     numbers[J_STEP_TOTAL + k] = before + numbers[J_TOTAL + k]
+                numbers[J_LEFT_BEFORE] = numbers[J_LEFT]
+                numbers[J_RESERVE] = numbers[J_RESERVE_LATER]
+                numbers[J_SCALE] = numbers[J_SCALE_LATER]
                 for k in range(3):
                     numbers[J_FORCE + k] = numbers[J_PULL + k] / time
                     if numbers[J_APART + k] > numbers[J_SLIGHT + k]:
@@ -283,22 +299,35 @@ def bring_to_end(
 
 
 def relax_joints(world: World) -> None:
-    """Find the rows of mechanisms where bodies are."""
+    """Find the rows of mechanisms where bodies are; what springs have left is noted."""
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
     write_blocks(bodies, joints)
+    note_left_of_blocks(joints)
     for n in range(joints.counts[MECHANISMS]):
         alone = joints.mechanisms[n, M_IN_BLOCK] == 0
         if alone and joints.mechanisms[n, M_STATUS] != ASLEEP:
             write_mechanism(n, bodies, joints)
+            if joints.mechanisms[n, M_GOVERNED] == 1:
+                note_left(n, joints)
 
 
 def fit_touched(world: World) -> None:
     """Let the velocities of touched and of governed mechanisms fit their rows as a step ends.
 
     Nothing is lost in the substeps before: what they do not fit, the next solution takes away.
+    Those that no contact touches catch up with forces first, and with their springs.
     """
+    joints = world.joints
+    if joints.counts[MECHANISMS_AWAKE] == 0:
+        return
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] == GOVERNED_ALONE:
+            kick_half(n, True, world.bodies, joints)
+            if joints.mechanisms[n, M_IN_BLOCK] == 0:
+                give_left(n, world.bodies, joints)
+    give_left_of_blocks(world.bodies, joints)
     fit_velocities(GOVERNED_ALONE, world.control.settings[SUBSTEP], world.bodies, world.joints)
 
 
@@ -342,9 +371,10 @@ def end_joints(world: World) -> None:
     store_blocks(joints)
     for n in range(joints.counts[MECHANISMS]):
         alone = joints.mechanisms[n, M_IN_BLOCK] == 0
-        if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
-            if alone:
-                fit(n, 0.5, world.control.settings[SUBSTEP], bodies, joints)
+        status = joints.mechanisms[n, M_STATUS]
+        if status == FREE_OF_CONTACTS and alone:
+            fit(n, 0.5, world.control.settings[SUBSTEP], bodies, joints)
+        if status != ASLEEP and status != IN_CONTACT:
             bound_mechanism(n, world.control, bodies, joints, world.islands)
         awake = joints.mechanisms[n, M_STATUS] != ASLEEP
         if alone and awake and joints.mechanisms[n, M_HINGED] == 1:

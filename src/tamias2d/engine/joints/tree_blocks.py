@@ -3,8 +3,7 @@
 Cost: for each node of a block about what four trees by themselves take.
 """
 
-from tamias2d.engine.joints.hinge_solve import SLIGHT_TURN
-from tamias2d.engine.joints.hinge_tree import store_hinge_impulses
+from tamias2d.engine.joints.hinge_tree import SLIGHT_TURN, store_hinge_impulses
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
     REMOVED_BY_JOINTS,
@@ -15,9 +14,12 @@ from tamias2d.engine.joints.spring_lanes import (
     add_turns,
     begin_springs_of_lanes,
     firm_lanes,
+    note_angles_of_lanes,
+    note_left_of_lanes,
     owe_springs,
     spring_errors_of_lanes,
     spring_impulses_of_lanes,
+    take_left_of_lanes,
     turn_lanes_by_springs,
 )
 from tamias2d.engine.joints.tree_lanes import (
@@ -48,6 +50,7 @@ from tamias2d.engine.joints.tree_lanes import (
 from tamias2d.engine.tables import (
     ANGLE,
     ASLEEP,
+    GOVERNED_ALONE,
     H_APART,
     H_FAR_TURN,
     H_GIVEN,
@@ -57,8 +60,10 @@ from tamias2d.engine.tables import (
     I_NODE,
     IN_CONTACT,
     INVERSE_MASS,
+    J_LEFT,
     J_MEMBER,
     J_PULL,
+    J_ROW,
     J_TOTAL,
     JOINED_ABOVE,
     JOINED_SLOT,
@@ -85,8 +90,10 @@ from tamias2d.engine.tables import (
     T_INVERSE_MASS,
     T_JOINT_ANGLE,
     T_LARGEST,
+    T_LAW_LEFT,
     T_LAW_PULL,
     T_LAW_SIDE,
+    T_LAW_START,
     T_MASS,
     T_MECHANISM,
     T_POSE_ANGLE,
@@ -96,6 +103,7 @@ from tamias2d.engine.tables import (
     T_PULL_Y,
     T_SIZE,
     T_SIZE_FIRST,
+    T_SLIGHT,
     T_SPRUNG,
     T_STIFFNESS,
     T_TIED,
@@ -127,6 +135,8 @@ def begin_blocks(bodies: Bodies, joints: Joints) -> None:
                         m, joints.sparse[n, I_NODE] + r - first, joints.tree_lanes[r], joints
                     )
         write_block(b, bodies, joints)
+        if joints.tree_blocks[b, T_SPRUNG] == 1:
+            store_angles(b, joints)
 
 
 def begin_lane(m: int, r: int, awake: bool, n: int, k: int, bodies: Bodies, joints: Joints) -> None:
@@ -151,7 +161,7 @@ def begin_lane(m: int, r: int, awake: bool, n: int, k: int, bodies: Bodies, join
     pose = bodies.pose[i]
     row[T_POSE_X + m], row[T_POSE_Y + m] = pose[X], pose[Y]
     row[T_POSE_ANGLE + m] = pose[ANGLE]
-    row[T_STIFFNESS + m] = row[T_DAMPING + m] = row[T_LAW_SIDE + m] = 0.0
+    row[T_STIFFNESS + m] = row[T_DAMPING + m] = row[T_LAW_SIDE + m] = row[T_LAW_LEFT + m] = 0.0
     for c in range(T_GIVEN_X, T_LAW_PULL + LANES, LANES):
         row[c + m] = 0.0
 
@@ -164,6 +174,7 @@ def begin_spring(m: int, member: int, row: Array, joints: Joints) -> None:
         row[T_STIFFNESS + m] = joints.laws[j, LAW_STIFFNESS]
         row[T_DAMPING + m] = joints.laws[j, LAW_DAMPING]
         row[T_LAW_SIDE + m] = 1.0 if joints.joints[j, J_MEMBER + 1] == member else -1.0
+        row[T_LAW_LEFT + m] = joints.numbers[j, J_LEFT]
 
 
 def write_blocks(bodies: Bodies, joints: Joints) -> None:
@@ -186,6 +197,8 @@ def write_block(b: int, bodies: Bodies, joints: Joints) -> None:
             keep_given_lanes(each, rows[r])
             turn_lanes(each, rows[r], rows[joints.tree_above[r]])
             note_apart_lanes(rows[r])
+    for r in range(first_sprung(b, joints), last):
+        note_angles_of_lanes(rows[r], rows[joints.tree_above[r]])
     if joints.tree_blocks[b, T_SPRUNG] == 0:
         hang_block(b, 0.0, joints)
 
@@ -203,10 +216,11 @@ def hang_block(b: int, substep: float, joints: Joints) -> None:
     """Find what hangs on the hinges of a block; springs count through a substep, s, as there."""
     first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
     lanes = joints.tree_lanes
+    all_lanes(T_SLIGHT, SLIGHT_TURN, joints.block_lanes[b])
     for r in range(first, last):
         begin_lanes(lanes[r])
     for r in range(first_sprung(b, joints), last):
-        firm_lanes(substep, lanes[r], lanes[joints.tree_above[r]])
+        firm_lanes(substep, joints.block_lanes[b], lanes[r], lanes[joints.tree_above[r]])
     for r in range(last - 1, first, -1):
         hang_lanes(lanes[r], lanes[joints.tree_above[r]])
 
@@ -255,7 +269,7 @@ def bring_block_to_aims(b: int, substep: float, bodies: Bodies, joints: Joints) 
         if not some_lanes(T_ACTIVE, lanes):
             return
         solve_block(b, bodies, joints)
-        end_slight_lanes(substep, SLIGHT_TURN, lanes)
+        end_slight_lanes(substep, lanes)
         if not some_lanes(T_ACTIVE, lanes):
             return
 
@@ -351,6 +365,32 @@ def solve_block(b: int, bodies: Bodies, joints: Joints) -> None:
     store_block(b, bodies, joints)
 
 
+def give_left_of_blocks(bodies: Bodies, joints: Joints) -> None:
+    """Let the springs of blocks that nothing touches give what they have left as a step ends."""
+    rows = joints.tree_lanes
+    for b in range(joints.counts[TREE_BLOCKS]):
+        sprung = joints.tree_blocks[b, T_SPRUNG] == 1
+        if sprung and has_status(b, GOVERNED_ALONE, GOVERNED_ALONE, joints):
+            first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
+            given = joints.block_lanes[b, T_ACTIVE : T_ACTIVE + LANES]
+            for r in range(first, last):
+                load_node(joints.tree_slots[r], bodies, rows[r])
+            for r in range(first_sprung(b, joints), last):
+                take_left_of_lanes(given, rows[r])
+            turn_by_springs(b, T_ACTIVE, 1.0, joints)
+            store_block(b, bodies, joints)
+
+
+def note_left_of_blocks(joints: Joints) -> None:
+    """Note what the springs of blocks have left, as `note_left` does."""
+    for b in range(joints.counts[TREE_BLOCKS]):
+        sprung = joints.tree_blocks[b, T_SPRUNG] == 1
+        if sprung and has_status(b, GOVERNED_ALONE, IN_CONTACT, joints):
+            active = joints.block_lanes[b, T_ACTIVE : T_ACTIVE + LANES]
+            for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
+                note_left_of_lanes(active, joints.tree_lanes[r])
+
+
 def take_block_back(b: int, bodies: Bodies, joints: Joints) -> None:
     """Take the last solution from the motion of trees: no solution is near."""
     for r in range(first_hinge(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
@@ -404,6 +444,18 @@ def store_blocks(joints: Joints) -> None:
             store_hinge_impulses(n, joints)
 
 
+def store_angles(b: int, joints: Joints) -> None:
+    """Let the rows of the springs of a block have the angles that were noted."""
+    first = joints.tree_blocks[b, T_FIRST]
+    for m in range(LANES):
+        n = joints.tree_blocks[b, T_MECHANISM + m]
+        if n >= 0 and joints.mechanisms[n, M_STATUS] != ASLEEP:
+            for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
+                j = joints.members[joints.sparse[n, I_NODE] + r - first, JOINED_SPRING]
+                if j >= 0:
+                    joints.numbers[j, J_ROW] = joints.tree_lanes[r, T_LAW_START + m]
+
+
 def store_lane(m: int, row: Array, hinge: Array) -> None:
     """Let the row of a hinge have what its lane has."""
     hinge[H_GIVEN] = hinge[H_GIVEN + 1] = 0.0
@@ -416,7 +468,8 @@ def store_spring(m: int, row: Array, numbers: Array) -> None:
     """Let the numbers of a spring have what its lane has."""
     pull, own = row[T_LAW_PULL + m], row[T_LAW_SIDE + m] > 0.0
     turning, far = row[T_TURNING + m], row[T_FAR_TURNING + m]
-    numbers[J_PULL] = pull
+    numbers[J_PULL], numbers[J_LEFT] = pull, row[T_LAW_LEFT + m]
+    numbers[J_ROW] = row[T_LAW_START + m]
     to = J_TOTAL + 2
     numbers[to] = angular_momentum_later(numbers[to], pull, far if own else turning)
     numbers[to + 3] = angular_momentum_later(numbers[to + 3], pull, turning if own else far)

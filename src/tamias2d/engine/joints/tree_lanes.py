@@ -71,6 +71,7 @@ from tamias2d.engine.tables import (
     T_SHARE,
     T_SINE,
     T_SIZE,
+    T_SLIGHT,
     T_SPIN,
     T_START_SPIN,
     T_START_X,
@@ -405,8 +406,8 @@ def all_lanes(chosen: int, number: float, lanes: Array) -> None:
         lanes[chosen + m] = number
 
 
-def end_slight_lanes(substep: float, slight: float, lanes: Array) -> None:
+def end_slight_lanes(substep: float, lanes: Array) -> None:
     """Let lanes in which bodies turn little as impulses act, in a substep, s, be active no more."""
     for m in range(LANES):
-        much = substep * substep * lanes[T_LARGEST + m] > slight
+        much = substep * substep * lanes[T_LARGEST + m] > lanes[T_SLIGHT + m]
         lanes[T_ACTIVE + m] = lanes[T_ACTIVE + m] if much else 0.0
