@@ -109,7 +109,8 @@ def may_meet_at(
     i, j = contacts.pairs[q, SLOT_A], contacts.pairs[q, SLOT_B]
     later = events.times[len(bodies.kind) + q] - now
     close = later * relative_motion(i, j, bodies) <= EARLY * near
-    return unless_joined(close and not is_supported(q, bodies, contacts), i, j, bodies)
+    close = unless_joined(close, i, j, bodies)
+    return close and not is_supported(q, bodies, contacts)
 
 
 def add_meeting(q: int, k: int, shapes: Shapes, contacts: Contacts, events: Events) -> None:
