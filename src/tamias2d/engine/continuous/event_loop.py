@@ -381,7 +381,7 @@ def resolve_impact(
     i, j = shapes.slot[s], shapes.slot[t]
     held = held_normal(contacts.manifolds[p], contacts.flags[p])
     count = gather_meetings(p, now, bodies, shapes, contacts, events)
-    bends = is_first(i, j, bodies)
+    bends = contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies)
     if bends:
         now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
         if now > 1.0:
