@@ -380,10 +380,11 @@ def resolve_impact(
         sense = -1.0
     i, j = shapes.slot[s], shapes.slot[t]
     held = held_normal(contacts.manifolds[p], contacts.flags[p])
-    count = gather_meetings(p, now, bodies, shapes, contacts, events)
+    time_step = control.progress[PART_TIME]
+    count = gather_meetings(p, now, time_step, bodies, shapes, contacts, events)
     bends = contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies)
     if bends:
-        now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
+        now = bend_paths(s, t, now, time_step, bodies, shapes, events)
         if now > 1.0:
             return 0
         events.times[len(bodies.kind) + p] = now

@@ -6,8 +6,11 @@ from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.tables import (
     CONTACT_OF_BODY,
+    CORE_RADIUS,
+    DX,
     DYNAMIC,
     FIRST_OF_BODY,
+    FORCE_GAIN,
     HALF_PLANE,
     MET_A,
     MET_B,
@@ -27,24 +30,31 @@ from tamias2d.engine.tables import (
     Shapes,
 )
 
+STRAYED = 2.0**-40  # of a way: more than rounding
 EARLY = 4.0  # distances that count as meeting: pairs that are farther from it meet later
 
 
 def gather_meetings(
-    p: int, now: float, bodies: Bodies, shapes: Shapes, contacts: Contacts, events: Events
+    p: int,
+    now: float,
+    time_step: float,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+    events: Events,
 ) -> int:
     """List the pairs that meet when one does, and share a body with one of them; return how many.
 
     Bodies whose contacts the solver has treated meet others one by one.
     """
     add_meeting(p, 0, shapes, contacts, events)
-    if is_supported(p, bodies, contacts):
+    if was_solved(p, time_step, bodies, contacts):
         return 1
     count, k = 1, 0
     while k < count:
         for i in (events.met[k, MET_A], events.met[k, MET_B]):
             if bodies.kind[i] == DYNAMIC:
-                count = add_meetings_of(i, now, count, bodies, shapes, contacts, events)
+                count = add_meetings_of(i, now, time_step, count, bodies, shapes, contacts, events)
         k += 1
     return count
 
@@ -52,6 +62,7 @@ def gather_meetings(
 def add_meetings_of(
     i: int,
     now: float,
+    time_step: float,
     count: int,
     bodies: Bodies,
     shapes: Shapes,
@@ -62,12 +73,13 @@ def add_meetings_of(
     p = events.met[0, MET_CONTACT]
     for k in range(events.queue[FIRST_OF_BODY, i], events.queue[FIRST_OF_BODY, i + 1]):
         q = events.queue[CONTACT_OF_BODY, k]
-        if events.times[len(bodies.kind) + q] > 1.0 or contacts.flags[q, SENSES] == 1:
+        if events.times[len(bodies.kind) + q] > 1.0:
             continue
         if count == MOST_AT_ONCE or is_listed(q, count, events.met):
             continue
         near = max(near_of(p, shapes, contacts), near_of(q, shapes, contacts))
-        if may_meet_at(now, q, near, bodies, contacts, events):
+        solved = was_solved(q, time_step, bodies, contacts)
+        if not solved and may_meet_at(now, q, near, bodies, contacts, events):
             add_meeting(q, count, shapes, contacts, events)
             if measure_meeting(count, now, bodies, shapes, contacts, events) <= near:
                 count += 1
@@ -90,10 +102,25 @@ def is_first_listed(i: int, k: int, met: Integers) -> bool:
     return not found
 
 
-def is_supported(p: int, bodies: Bodies, contacts: Contacts) -> bool:
+def was_solved(p: int, time_step: float, bodies: Bodies, contacts: Contacts) -> bool:
     """Return whether the solver has treated contacts of a body of a pair."""
     i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-    return bool(bodies.flight[i, SUPPORTED] + bodies.flight[j, SUPPORTED] > 0.0)
+    supported = bodies.flight[i, SUPPORTED] + bodies.flight[j, SUPPORTED] > 0.0
+    return bool(supported or strays(i, time_step, bodies) or strays(j, time_step, bodies))
+
+
+def strays(i: int, time_step: float, bodies: Bodies) -> bool:
+    """Return whether the path of a body that no force pushes is not that of its velocity."""
+    gain, motion = bodies.flight[i], bodies.motion[i]
+    pushed = abs(gain[FORCE_GAIN]) + abs(gain[FORCE_GAIN + 1]) + abs(gain[FORCE_GAIN + 2]) > 0.0
+    if bodies.kind[i] != DYNAMIC or pushed:
+        return False
+    off = far = 0.0
+    for n in range(3):
+        size = bodies.properties[i, CORE_RADIUS] if n == 2 else 1.0
+        off += size * abs(motion[DX + n] - time_step * motion[n])
+        far += size * abs(time_step * motion[n])
+    return bool(off > STRAYED * far)
 
 
 def near_of(p: int, shapes: Shapes, contacts: Contacts) -> float:
@@ -110,7 +137,7 @@ def may_meet_at(
     later = events.times[len(bodies.kind) + q] - now
     close = later * relative_motion(i, j, bodies) <= EARLY * near
     close = unless_joined(close, i, j, bodies)
-    return close and not is_supported(q, bodies, contacts)
+    return close and contacts.flags[q, SENSES] == 0
 
 
 def add_meeting(q: int, k: int, shapes: Shapes, contacts: Contacts, events: Events) -> None:
