@@ -117,10 +117,13 @@ def find_touching(
         if count == 0:
             continue
         if contacts.flags[p, SENSES] == 0:
-            meets = not touched and will_meet(p, i, j, count, smaller, control, bodies, contacts)
             beside = contacts.flags[p, FEATURE] == BESIDE
             gap = smallest_gap(contacts.manifolds[p], count)
-            if not meets and (gap > (CLOSE + AHEAD) * smaller or beside):
+            apart = gap > (CLOSE + AHEAD) * smaller
+            meets = (apart or not touched) and will_meet(
+                p, i, j, count, smaller, control, bodies, contacts
+            )
+            if not meets and (apart or beside):
                 contacts.flags[p, POINT_COUNT] = 0
                 continue
             deep = deep | (gap < -DEEP * smaller)
