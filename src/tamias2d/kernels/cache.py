@@ -32,6 +32,7 @@ def njit(source: str) -> Callable[..., Callable[[FunctionType], Any]]:
         """Return what compiles a function, at once for these signatures."""
 
         def compile_(function: FunctionType) -> Any:
+            """Return the compiled function, which looks for its code in the cache if it may."""
             compiler = HelperCompiler if options.get("no_cpython_wrapper") else EntryCompiler
             compiler = SeparateCompiler if options.get("inline") == "never" else compiler
             made: Any = numba.njit(pipeline_class=compiler, **options)(function)

@@ -11,9 +11,9 @@ Cost: for each impact, the contacts of both bodies. Source: Mirtich, Impulse-bas
 simulation (1996).
 """
 
-from tamias2d.engine.continuous.bend import bend_paths, is_first, put_on_parabola
 from tamias2d.engine.continuous.bounds import path_length, time_of_leaving
-from tamias2d.engine.continuous.clusters import hold, is_carried, join_or_carry, leave
+from tamias2d.engine.continuous.clusters import hold, is_carried, join_or_carry
+from tamias2d.engine.continuous.collision_response import resolve_impact
 from tamias2d.engine.continuous.conservative_advancement import MISSED
 from tamias2d.engine.continuous.event_queue import (
     build_tournament,
@@ -27,63 +27,34 @@ from tamias2d.engine.continuous.events import (
     allowed_depth,
     find_events,
     goes_little,
-    manifold_at,
     next_event,
     relative_motion,
     smaller_radius,
     update_events_of,
 )
-from tamias2d.engine.continuous.gap_bound import UNBOUNDED
-from tamias2d.engine.continuous.impact import (
-    contact_point,
-    place_on_path,
-    rebound,
-    record_impact,
-)
-from tamias2d.engine.continuous.impact_points import (
-    is_point,
-    list_points,
-    rebound_at_points,
-    total_push,
-)
 from tamias2d.engine.continuous.meetings import (
-    gather_meetings,
     is_first_listed,
-    measure_meeting,
 )
-from tamias2d.engine.narrow_phase.core import core_of, is_thin
-from tamias2d.engine.narrow_phase.material import mixed_material
-from tamias2d.engine.narrow_phase.polygon import held_normal
-from tamias2d.engine.narrow_phase.seams import extend_ground, goes_on, is_seam
 from tamias2d.engine.tables import (
     BOUNDING_RADIUS,
     CONTACTS,
     DEPTH_SHARE,
-    DX,
-    DY,
     DYNAMIC,
     FORCE_GAIN,
     GRAVITY_X,
     GRAVITY_Y,
-    HALF_PLANE,
     LEVEL,
     LOCATED,
-    M_NORMAL,
     MET_A,
     MET_B,
     MET_CONTACT,
-    MET_TURNED,
     MOST_LEVEL,
-    NX,
-    NY,
-    PART_TIME,
     PATH_LENGTH,
     REDIRECTED,
     SLOT_A,
     SLOT_B,
     SPENT,
     START_NOTED,
-    STATIC,
     SUPPORTED,
     TOURNAMENT,
     WINNER,
@@ -94,10 +65,7 @@ from tamias2d.engine.tables import (
     Events,
     Integers,
     Shapes,
-    X,
-    Y,
 )
-from tamias2d.generated.continuous_collision import position_later
 
 MOST_IMPACTS = 256  # in a step in all
 MOST_IMPACTS_OF_PAIR = 4  # in a part, for a pair that meets; in one of the shortest one
@@ -340,125 +308,3 @@ def reaches_little(p: int, now: float, bodies: Bodies, shapes: Shapes, contacts:
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
     return goes_little(i, j, now, 1.0, smaller_radius(s, t, shapes.material), bodies)
-
-
-def meets_seam(s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, events: Events) -> bool:
-    """Return whether a body meets a static shape where that joins its ground."""
-    i, j, manifold = shapes.slot[s], shapes.slot[t], events.scratch[0]
-    if bodies.kind[i] != STATIC and bodies.kind[j] != STATIC:
-        return False
-    at, shift = bodies.pose[i], bodies.motion[i]
-    x, y = position_later((at[X], at[Y]), (shift[DX], shift[DY]), now)
-    by_x, by_y = contact_point(manifold)
-    place, normal = (x + by_x, y + by_y), (manifold[NX], manifold[NY])
-    if bodies.kind[i] != STATIC:
-        s, t, normal = t, s, (-normal[0], -normal[1])
-    straight = goes_on(s, t, place, normal, bodies.motion[shapes.slot[t]], shapes, events.ground)
-    if not straight and is_seam(s, t, place, normal, bodies, shapes, events.ground):
-        extend_ground(s, t, bodies, shapes, events.ground)
-        return True
-    return straight
-
-
-def resolve_impact(
-    p: int,
-    now: float,
-    control: Control,
-    bodies: Bodies,
-    shapes: Shapes,
-    contacts: Contacts,
-    events: Events,
-) -> int:
-    """Let a pair that meets rebound, together with all that meet then; return how many pairs do.
-
-    There are none where it does not approach.
-    """
-    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-    sense = 1.0
-    if shapes.kind[t] == HALF_PLANE:
-        s, t = t, s
-        sense = -1.0
-    i, j = shapes.slot[s], shapes.slot[t]
-    held = held_normal(contacts.manifolds[p], contacts.flags[p])
-    time_step = control.progress[PART_TIME]
-    count = gather_meetings(p, now, time_step, bodies, shapes, contacts, events)
-    bends = contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies)
-    if bends:
-        now = bend_paths(s, t, now, time_step, bodies, shapes, events)
-        if now > 1.0:
-            return 0
-        events.times[len(bodies.kind) + p] = now
-        a, b = core_of(s, shapes), core_of(t, shapes)
-        if is_thin(a, b) and held[0] == 0.0 and held[1] == 0.0:
-            held = (events.scratch[0, NX], events.scratch[0, NY])  # rounding hides the gap
-    gap = manifold_at(s, t, now, held, bodies, shapes, events)
-    if gap >= UNBOUNDED:  # it is beside a piece
-        return 0
-    manifold = events.scratch[0]
-    if meets_seam(s, t, now, bodies, shapes, events):
-        return 0
-    list_points(0, now, bodies, shapes, contacts, events)
-    if count > 1:
-        return rebound_together(count, bends, now, control, bodies, shapes, contacts, events)
-    friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
-    impulse = rebound(i, j, now, friction, restitution, control, bodies, events)
-    if impulse < 0.0:
-        return 0
-    if impulse > 0.0:
-        normal = (sense * manifold[NX], sense * manifold[NY])
-        place = place_on_path(i, now, contact_point(manifold), bodies)
-        in_parts = control.counts[LEVEL] > 0
-        record_impact(impulse, place, normal, in_parts, contacts.manifolds[p], contacts.flags[p])
-    go_alone(i, bodies, events)
-    go_alone(j, bodies, events)
-    return 1
-
-
-def rebound_together(
-    count: int,
-    bends: bool,
-    now: float,
-    control: Control,
-    bodies: Bodies,
-    shapes: Shapes,
-    contacts: Contacts,
-    events: Events,
-) -> int:
-    """Let all pairs that are listed rebound; return how many, none where they do not approach."""
-    time_step = control.progress[PART_TIME]
-    for k in range(1, count):
-        for i in (events.met[k, MET_A], events.met[k, MET_B]):
-            if bends and is_first_listed(i, k, events.met) and bodies.flight[i, REDIRECTED] == 0.0:
-                put_on_parabola(i, now, time_step, bodies)
-    for k in range(1, count):
-        measure_meeting(k, now, bodies, shapes, contacts, events)
-        list_points(k, now, bodies, shapes, contacts, events)
-    if not rebound_at_points(count, now, time_step, bodies, events):
-        return 0
-    for k in range(count):
-        tell_impact(k, now, control.counts[LEVEL] > 0, bodies, contacts, events)
-        go_alone(events.met[k, MET_A], bodies, events)
-        go_alone(events.met[k, MET_B], bodies, events)
-    return count
-
-
-def tell_impact(
-    k: int, now: float, in_parts: bool, bodies: Bodies, contacts: Contacts, events: Events
-) -> None:
-    """Add the impact of a listed pair to what is told of its contact, if it was pushed."""
-    impulse, at = total_push(k, events)
-    if impulse <= 0.0:
-        return
-    q, one = events.met[k, MET_CONTACT], events.met_points[2 * k]
-    row = one if is_point(one) else events.met_points[2 * k + 1]
-    sense = -1.0 if events.met[k, MET_TURNED] == 1 else 1.0
-    normal = (sense * row[M_NORMAL], sense * row[M_NORMAL + 1])
-    place = place_on_path(events.met[k, MET_A], now, at, bodies)
-    record_impact(impulse, place, normal, in_parts, contacts.manifolds[q], contacts.flags[q])
-
-
-def go_alone(i: int, bodies: Bodies, events: Events) -> None:
-    """Note that an impact has redirected a body that moves freely, which goes on with no other."""
-    if bodies.kind[i] == DYNAMIC:
-        bodies.flight[i, REDIRECTED] = 1.0
-        leave(i, events.together)
