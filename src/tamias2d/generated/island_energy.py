@@ -352,6 +352,20 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
     return kinetic_energy_start + largest(work, 0)
 
 
+def bounce_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
+    """Energy of motion up to which a bounce may raise that of an island (J).
+
+    bounce_energy_most = max(kinetic_energy_start + work, 0[J])
+
+    Args:
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+
+    Source: IM11, srs/models/island_energy.md:243.
+    """
+    return largest(kinetic_energy_start + work, 0.0)
+
+
 def damped_share(
     kinetic_energy: Scalar, kinetic_energy_most: Scalar, kinetic_energy_least: Scalar
 ) -> Scalar:
@@ -365,7 +379,7 @@ def damped_share(
         kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
         kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
 
-    Source: IM11, srs/models/island_energy.md:243.
+    Source: IM11, srs/models/island_energy.md:244.
     """
     return least(
         sqrt(
@@ -386,7 +400,7 @@ def velocity_damped(velocity: Vector, velocity_island: Vector, damped_share: Sca
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:246.
+    Source: IM11, srs/models/island_energy.md:247.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -411,7 +425,7 @@ def angular_velocity_damped(
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:247.
+    Source: IM11, srs/models/island_energy.md:248.
     """
     return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)
 
@@ -431,7 +445,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:334.
+    Source: DD66, srs/models/island_energy.md:336.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -452,7 +466,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:335.
+    Source: DD66, srs/models/island_energy.md:337.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -483,7 +497,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:336.
+    Source: DD66, srs/models/island_energy.md:338.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -510,7 +524,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:398.
+    Source: IM17, srs/models/island_energy.md:400.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -534,7 +548,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:400.
+    Source: IM17, srs/models/island_energy.md:402.
     """
     return least(
         sqrt(
@@ -563,7 +577,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:403.
+    Source: IM17, srs/models/island_energy.md:405.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -595,7 +609,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:405.
+    Source: IM17, srs/models/island_energy.md:407.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

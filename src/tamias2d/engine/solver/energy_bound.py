@@ -73,6 +73,7 @@ from tamias2d.generated.island_energy import (
     accumulated_impulse_kept,
     angular_velocity_kept,
     angular_velocity_seen,
+    bounce_energy_most,
     kept_share_falling,
     kept_share_rising,
     kinetic_energy_kept,
@@ -191,7 +192,7 @@ def choose_kept_shares(
         row = islands.energy[i]
         before, after, change = row[ENERGY_BEFORE], row[ENERGY_AFTER], row[ENERGY_OF_CHANGE]
         row[ENERGY_BOUND] = kinetic_energy_most(row[ENERGY_START], row[WORK])
-        most = max(row[ENERGY_BOUND], before)
+        most = max(bounce_energy_most(row[ENERGY_START], row[WORK]), before)
         row[KEPT_SHARE], row[ENERGY_KEPT] = 1.0, after
         bounded = constraints.counts[BOUNCING] > 0 and row[SUPPORT] != SUPPORTED_BY_MORE
         if bounded and after > most * (1.0 + GRACE):
