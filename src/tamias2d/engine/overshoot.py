@@ -6,6 +6,7 @@ part is taken again as shorter ones. Cost: the gap of each contact whose bodies 
 """
 
 from tamias2d.engine.continuous.events import (
+    closing_at_points,
     manifold_at,
     smaller_radius,
     turn_shape_to,
@@ -26,7 +27,6 @@ from tamias2d.engine.tables import (
     World,
 )
 
-TURNED_FAR = 0.1  # rad, that bodies in contact turn in a part
 DEEPER = 0.02  # of the smaller radius: how much an overlap may grow
 FINEST_LEVEL = 3  # of the parts that are taken for this
 
@@ -41,15 +41,16 @@ def overshoots(world: World, contacts: Contacts) -> bool:
     for k in range(touching.counts[TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-        if turn_of(s, i, bodies, shapes) + turn_of(t, j, bodies, shapes) > TURNED_FAR:
-            manifold, flags = contacts.manifolds[p], contacts.flags[p]
-            before = min(smallest_gap(manifold, flags[POINT_COUNT]), 0.0)
-            held = held_normal(manifold, flags)
+        gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, POINT_COUNT])
+        reach = smaller_radius(s, t, shapes.material)
+        deepest = min(gap, 0.0) - DEEPER * reach
+        turns = turn_of(s, i, bodies, shapes) + turn_of(t, j, bodies, shapes) > 0.0
+        if turns and gap - closing_at_points(p, i, j, reach, bodies, contacts) < deepest:
+            held = held_normal(contacts.manifolds[p], contacts.flags[p])
             gap = manifold_at(s, t, 1.0, held, bodies, shapes, events)
             turn_shape_to(s, i, 0.0, bodies, shapes)
             turn_shape_to(t, j, 0.0, bodies, shapes)
-            deep = gap < before - DEEPER * smaller_radius(s, t, shapes.material)
-            found += 1 if deep else 0
+            found += 1 if gap < deepest else 0
     return found > world.broad_phase.counts[CONTACTS] // OF_ALL
 
 
