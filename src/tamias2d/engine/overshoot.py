@@ -27,6 +27,7 @@ from tamias2d.engine.tables import (
     World,
 )
 
+TURNED_FAR = 0.05  # rad, that bodies in contact turn in a part
 DEEPER = 0.02  # of the smaller radius: how much an overlap may grow
 FINEST_LEVEL = 3  # of the parts that are taken for this
 
@@ -44,7 +45,7 @@ def overshoots(world: World, contacts: Contacts) -> bool:
         gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, POINT_COUNT])
         reach = smaller_radius(s, t, shapes.material)
         deepest = min(gap, 0.0) - DEEPER * reach
-        turns = turn_of(s, i, bodies, shapes) + turn_of(t, j, bodies, shapes) > 0.0
+        turns = turn_of(s, i, bodies, shapes) + turn_of(t, j, bodies, shapes) > TURNED_FAR
         if turns and gap - closing_at_points(p, i, j, reach, bodies, contacts) < deepest:
             held = held_normal(contacts.manifolds[p], contacts.flags[p])
             gap = manifold_at(s, t, 1.0, held, bodies, shapes, events)
