@@ -591,6 +591,7 @@ REFERENCE = _energy(3)  # m/s, m/s, rad/s, of a root, as all below: the rigid mo
 SUPPORT = _energy()  # how many motions support it, one of those in `solver.energy`
 ENERGY_START = _energy()  # J, kinetic, as the step began
 WORK = _energy()  # J, of gravity and forces
+LIFT_WORK = _energy()  # J, which overlaps of an island with joints may give back
 ENERGY_BEFORE = _energy()  # J, before restitution
 ENERGY_AFTER = _energy()  # J, after it
 ENERGY_OF_CHANGE = _energy()  # J, of the change of velocities by it alone

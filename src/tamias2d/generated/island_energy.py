@@ -24,7 +24,7 @@ def work(
         shift: How far the centre of mass has moved since the step began, m
         turn: How far a body has turned since the step began, rad
 
-    Source: DD36, srs/models/island_energy.md:17.
+    Source: DD36, srs/models/island_energy.md:19.
     """
     gravity_x, gravity_y = gravity
     force_x, force_y = force
@@ -33,6 +33,32 @@ def work(
         (mass * gravity_x + force_x) * shift_x
         + (mass * gravity_y + force_y) * shift_y
         + torque * turn
+    )
+
+
+def lift_work(mass: Scalar, gravity: Vector, force: Vector, time_step: Scalar) -> Scalar:
+    """Energy that overlaps under the weight of a body store and give back (J).
+
+    lift_work = dot(mass*gravity + force, mass*gravity + force)*time_step**2/(2*mass)
+
+    Args:
+        mass: Mass of a body, kg
+        gravity: Gravitational acceleration, the same for all bodies, m/s^2
+        force: Applied force on a body, without its weight, N
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD36, srs/models/island_energy.md:20.
+    """
+    gravity_x, gravity_y = gravity
+    force_x, force_y = force
+    return (
+        (
+            (mass * gravity_x + force_x) * (mass * gravity_x + force_x)
+            + (mass * gravity_y + force_y) * (mass * gravity_y + force_y)
+        )
+        * time_step
+        * time_step
+        / (2 * mass)
     )
 
 
@@ -46,7 +72,7 @@ def velocity_seen(velocity: Vector, velocity_support: Vector) -> Vector:
         velocity_support: Velocity of the centre of mass; of what an island leans on, at the
             body, m/s
 
-    Source: DD37, srs/models/island_energy.md:45.
+    Source: DD37, srs/models/island_energy.md:50.
     """
     velocity_x, velocity_y = velocity
     velocity_support_x, velocity_support_y = velocity_support
@@ -63,7 +89,7 @@ def angular_velocity_seen(angular_velocity: Scalar, angular_velocity_support: Sc
         angular_velocity_support: Rate of turning, positive counter-clockwise; of what an island
             leans on, at the body, rad/s
 
-    Source: DD37, srs/models/island_energy.md:46.
+    Source: DD37, srs/models/island_energy.md:51.
     """
     return angular_velocity - angular_velocity_support
 
@@ -80,7 +106,7 @@ def shift_seen(shift: Vector, velocity_support: Vector, time_step: Scalar) -> Ve
             body, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD37, srs/models/island_energy.md:47.
+    Source: DD37, srs/models/island_energy.md:52.
     """
     shift_x, shift_y = shift
     velocity_support_x, velocity_support_y = velocity_support
@@ -98,7 +124,7 @@ def turn_seen(turn: Scalar, angular_velocity_support: Scalar, time_step: Scalar)
             leans on, at the body, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD37, srs/models/island_energy.md:48.
+    Source: DD37, srs/models/island_energy.md:53.
     """
     return turn - time_step * angular_velocity_support
 
@@ -112,7 +138,7 @@ def mass_moment(mass: Scalar, position: Vector) -> Vector:
         mass: Mass of a body, kg
         position: Position of the centre of mass, m
 
-    Source: DD38, srs/models/island_energy.md:77.
+    Source: DD38, srs/models/island_energy.md:82.
     """
     position_x, position_y = position
     return (mass * position_x, mass * position_y)
@@ -128,7 +154,7 @@ def inertia_origin(mass: Scalar, position: Vector, inertia: Scalar) -> Scalar:
         position: Position of the centre of mass, m
         inertia: Moment of inertia about the centre of mass, kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:78.
+    Source: DD38, srs/models/island_energy.md:83.
     """
     position_x, position_y = position
     return inertia + mass * (position_x * position_x + position_y * position_y)
@@ -143,7 +169,7 @@ def position_island(mass_moment: Vector, mass: Scalar) -> Vector:
         mass_moment: Mass times position, kg*m
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:79.
+    Source: DD38, srs/models/island_energy.md:84.
     """
     mass_moment_x, mass_moment_y = mass_moment
     return (mass_moment_x / mass, mass_moment_y / mass)
@@ -158,7 +184,7 @@ def velocity_island(momentum: Vector, mass: Scalar) -> Vector:
         momentum: Mass times velocity, kg*m/s
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:80.
+    Source: DD38, srs/models/island_energy.md:85.
     """
     momentum_x, momentum_y = momentum
     return (momentum_x / mass, momentum_y / mass)
@@ -174,7 +200,7 @@ def inertia_island(inertia_origin: Scalar, mass: Scalar, position_island: Vector
         mass: Mass of a body, kg
         position_island: Position of the centre of mass; of an island as one body, m
 
-    Source: DD38, srs/models/island_energy.md:81.
+    Source: DD38, srs/models/island_energy.md:86.
     """
     position_island_x, position_island_y = position_island
     return inertia_origin - mass * (
@@ -202,7 +228,7 @@ def angular_velocity_island(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:82.
+    Source: DD38, srs/models/island_energy.md:87.
     """
     position_island_x, position_island_y = position_island
     velocity_island_x, velocity_island_y = velocity_island
@@ -230,7 +256,7 @@ def kinetic_energy_kept(
             J
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:137.
+    Source: GD13, srs/models/island_energy.md:142.
     """
     return (
         (1 - kept_share) * kinetic_energy_before
@@ -249,7 +275,7 @@ def velocity_kept(velocity_before: Vector, velocity_after: Vector, kept_share: S
         velocity_after: Velocity of the centre of mass; just after the impact, m/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:140.
+    Source: GD13, srs/models/island_energy.md:145.
     """
     velocity_before_x, velocity_before_y = velocity_before
     velocity_after_x, velocity_after_y = velocity_after
@@ -275,7 +301,7 @@ def angular_velocity_kept(
             impact, rad/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:141.
+    Source: GD13, srs/models/island_energy.md:146.
     """
     return angular_velocity_before + kept_share * (angular_velocity_after - angular_velocity_before)
 
@@ -293,7 +319,7 @@ def accumulated_impulse_kept(
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:144.
+    Source: GD13, srs/models/island_energy.md:149.
     """
     return accumulated_impulse - (1 - kept_share) * applied_impulse
 
@@ -311,7 +337,7 @@ def kept_share_rising(energy_room: Scalar, energy_rise: Scalar, change_energy: S
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:148.
+    Source: GD13, srs/models/island_energy.md:153.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -331,7 +357,7 @@ def kept_share_falling(energy_room: Scalar, energy_rise: Scalar, change_energy: 
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:149.
+    Source: GD13, srs/models/island_energy.md:154.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -347,7 +373,7 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM11, srs/models/island_energy.md:242.
+    Source: IM11, srs/models/island_energy.md:247.
     """
     return kinetic_energy_start + largest(work, 0)
 
@@ -361,7 +387,7 @@ def bounce_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM11, srs/models/island_energy.md:243.
+    Source: IM11, srs/models/island_energy.md:248.
     """
     return largest(kinetic_energy_start + work, 0.0)
 
@@ -379,7 +405,7 @@ def damped_share(
         kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
         kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
 
-    Source: IM11, srs/models/island_energy.md:244.
+    Source: IM11, srs/models/island_energy.md:249.
     """
     return least(
         sqrt(
@@ -400,7 +426,7 @@ def velocity_damped(velocity: Vector, velocity_island: Vector, damped_share: Sca
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:247.
+    Source: IM11, srs/models/island_energy.md:252.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -425,7 +451,7 @@ def angular_velocity_damped(
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:248.
+    Source: IM11, srs/models/island_energy.md:253.
     """
     return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)
 
@@ -445,7 +471,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:336.
+    Source: DD66, srs/models/island_energy.md:341.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -466,7 +492,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:337.
+    Source: DD66, srs/models/island_energy.md:342.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -497,7 +523,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:338.
+    Source: DD66, srs/models/island_energy.md:343.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -524,7 +550,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:400.
+    Source: IM17, srs/models/island_energy.md:405.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -548,7 +574,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:402.
+    Source: IM17, srs/models/island_energy.md:407.
     """
     return least(
         sqrt(
@@ -577,7 +603,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:405.
+    Source: IM17, srs/models/island_energy.md:410.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -609,7 +635,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:407.
+    Source: IM17, srs/models/island_energy.md:412.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

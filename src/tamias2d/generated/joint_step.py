@@ -276,7 +276,7 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:109.
+    Source: IM15, srs/models/joint_step.md:113.
     """
     return (1 - removed_share) * row_value
 
@@ -290,7 +290,7 @@ def drive_error(row_rate: Scalar, drive_rate: Scalar) -> Scalar:
         row_rate: Rate of a row's value, or a body's part in it, m/s
         drive_rate: Rate at which a motor keeps a row, m/s
 
-    Source: IM15, srs/models/joint_step.md:110.
+    Source: IM15, srs/models/joint_step.md:114.
     """
     return row_rate - drive_rate
 
@@ -304,7 +304,7 @@ def row_impulse_most(row_force_most: Scalar, time_step: Scalar) -> Scalar:
         row_force_most: The most that a motor exerts, for slopes of length one, N
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:111.
+    Source: IM15, srs/models/joint_step.md:115.
     """
     return time_step * row_force_most
 
@@ -318,7 +318,7 @@ def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
         row_force: Force of a row of a joint, for slopes of length one, N
         row_bend: Second derivative of a row's value by the orientation of a body, m
 
-    Source: IM15, srs/models/joint_step.md:112.
+    Source: IM15, srs/models/joint_step.md:116.
     """
     return (-row_force) * row_bend
 
@@ -333,7 +333,7 @@ def inertia_held(inertia: Scalar, leaning: Scalar, time_step: Scalar) -> Scalar:
         leaning: By how much less a joint's pull turns a body that has turned by a radian, N*m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:113.
+    Source: IM15, srs/models/joint_step.md:117.
     """
     return largest(inertia, time_step * time_step * leaning)
 
@@ -346,7 +346,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:114.
+    Source: IM15, srs/models/joint_step.md:118.
     """
     return sqrt(kick_decay)
 
@@ -360,7 +360,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:115.
+    Source: IM15, srs/models/joint_step.md:119.
     """
     return kick_gain / (1 + half_decay)
 
@@ -375,7 +375,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:116.
+    Source: IM15, srs/models/joint_step.md:120.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -390,7 +390,7 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:117.
+    Source: IM15, srs/models/joint_step.md:121.
     """
     return (kick_velocity - half_gain) / half_decay
 
@@ -404,9 +404,24 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM15, srs/models/joint_step.md:118.
+    Source: IM15, srs/models/joint_step.md:122.
     """
     return largest(kinetic_energy_start + work, 0.0)
+
+
+def kept_way(kinetic_energy_start: Scalar, lift_work: Scalar, work: Scalar) -> Scalar:
+    """Part of its way in a step that an island keeps (1).
+
+    kept_way = min(-(kinetic_energy_start + lift_work)/work, 1)
+
+    Args:
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        lift_work: Energy that overlaps under the weight of a body store and give back, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+
+    Source: IM15, srs/models/joint_step.md:123.
+    """
+    return least((-(kinetic_energy_start + lift_work)) / work, 1)
 
 
 def implicit_share(
@@ -424,7 +439,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:225.
+    Source: IM19, srs/models/joint_step.md:231.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -446,7 +461,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:229.
+    Source: IM19, srs/models/joint_step.md:235.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -481,7 +496,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:231.
+    Source: IM19, srs/models/joint_step.md:237.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -497,7 +512,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:232.
+    Source: IM19, srs/models/joint_step.md:238.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -511,7 +526,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:325.
+    Source: DD79, srs/models/joint_step.md:331.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -535,7 +550,7 @@ def sprung_energy_most(
         row_energy: Energy of a spring at a joint, J
         energy_reserve: What a mechanism with springs may gain of what it has lost, J
 
-    Source: DD79, srs/models/joint_step.md:326.
+    Source: DD79, srs/models/joint_step.md:332.
     """
     return largest(
         kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve, 0.0
@@ -556,7 +571,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:329.
+    Source: DD79, srs/models/joint_step.md:335.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -575,6 +590,6 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism with springs, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:331.
+    Source: DD79, srs/models/joint_step.md:337.
     """
     return largest(least(kinetic_energy_most - kinetic_energy, reserve_ratio * energy_scale), 0.0)

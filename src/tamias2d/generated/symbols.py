@@ -1853,6 +1853,15 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1162,
     ),
+    "lift_work": Symbol(
+        "lift_work",
+        "J",
+        "energy that overlaps under the weight of a body store and give back",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="W_{\\text{lift}}",
+        file="srs/symbols.md",
+        line=1166,
+    ),
     "bounce_energy_most": Symbol(
         "bounce_energy_most",
         "J",
@@ -1860,7 +1869,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\max}^e",
         file="srs/symbols.md",
-        line=1166,
+        line=1171,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1869,7 +1878,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1171,
+        line=1176,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1877,7 +1886,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1176,
+        line=1181,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1886,7 +1895,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1180,
+        line=1185,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1894,7 +1903,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1185,
+        line=1190,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1903,7 +1912,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1190,
+        line=1195,
+    ),
+    "kept_way": Symbol(
+        "kept_way",
+        "1",
+        "part of its way in a step that an island keeps",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="c_s",
+        file="srs/symbols.md",
+        line=1200,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1912,7 +1930,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1195,
+        line=1205,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1921,7 +1939,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1200,
+        line=1210,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -1930,7 +1948,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1207,
+        line=1217,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -1939,7 +1957,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1212,
+        line=1222,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -1947,7 +1965,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1217,
+        line=1227,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -1955,7 +1973,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1222,
+        line=1232,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -1963,7 +1981,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1228,
+        line=1238,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -1972,7 +1990,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1232,
+        line=1242,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -1981,7 +1999,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1239,
+        line=1249,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1990,7 +2008,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1244,
+        line=1254,
     ),
     "energy": Symbol(
         "energy",
@@ -1998,7 +2016,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1249,
+        line=1259,
     ),
     "radius": Symbol(
         "radius",
@@ -2007,7 +2025,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1258,
+        line=1268,
     ),
     "length": Symbol(
         "length",
@@ -2016,7 +2034,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1263,
+        line=1273,
     ),
     "width": Symbol(
         "width",
@@ -2025,7 +2043,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1270,
+        line=1280,
     ),
     "height": Symbol(
         "height",
@@ -2034,7 +2052,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1275,
+        line=1285,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2043,7 +2061,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1280,
+        line=1290,
     ),
     "center": Symbol(
         "center",
@@ -2052,7 +2070,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1285,
+        line=1295,
     ),
     "offset": Symbol(
         "offset",
@@ -2060,7 +2078,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1290,
+        line=1300,
     ),
     "area": Symbol(
         "area",
@@ -2069,7 +2087,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1294,
+        line=1304,
     ),
     "way": Symbol(
         "way",
@@ -2078,7 +2096,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1299,
+        line=1309,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2086,7 +2104,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1304,
+        line=1314,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2095,7 +2113,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1308,
+        line=1318,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2104,7 +2122,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1313,
+        line=1323,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2112,7 +2130,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1318,
+        line=1328,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2120,7 +2138,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1322,
+        line=1332,
     ),
     "lean": Symbol(
         "lean",
@@ -2128,7 +2146,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1326,
+        line=1336,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2136,7 +2154,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1330,
+        line=1340,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2144,7 +2162,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1334,
+        line=1344,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2153,7 +2171,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1340,
+        line=1350,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2161,7 +2179,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1353,
+        line=1363,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2169,7 +2187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1357,
+        line=1367,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2178,7 +2196,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1361,
+        line=1371,
     ),
     "slope": Symbol(
         "slope",
@@ -2187,7 +2205,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1366,
+        line=1376,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2196,7 +2214,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1371,
+        line=1381,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2205,7 +2223,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1376,
+        line=1386,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2214,7 +2232,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1381,
+        line=1391,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2222,7 +2240,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1386,
+        line=1396,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2230,7 +2248,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1390,
+        line=1400,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2238,7 +2256,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1394,
+        line=1404,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2247,7 +2265,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1398,
+        line=1408,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2255,7 +2273,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1403,
+        line=1413,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2263,7 +2281,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1407,
+        line=1417,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2271,7 +2289,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1411,
+        line=1421,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2279,7 +2297,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1415,
+        line=1425,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2287,7 +2305,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1419,
+        line=1429,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2296,7 +2314,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1423,
+        line=1433,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2305,7 +2323,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1428,
+        line=1438,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2314,7 +2332,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1433,
+        line=1443,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2323,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1438,
+        line=1448,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2331,7 +2349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1443,
+        line=1453,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2340,7 +2358,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1447,
+        line=1457,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2348,7 +2366,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1452,
+        line=1462,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2356,7 +2374,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1456,
+        line=1466,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2365,7 +2383,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1460,
+        line=1470,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2374,7 +2392,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1465,
+        line=1475,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2382,7 +2400,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1470,
+        line=1480,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2391,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1474,
+        line=1484,
     ),
     "sprung_energy_most": Symbol(
         "sprung_energy_most",
@@ -2400,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{most}",
         file="srs/symbols.md",
-        line=1479,
+        line=1489,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2409,7 +2427,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_r",
         file="srs/symbols.md",
-        line=1484,
+        line=1494,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2418,7 +2436,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1489,
+        line=1499,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2427,7 +2445,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1494,
+        line=1504,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2436,7 +2454,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1499,
+        line=1509,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2444,7 +2462,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1504,
+        line=1514,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2453,7 +2471,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1508,
+        line=1518,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2461,7 +2479,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1513,
+        line=1523,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2469,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1517,
+        line=1527,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2478,7 +2496,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1521,
+        line=1531,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2487,7 +2505,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1526,
+        line=1536,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2496,7 +2514,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1531,
+        line=1541,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2504,7 +2522,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1536,
+        line=1546,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2512,7 +2530,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1540,
+        line=1550,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2520,7 +2538,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1544,
+        line=1554,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2529,7 +2547,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1548,
+        line=1558,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2538,7 +2556,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1553,
+        line=1563,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2547,7 +2565,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1558,
+        line=1568,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2556,7 +2574,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1563,
+        line=1573,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2565,7 +2583,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1568,
+        line=1578,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2574,7 +2592,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1573,
+        line=1583,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2583,7 +2601,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1578,
+        line=1588,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2592,7 +2610,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1583,
+        line=1593,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2600,7 +2618,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1588,
+        line=1598,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2609,7 +2627,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1592,
+        line=1602,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2617,7 +2635,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1597,
+        line=1607,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2626,7 +2644,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1601,
+        line=1611,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2635,7 +2653,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1606,
+        line=1616,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2644,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1611,
+        line=1621,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2653,7 +2671,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1616,
+        line=1626,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2662,7 +2680,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1621,
+        line=1631,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2670,7 +2688,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1626,
+        line=1636,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2679,7 +2697,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1630,
+        line=1640,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2688,7 +2706,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1635,
+        line=1645,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2697,7 +2715,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1640,
+        line=1650,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2706,7 +2724,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1645,
+        line=1655,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2714,7 +2732,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1650,
+        line=1660,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2722,7 +2740,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1654,
+        line=1664,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2731,7 +2749,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1658,
+        line=1668,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2740,7 +2758,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1663,
+        line=1673,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2749,7 +2767,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1668,
+        line=1678,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2758,7 +2776,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1673,
+        line=1683,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2767,7 +2785,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1678,
+        line=1688,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2776,7 +2794,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1683,
+        line=1693,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2785,7 +2803,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1688,
+        line=1698,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2794,7 +2812,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1693,
+        line=1703,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2803,7 +2821,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1698,
+        line=1708,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2811,7 +2829,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1703,
+        line=1713,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2819,7 +2837,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1707,
+        line=1717,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2828,7 +2846,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1711,
+        line=1721,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2836,7 +2854,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1716,
+        line=1726,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2844,7 +2862,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1720,
+        line=1730,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2853,7 +2871,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1724,
+        line=1734,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2862,7 +2880,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1729,
+        line=1739,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2871,7 +2889,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1734,
+        line=1744,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2879,7 +2897,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1739,
+        line=1749,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2888,7 +2906,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1743,
+        line=1753,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2896,7 +2914,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1748,
+        line=1758,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2905,7 +2923,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1752,
+        line=1762,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2914,7 +2932,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1757,
+        line=1767,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2922,7 +2940,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1762,
+        line=1772,
     ),
     "change": Symbol(
         "change",
@@ -2931,7 +2949,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1766,
+        line=1776,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2940,7 +2958,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1771,
+        line=1781,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2949,7 +2967,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1776,
+        line=1786,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2957,7 +2975,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1781,
+        line=1791,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2966,7 +2984,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1785,
+        line=1795,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2974,7 +2992,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1790,
+        line=1800,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2982,7 +3000,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1794,
+        line=1804,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2990,7 +3008,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1798,
+        line=1808,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2999,7 +3017,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1802,
+        line=1812,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3007,7 +3025,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1807,
+        line=1817,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3016,6 +3034,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1811,
+        line=1821,
     ),
 }

@@ -110,7 +110,7 @@ def bound_energy(
     find_references(bodies, touching, constraints, islands)
     support_joined(bodies, islands, joints)
     sum_island_energies(control, bodies, touching, constraints, islands)
-    charge_joined(bodies, touching, constraints, islands, joints)
+    charge_joined(control, bodies, touching, constraints, islands, joints)
     if choose_kept_shares(bodies, touching, constraints, islands):
         keep_shares(bodies, touching, constraints, islands)
         keep_impulse_shares(bodies, constraints, islands)

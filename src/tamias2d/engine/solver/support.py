@@ -11,6 +11,8 @@ from tamias2d.engine.tables import (
     DX,
     DYNAMIC,
     ENERGY_START,
+    GRAVITY_X,
+    GRAVITY_Y,
     I_NODE,
     INVERSE_MASS,
     ISLAND_MASS,
@@ -18,16 +20,19 @@ from tamias2d.engine.tables import (
     J_NODE,
     JOINED_SLOT,
     KEPT_WAY,
+    LIFT_WORK,
     M_DRIVEN,
     M_JOINT,
     MECHANISMS,
     MOMENTUM_X,
     MOMENTUM_Y,
+    PART_SUBSTEPS,
     REFERENCE,
     ROOT,
     SPIN,
     STANDS_STILL,
     STEP_START,
+    SUBSTEP,
     SUPPORT,
     TOUCHING,
     VX,
@@ -35,6 +40,7 @@ from tamias2d.engine.tables import (
     WORK,
     Bodies,
     Constraints,
+    Control,
     Islands,
     Joints,
     Touching,
@@ -42,8 +48,8 @@ from tamias2d.engine.tables import (
     Y,
 )
 from tamias2d.generated.definitions import momentum, point_velocity
-from tamias2d.generated.island_energy import velocity_island
-from tamias2d.generated.joint_step import kinetic_energy_most
+from tamias2d.generated.island_energy import lift_work, velocity_island
+from tamias2d.generated.joint_step import kept_way, kinetic_energy_most
 from tamias2d.state import Array, Vector
 
 ALIKE = 1e-9  # of their sizes: differences of velocities that are none
@@ -116,26 +122,31 @@ def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
 
 
 def charge_joined(
-    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands, joints: Joints
+    control: Control,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+    joints: Joints,
 ) -> None:
     """Charge the islands of mechanisms for what they do against gravity and forces (IM15).
 
     Joints and contacts that are solved in turns would otherwise lift them for nothing, again and
-    again. One that has not the energy for its way keeps a part of it. One that is driven may give
+    again. One that has not the energy for its way, with what overlaps may give back, keeps a part
+    of it. One that is driven may give
     any energy.
     """
     if joints.counts[MECHANISMS] == 0:
         return
-    for k in range(constraints.counts[ACTIVE]):
-        islands.energy[touching.active[k], KEPT_WAY] = 1.0
+    sum_lift_work(control, bodies, touching, constraints, islands)
     for n in range(joints.counts[MECHANISMS]):
         root = islands.links[joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT], ROOT]
         row = islands.energy[root]
         if joints.mechanisms[n, M_DRIVEN] == 1:
             row[WORK] = UNLIMITED
         elif row[WORK] < 0.0:
-            if rests_on_ground(row) and row[ENERGY_START] + row[WORK] < 0.0:
-                row[KEPT_WAY] = -row[ENERGY_START] / row[WORK]
+            least = kept_way(row[ENERGY_START], row[LIFT_WORK], row[WORK])
+            row[KEPT_WAY] = least if rests_on_ground(row) else 1.0
             row[ENERGY_START] = kinetic_energy_most(row[ENERGY_START], row[WORK])
             row[WORK] = 0.0
     for k in range(constraints.counts[ACTIVE]):
@@ -144,6 +155,27 @@ def charge_joined(
         if bodies.kind[i] == DYNAMIC and row[KEPT_WAY] < 1.0 and row[WORK] == 0.0:
             for m in range(3):
                 bodies.motion[i, DX + m] *= row[KEPT_WAY]
+
+
+def sum_lift_work(
+    control: Control,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+) -> None:
+    """Add up what the overlaps of each island may give back, J; let it keep its way at first."""
+    gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
+    for k in range(constraints.counts[ACTIVE]):
+        row = islands.energy[touching.active[k]]
+        row[KEPT_WAY], row[LIFT_WORK] = 1.0, 0.0
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        if bodies.kind[i] == DYNAMIC:
+            load, mass = bodies.load[i], 1.0 / bodies.properties[i, INVERSE_MASS]
+            of_substep = lift_work(mass, gravity, (load[0], load[1]), control.settings[SUBSTEP])
+            substeps = control.counts[PART_SUBSTEPS]
+            islands.energy[islands.links[i, ROOT], LIFT_WORK] += substeps * of_substep
 
 
 def rests_on_ground(row: Array) -> bool:
