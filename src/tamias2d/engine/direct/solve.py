@@ -22,6 +22,7 @@ from tamias2d.engine.direct.contacts import (
 )
 from tamias2d.engine.direct.matrix import assemble_matrix
 from tamias2d.engine.direct.tree_energy import (
+    STIFF,
     energy_without_contacts,
     gains_no_energy,
     note_velocities,
@@ -64,7 +65,6 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.firm_contact import normal_impulse_share
 from tamias2d.kernels.assembled import inlined
 
-STIFF = 1e9  # firm mass, in means of the largest and the smallest mass of the island
 REMOVED = 0.2  # of an overlap, in a substep
 CORRECTIONS = 12  # of the active set, at most
 NEARLY = 1e-3  # of the largest difference of velocity: a point that parts more slowly may press

@@ -5,8 +5,10 @@ from tamias2d.engine.tables import (
     C_BLOCK,
     C_LANE,
     CHANGE,
+    FIRM_MASS,
     I_CONTACT,
     I_NODE,
+    IMPULSE_SCALE,
     N_BODY,
     NODE_INERTIA,
     NODE_MASS,
@@ -41,7 +43,9 @@ from tamias2d.generated.firm_contact import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
+STIFF = 1e9  # firm mass, in means of the largest and the smallest mass of the island
 LIVELY = 1.0 + 1e-9  # of the energy, that rounding may make of it
+UNSOLVED_ENERGY = 1e-10  # of that of the impulses: what their rounding leaves to bodies at rest
 
 
 def note_velocities(n: int, bodies: Bodies, direct: Direct) -> None:
@@ -110,4 +114,6 @@ def gains_no_energy(n: int, before: float, apart: float, bodies: Bodies, direct:
         energy += linear_energy(numbers[NODE_MASS], (now[VX], now[VY]))
         energy += turning_energy(numbers[NODE_INERTIA], now[SPIN])
         mass += numbers[NODE_MASS]
-    return energy <= before * LIVELY + bias_energy(mass, apart)
+    mean_mass = direct.factors[n, FIRM_MASS] / STIFF
+    left = UNSOLVED_ENERGY * linear_energy_start((direct.factors[n, IMPULSE_SCALE], 0.0), mean_mass)
+    return energy <= before * LIVELY + left + bias_energy(mass, apart)

@@ -52,7 +52,8 @@ def sum_step_energy(
         for n in range(3):
             bodies.flight[i, FORCE_GAIN + n] = 0.0
         if bodies.kind[i] != DYNAMIC:
-            energy[TOTAL_WORK] = UNLIMITED
+            if moves_on(now):
+                energy[TOTAL_ENERGY_NOW] = 2.0 * UNLIMITED  # each island is looked at
             continue
         if bodies.moved[i] == MOVED and unchanged_by_contacts(control, then, now):
             bodies.moved[i] = UNTOUCHED
@@ -63,6 +64,11 @@ def sum_step_energy(
         energy[TOTAL_ENERGY_NOW] += kinetic_energy(mass, velocity, inertia, now[SPIN])
         force, shift = (load[0], load[1]), (now[DX], now[DY])
         energy[TOTAL_WORK] += work(mass, gravity, force, load[2], shift, now[DANGLE])
+
+
+def moves_on(motion: Array) -> bool:
+    """Return whether a body that nothing pushes moves."""
+    return bool(abs(motion[VX]) + abs(motion[VY]) + abs(motion[SPIN]) > 0.0)
 
 
 def unchanged_by_contacts(control: Control, state: Array, motion: Array) -> bool:
@@ -80,7 +86,7 @@ def unchanged_by_contacts(control: Control, state: Array, motion: Array) -> bool
 
 
 def makes_energy(energy: Array) -> bool:
-    """Return whether contacts have made energy in all, where no driven body could have."""
+    """Return whether contacts have made energy in all, or driven bodies could have."""
     most = kinetic_energy_most(energy[TOTAL_ENERGY_START], energy[TOTAL_WORK])
     return bool(energy[TOTAL_ENERGY_NOW] > most * (1.0 + GRACE))
 
