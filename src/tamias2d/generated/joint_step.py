@@ -516,16 +516,16 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
     return row_stiffness * row_value * row_value / 2
 
 
-def sprung_energy_most(
+def mechanism_energy_most(
     kinetic_energy_start: Scalar,
     work: Scalar,
     row_energy_start: Scalar,
     row_energy: Scalar,
     energy_reserve: Scalar,
 ) -> Scalar:
-    """Kinetic energy with which a step of a mechanism with springs may end (J).
+    """Kinetic energy with which a step of a mechanism may end (J).
 
-    sprung_energy_most = max(kinetic_energy_start + work + row_energy_start - row_energy +
+    mechanism_energy_most = max(kinetic_energy_start + work + row_energy_start - row_energy +
     energy_reserve, 0[J])
 
     Args:
@@ -533,7 +533,7 @@ def sprung_energy_most(
         work: Energy that gravity, forces and torques have given a body in a step, J
         row_energy_start: Energy of a spring at a joint; at the start, J
         row_energy: Energy of a spring at a joint, J
-        energy_reserve: What a mechanism with springs may gain of what it has lost, J
+        energy_reserve: What a mechanism may gain of what it has lost, J
 
     Source: DD79, srs/models/joint_step.md:326.
     """
@@ -564,7 +564,7 @@ def energy_scale_later(
 def energy_reserve_later(
     kinetic_energy_most: Scalar, kinetic_energy: Scalar, energy_scale: Scalar, reserve_ratio: Scalar
 ) -> Scalar:
-    """What a mechanism with springs may gain of what it has lost; after the bodies have moved (J).
+    """What a mechanism may gain of what it has lost; after the bodies have moved (J).
 
     energy_reserve_later = max(min(kinetic_energy_most - kinetic_energy,
     reserve_ratio*energy_scale), 0[J])
@@ -578,3 +578,33 @@ def energy_reserve_later(
     Source: DD79, srs/models/joint_step.md:331.
     """
     return largest(least(kinetic_energy_most - kinetic_energy, reserve_ratio * energy_scale), 0.0)
+
+
+def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
+    """What a mechanism has gained in a step of what it had lost (J).
+
+    energy_regained = max(kinetic_energy - kinetic_energy_start - work, 0[J])
+
+    Args:
+        kinetic_energy: Energy of motion, turning included, J
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+
+    Source: DD79, srs/models/joint_step.md:333.
+    """
+    return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
+
+
+def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar) -> Scalar:
+    """Share of its way for which a mechanism has the energy (1).
+
+    way_kept = -(kinetic_energy_start + energy_reserve)/work
+
+    Args:
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+        energy_reserve: What a mechanism may gain of what it has lost, J
+
+    Source: DD79, srs/models/joint_step.md:334.
+    """
+    return (-(kinetic_energy_start + energy_reserve)) / work

@@ -2384,10 +2384,10 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1469,
     ),
-    "sprung_energy_most": Symbol(
-        "sprung_energy_most",
+    "mechanism_energy_most": Symbol(
+        "mechanism_energy_most",
         "J",
-        "kinetic energy with which a step of a mechanism with springs may end",
+        "kinetic energy with which a step of a mechanism may end",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{most}",
         file="srs/symbols.md",
@@ -2396,11 +2396,28 @@ SYMBOLS: dict[str, Symbol] = {
     "energy_reserve": Symbol(
         "energy_reserve",
         "J",
-        "what a mechanism with springs may gain of what it has lost",
+        "what a mechanism may gain of what it has lost",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_r",
         file="srs/symbols.md",
         line=1479,
+    ),
+    "energy_regained": Symbol(
+        "energy_regained",
+        "J",
+        "what a mechanism has gained in a step of what it had lost",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_g",
+        file="srs/symbols.md",
+        line=1484,
+    ),
+    "way_kept": Symbol(
+        "way_kept",
+        "1",
+        "share of its way for which a mechanism has the energy",
+        tex="s_w",
+        file="srs/symbols.md",
+        line=1489,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2409,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1484,
+        line=1493,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2418,7 +2435,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1489,
+        line=1498,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2427,7 +2444,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1494,
+        line=1503,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2435,7 +2452,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1499,
+        line=1508,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2444,7 +2461,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1503,
+        line=1512,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2452,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1508,
+        line=1517,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2460,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1512,
+        line=1521,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2469,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1516,
+        line=1525,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2478,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1521,
+        line=1530,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2487,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1526,
+        line=1535,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2495,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1531,
+        line=1540,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2503,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1535,
+        line=1544,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2511,7 +2528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1539,
+        line=1548,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2520,7 +2537,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1543,
+        line=1552,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2529,7 +2546,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1548,
+        line=1557,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2538,7 +2555,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1553,
+        line=1562,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2547,7 +2564,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1558,
+        line=1567,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2556,7 +2573,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1563,
+        line=1572,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2565,7 +2582,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1568,
+        line=1577,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2574,7 +2591,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1573,
+        line=1582,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2583,7 +2600,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1578,
+        line=1587,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2591,7 +2608,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1583,
+        line=1592,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2600,7 +2617,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1587,
+        line=1596,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2608,7 +2625,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1592,
+        line=1601,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2617,7 +2634,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1596,
+        line=1605,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2626,7 +2643,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1601,
+        line=1610,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2635,7 +2652,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1606,
+        line=1615,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2644,7 +2661,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1611,
+        line=1620,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2653,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1616,
+        line=1625,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2661,7 +2678,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1621,
+        line=1630,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2670,7 +2687,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1625,
+        line=1634,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2679,7 +2696,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1630,
+        line=1639,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2688,7 +2705,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1635,
+        line=1644,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2697,7 +2714,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1640,
+        line=1649,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2705,7 +2722,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1645,
+        line=1654,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2713,7 +2730,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1649,
+        line=1658,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2722,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1653,
+        line=1662,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2731,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1658,
+        line=1667,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2740,7 +2757,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1663,
+        line=1672,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2749,7 +2766,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1668,
+        line=1677,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2758,7 +2775,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1673,
+        line=1682,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2767,7 +2784,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1678,
+        line=1687,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2776,7 +2793,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1683,
+        line=1692,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2785,7 +2802,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1688,
+        line=1697,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2794,7 +2811,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1693,
+        line=1702,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2802,7 +2819,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1698,
+        line=1707,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2810,7 +2827,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1702,
+        line=1711,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2819,7 +2836,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1706,
+        line=1715,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2827,7 +2844,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1711,
+        line=1720,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2835,7 +2852,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1715,
+        line=1724,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2844,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1719,
+        line=1728,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2853,7 +2870,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1724,
+        line=1733,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2862,7 +2879,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1729,
+        line=1738,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2870,7 +2887,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1734,
+        line=1743,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2879,7 +2896,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1738,
+        line=1747,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2887,7 +2904,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1743,
+        line=1752,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2896,7 +2913,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1747,
+        line=1756,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2905,7 +2922,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1752,
+        line=1761,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2913,7 +2930,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1757,
+        line=1766,
     ),
     "change": Symbol(
         "change",
@@ -2922,7 +2939,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1761,
+        line=1770,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2931,7 +2948,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1766,
+        line=1775,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2940,7 +2957,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1771,
+        line=1780,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2948,7 +2965,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1776,
+        line=1785,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2957,7 +2974,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1780,
+        line=1789,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2965,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1785,
+        line=1794,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2973,7 +2990,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1789,
+        line=1798,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2981,7 +2998,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1793,
+        line=1802,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2990,7 +3007,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1797,
+        line=1806,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2998,7 +3015,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1802,
+        line=1811,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3007,6 +3024,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1806,
+        line=1815,
     ),
 }

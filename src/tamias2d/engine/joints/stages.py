@@ -202,7 +202,7 @@ def begin_joints(substep: float, world: World) -> None:
                 kick_half(n, False, bodies, joints)
     begin_blocks(bodies, joints)
     for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_STATUS] != ASLEEP and joints.mechanisms[n, M_GOVERNED] == 1:
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
             note_energy_of_springs(n, joints)
 
 
@@ -362,6 +362,7 @@ def fit(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> 
 def end_joints(world: World) -> None:
     """End a step: let the velocities of mechanisms that are free of contacts catch up, and fit."""
     joints, bodies = world.joints, world.bodies
+    energy = world.constraints.energy
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
     for n in range(joints.counts[MECHANISMS]):
@@ -375,7 +376,7 @@ def end_joints(world: World) -> None:
         if status == FREE_OF_CONTACTS and alone:
             fit(n, 0.5, world.control.settings[SUBSTEP], bodies, joints)
         if status != ASLEEP and status != IN_CONTACT:
-            bound_mechanism(n, world.control, bodies, joints, world.islands)
+            bound_mechanism(n, world.control, bodies, joints, world.islands, energy)
         awake = joints.mechanisms[n, M_STATUS] != ASLEEP
         if alone and awake and joints.mechanisms[n, M_HINGED] == 1:
             if joints.mechanisms[n, M_MESHED] == 1:
