@@ -29,6 +29,8 @@ from tamias2d.engine.tables import (
     ISLAND_MASS,
     J_ENERGY,
     J_LAW,
+    J_MOTION,
+    J_MOTION_LATER,
     J_RESERVE,
     J_RESERVE_LATER,
     J_ROW,
@@ -72,7 +74,8 @@ from tamias2d.generated.joint_step import (
 )
 from tamias2d.state import Array
 
-RESERVE = 0.01  # of the energy at play lately: what may be gained of what was lost
+RESERVE = 0.05  # of the energy at play lately: what may be gained of what was lost
+SAME_MOTION = 1e-9  # of its energy: what differs by less is rounding
 SCALE_FADE = 0.99  # in a part, of the energy at play: oscillations of some seconds keep theirs
 
 
@@ -125,19 +128,23 @@ def note_energy_of_springs(n: int, joints: Joints) -> None:
     numbers = joints.numbers[joints.mechanisms[n, M_JOINT]]
     numbers[J_ENERGY] = energy_of_springs(n, joints)
     numbers[J_RESERVE_LATER], numbers[J_SCALE_LATER] = numbers[J_RESERVE], numbers[J_SCALE]
+    numbers[J_MOTION_LATER] = numbers[J_MOTION]
 
 
 def most_with_reserve(n: int, start: float, given: float, now: float, joints: Joints) -> float:
     """Return with how much kinetic energy, J, a part may end; note what may be gained later.
 
-    It began with some, forces gave some, and it has some now.
+    It began with some, forces gave some, and it has some now. Where it began with other motion than
+    the last part ended with, joints may take of that what does not fit them: none is noted.
     """
     numbers = joints.numbers[joints.mechanisms[n, M_JOINT]]
-    energy = energy_of_springs(n, joints)
-    most = mechanism_energy_most(start, given, numbers[J_ENERGY], energy, numbers[J_RESERVE])
+    energy, reserve = energy_of_springs(n, joints), numbers[J_RESERVE]
+    most = mechanism_energy_most(start, given, numbers[J_ENERGY], energy, reserve)
     scale = energy_scale_later(numbers[J_SCALE], now, energy, SCALE_FADE)
-    numbers[J_SCALE_LATER] = scale
-    numbers[J_RESERVE_LATER] = energy_reserve_later(most, now, scale, RESERVE)
+    later = energy_reserve_later(most, now, scale, RESERVE)
+    changed = abs(start - numbers[J_MOTION]) > SAME_MOTION * start
+    numbers[J_SCALE_LATER], numbers[J_MOTION_LATER] = scale, min(now, most)
+    numbers[J_RESERVE_LATER] = min(later, reserve) if changed else later
     return float(most)
 
 

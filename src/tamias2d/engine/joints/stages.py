@@ -54,6 +54,8 @@ from tamias2d.engine.tables import (
     J_GIVEN,
     J_LEFT,
     J_LEFT_BEFORE,
+    J_MOTION,
+    J_MOTION_LATER,
     J_PULL,
     J_RESERVE,
     J_RESERVE_LATER,
@@ -241,6 +243,7 @@ def keep_joint_impulses(world: World) -> None:
                     numbers[J_STEP_TOTAL + k] = before + numbers[J_TOTAL + k]
                 numbers[J_LEFT_BEFORE] = numbers[J_LEFT]
                 numbers[J_RESERVE] = numbers[J_RESERVE_LATER]
+                numbers[J_MOTION] = numbers[J_MOTION_LATER]
                 numbers[J_SCALE] = numbers[J_SCALE_LATER]
                 for k in range(3):
                     numbers[J_FORCE + k] = numbers[J_PULL + k] / time
