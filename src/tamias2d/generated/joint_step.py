@@ -516,30 +516,29 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
     return row_stiffness * row_value * row_value / 2
 
 
-def mechanism_energy_most(
+def mechanism_energy_balance(
     kinetic_energy_start: Scalar,
     work: Scalar,
     row_energy_start: Scalar,
     row_energy: Scalar,
     energy_reserve: Scalar,
 ) -> Scalar:
-    """Kinetic energy with which a step of a mechanism may end (J).
+    """Kinetic energy with which a step of a mechanism may end, or what it lacks (J).
 
-    mechanism_energy_most = max(kinetic_energy_start + work + row_energy_start - row_energy +
-    energy_reserve, 0[J])
+    mechanism_energy_balance = kinetic_energy_start + work + row_energy_start - row_energy +
+    energy_reserve
 
     Args:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
         row_energy_start: Energy of a spring at a joint; at the start, J
         row_energy: Energy of a spring at a joint, J
-        energy_reserve: What a mechanism may gain of what it has lost, J
+        energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
+            negative, J
 
     Source: DD79, srs/models/joint_step.md:326.
     """
-    return largest(
-        kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve, 0.0
-    )
+    return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
 
 def energy_scale_later(
@@ -556,28 +555,33 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:329.
+    Source: DD79, srs/models/joint_step.md:328.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
 
 def energy_reserve_later(
-    kinetic_energy_most: Scalar, kinetic_energy: Scalar, energy_scale: Scalar, reserve_ratio: Scalar
+    mechanism_energy_balance: Scalar,
+    kinetic_energy: Scalar,
+    energy_scale: Scalar,
+    reserve_ratio: Scalar,
 ) -> Scalar:
-    """What a mechanism may gain of what it has lost; after the bodies have moved (J).
+    """What a mechanism may gain of what it has lost, or owes where it is negative; after the
+    bodies have moved (J).
 
-    energy_reserve_later = max(min(kinetic_energy_most - kinetic_energy,
-    reserve_ratio*energy_scale), 0[J])
+    energy_reserve_later = min(mechanism_energy_balance - kinetic_energy,
+    reserve_ratio*energy_scale)
 
     Args:
-        kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
+        mechanism_energy_balance: Kinetic energy with which a step of a mechanism may end, or
+            what it lacks, J
         kinetic_energy: Energy of motion, turning included, J
         energy_scale: The most of motion and springs that a mechanism has had lately, J
-        reserve_ratio: Reserve of a mechanism with springs, of its scale at most, 1
+        reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:331.
+    Source: DD79, srs/models/joint_step.md:330.
     """
-    return largest(least(kinetic_energy_most - kinetic_energy, reserve_ratio * energy_scale), 0.0)
+    return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
 
 def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
@@ -590,7 +594,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:333.
+    Source: DD79, srs/models/joint_step.md:332.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -603,8 +607,9 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
     Args:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
-        energy_reserve: What a mechanism may gain of what it has lost, J
+        energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
+            negative, J
 
-    Source: DD79, srs/models/joint_step.md:334.
+    Source: DD79, srs/models/joint_step.md:333.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

@@ -2384,23 +2384,21 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1469,
     ),
-    "mechanism_energy_most": Symbol(
-        "mechanism_energy_most",
+    "mechanism_energy_balance": Symbol(
+        "mechanism_energy_balance",
         "J",
-        "kinetic energy with which a step of a mechanism may end",
-        range=Range(">= 0", low=0.0, low_open=False),
-        tex="K_{most}",
+        "kinetic energy with which a step of a mechanism may end, or what it lacks",
+        tex="K_b",
         file="srs/symbols.md",
         line=1474,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
         "J",
-        "what a mechanism may gain of what it has lost",
-        range=Range(">= 0", low=0.0, low_open=False),
+        "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1479,
+        line=1478,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2409,7 +2407,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1484,
+        line=1482,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2417,7 +2415,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1489,
+        line=1487,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2426,16 +2424,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1493,
+        line=1491,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
         "1",
-        "reserve of a mechanism with springs, of its scale at most",
+        "reserve of a mechanism, of its scale at most",
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1498,
+        line=1496,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2444,7 +2442,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1503,
+        line=1501,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2452,7 +2450,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1508,
+        line=1506,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2461,7 +2459,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1512,
+        line=1510,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2469,7 +2467,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1517,
+        line=1515,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2477,7 +2475,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1521,
+        line=1519,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2486,7 +2484,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1525,
+        line=1523,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2495,7 +2493,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1530,
+        line=1528,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2504,7 +2502,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1535,
+        line=1533,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2512,7 +2510,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1540,
+        line=1538,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2520,7 +2518,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1544,
+        line=1542,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2528,7 +2526,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1548,
+        line=1546,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2537,7 +2535,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1552,
+        line=1550,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2546,7 +2544,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1557,
+        line=1555,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2555,7 +2553,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1562,
+        line=1560,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2564,7 +2562,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1567,
+        line=1565,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2573,7 +2571,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1572,
+        line=1570,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2582,7 +2580,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1577,
+        line=1575,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2591,7 +2589,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1582,
+        line=1580,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2600,7 +2598,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1587,
+        line=1585,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2608,7 +2606,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1592,
+        line=1590,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2617,7 +2615,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1596,
+        line=1594,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2625,7 +2623,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1601,
+        line=1599,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2634,7 +2632,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1605,
+        line=1603,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2643,7 +2641,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1610,
+        line=1608,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2652,7 +2650,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1615,
+        line=1613,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2661,7 +2659,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1620,
+        line=1618,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2670,7 +2668,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1625,
+        line=1623,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2678,7 +2676,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1630,
+        line=1628,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2687,7 +2685,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1634,
+        line=1632,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2696,7 +2694,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1639,
+        line=1637,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2705,7 +2703,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1644,
+        line=1642,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2714,7 +2712,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1649,
+        line=1647,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2722,7 +2720,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1654,
+        line=1652,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2730,7 +2728,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1658,
+        line=1656,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2739,7 +2737,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1662,
+        line=1660,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2748,7 +2746,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1667,
+        line=1665,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2757,7 +2755,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1672,
+        line=1670,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2766,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1677,
+        line=1675,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2775,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1682,
+        line=1680,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2784,7 +2782,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1687,
+        line=1685,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2793,7 +2791,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1692,
+        line=1690,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2802,7 +2800,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1697,
+        line=1695,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2811,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1702,
+        line=1700,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2819,7 +2817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1707,
+        line=1705,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2827,7 +2825,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1711,
+        line=1709,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2836,7 +2834,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1715,
+        line=1713,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2844,7 +2842,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1720,
+        line=1718,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2852,7 +2850,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1724,
+        line=1722,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2861,7 +2859,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1728,
+        line=1726,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2870,7 +2868,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1733,
+        line=1731,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2879,7 +2877,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1738,
+        line=1736,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2887,7 +2885,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1743,
+        line=1741,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2896,7 +2894,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1747,
+        line=1745,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2904,7 +2902,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1752,
+        line=1750,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2913,7 +2911,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1756,
+        line=1754,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2922,7 +2920,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1761,
+        line=1759,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2930,7 +2928,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1766,
+        line=1764,
     ),
     "change": Symbol(
         "change",
@@ -2939,7 +2937,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1770,
+        line=1768,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2948,7 +2946,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1775,
+        line=1773,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2957,7 +2955,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1780,
+        line=1778,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2965,7 +2963,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1785,
+        line=1783,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2974,7 +2972,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1789,
+        line=1787,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2982,7 +2980,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1794,
+        line=1792,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2990,7 +2988,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1798,
+        line=1796,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2998,7 +2996,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1802,
+        line=1800,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3007,7 +3005,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1806,
+        line=1804,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3015,7 +3013,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1811,
+        line=1809,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3024,6 +3022,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1815,
+        line=1813,
     ),
 }

@@ -68,7 +68,7 @@ from tamias2d.generated.joint_step import (
     energy_regained,
     energy_reserve_later,
     energy_scale_later,
-    mechanism_energy_most,
+    mechanism_energy_balance,
     row_energy,
     way_kept,
 )
@@ -99,17 +99,32 @@ def bound_mechanism(
         shift, force = (motion[DX], motion[DY]), (load[0], load[1])
         given += work(mass, gravity, force, load[2], shift, motion[DANGLE])
     tied, governed = joints.mechanisms[n, M_TIED] == 1, joints.mechanisms[n, M_GOVERNED] == 1
-    reserve = joints.numbers[joints.mechanisms[n, M_JOINT], J_RESERVE]
+    numbers = joints.numbers[joints.mechanisms[n, M_JOINT]]
+    sprung, reserve = energy_of_springs(n, joints), numbers[J_RESERVE]
     if tied and not governed and start + given + reserve < 0.0:
         share = way_kept(start, given, reserve)
         keep_part_of_way(first, last, share, bodies, joints)
         given *= share
-    most = most_with_reserve(n, start, given, now, joints)
-    energy[TOTAL_ENERGY_START] += energy_regained(min(now, most), start, given)
+    balance = mechanism_energy_balance(start, given, numbers[J_ENERGY], sprung, reserve)
+    most = max(balance, 0.0)
     if now > most:
         row = islands.energy[joints.sparse[first, N_BODY]]
         row[ENERGY_KEPT], row[ENERGY_BOUND] = now, most
         damp_mechanism(first, last, tied, row, bodies, joints)
+        now = most if row[DAMPED_SHARE] > 0.0 else energy_of_motion(first, last, bodies, joints)
+    energy[TOTAL_ENERGY_START] += energy_regained(now, start, given)
+    note_balance(start, now, sprung, balance, numbers)
+
+
+def energy_of_motion(first: int, last: int, bodies: Bodies, joints: Joints) -> float:
+    """Return the kinetic energy of some nodes, J."""
+    energy = 0.0
+    for node in range(first, last):
+        i = joints.sparse[node, N_BODY]
+        mass, inertia = mass_and_inertia(i, bodies.properties)
+        motion = bodies.motion[i]
+        energy += kinetic_energy(mass, (motion[VX], motion[VY]), inertia, motion[SPIN])
+    return energy
 
 
 def energy_of_springs(n: int, joints: Joints) -> float:
@@ -131,21 +146,19 @@ def note_energy_of_springs(n: int, joints: Joints) -> None:
     numbers[J_MOTION_LATER] = numbers[J_MOTION]
 
 
-def most_with_reserve(n: int, start: float, given: float, now: float, joints: Joints) -> float:
-    """Return with how much kinetic energy, J, a part may end; note what may be gained later.
+def note_balance(
+    start: float, now: float, sprung: float, balance: float, numbers: Array
+) -> None:
+    """Note what of its balance, J, a mechanism has not as a part ends: that it may gain, or owes.
 
-    It began with some, forces gave some, and it has some now. Where it began with other motion than
-    the last part ended with, joints may take of that what does not fit them: none is noted.
+    Where it began with other motion than the last part ended with, joints may take of that what
+    does not fit them: none may be gained for it.
     """
-    numbers = joints.numbers[joints.mechanisms[n, M_JOINT]]
-    energy, reserve = energy_of_springs(n, joints), numbers[J_RESERVE]
-    most = mechanism_energy_most(start, given, numbers[J_ENERGY], energy, reserve)
-    scale = energy_scale_later(numbers[J_SCALE], now, energy, SCALE_FADE)
-    later = energy_reserve_later(most, now, scale, RESERVE)
+    scale = energy_scale_later(numbers[J_SCALE], now, sprung, SCALE_FADE)
+    later = energy_reserve_later(balance, now, scale, RESERVE)
     changed = abs(start - numbers[J_MOTION]) > SAME_MOTION * start
-    numbers[J_SCALE_LATER], numbers[J_MOTION_LATER] = scale, min(now, most)
-    numbers[J_RESERVE_LATER] = min(later, reserve) if changed else later
-    return float(most)
+    numbers[J_RESERVE_LATER] = min(later, numbers[J_RESERVE]) if changed else later
+    numbers[J_SCALE_LATER], numbers[J_MOTION_LATER] = scale, now
 
 
 def keep_part_of_way(first: int, last: int, share: float, bodies: Bodies, joints: Joints) -> None:
