@@ -43,7 +43,7 @@ def hanging(scene: t2.Scene) -> float:
 def four_bars(lean: float) -> t2.Scene:
     """Two rods of 1 m that hang from points 1 m apart, with a third one across their ends."""
     scene, out = t2.Scene(gravity=(0.0, -G)), np.array([math.sin(lean), -math.cos(lean)])
-    at = [0.5 * out, out + (0.5, 0.0), 0.5 * out + (1.0, 0.0)]
+    at = [0.5 * out, out + np.array([0.5, 0.0]), 0.5 * out + np.array([1.0, 0.0])]
     for place, turn in zip(at, (lean - math.pi / 2, 0.0, lean - math.pi / 2), strict=True):
         scene.add_body(
             None, mass=1.0, inertia=1 / 12, position=tuple(place.tolist()), orientation=turn
@@ -105,7 +105,7 @@ def test_rods_that_nothing_holds_keep_their_energy(seed: int) -> None:
     rng = random.Random(500 + seed)
     found = shares(free_rods(rng, rng.randint(2, 6)), 0.0)
     assert found.max() < 1.0 + ROUNDING
-    assert found.min() > 0.97
+    assert found.min() > 0.999
 
 
 def test_a_pendulum_keeps_its_energy_beside_boxes_that_rest() -> None:
@@ -157,14 +157,14 @@ def test_what_joints_take_of_a_kick_does_not_come_back() -> None:
             scene.add_joint(t2.Revolute(), k - 1, k, **ends)
     sim = t2.Simulator(scene)
     for k in range(4):
-        sim.apply_impulse(k, ((-1.0) ** k, 0.3 * k * k))
+        sim.apply_impulse(k, (6.0 * (-1.0) ** k, 2.0 * k * k))
     kicked = energy(sim, scene)
     sim.step()
     fits = energy(sim, scene)
-    assert fits < 0.7 * kicked
+    assert fits < 0.8 * kicked
     for _ in range(1000):
         sim.step(20)
-        assert energy(sim, scene) < fits * (1.0 + 1e-3)  # the square of 0.03 rad in a substep
+        assert energy(sim, scene) < fits * (1.0 + 1e-3)  # what goes to and fro, as above
 
 
 def test_a_restored_pendulum_goes_on_with_the_same_bits(tmp_path: Any) -> None:

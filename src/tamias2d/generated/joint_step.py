@@ -1,5 +1,5 @@
 """Joint step: Row of a joint; Impulse of a row of a joint; Joint in a substep; Spring of a joint
-in a substep; Energy of a mechanism with springs.
+in a substep; Energy of a mechanism.
 
 Generated from srs/models/joint_step.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -424,7 +424,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:225.
+    Source: IM19, srs/models/joint_step.md:226.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -446,7 +446,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:229.
+    Source: IM19, srs/models/joint_step.md:230.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -481,7 +481,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:231.
+    Source: IM19, srs/models/joint_step.md:232.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -497,7 +497,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:232.
+    Source: IM19, srs/models/joint_step.md:233.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -511,7 +511,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:325.
+    Source: DD79, srs/models/joint_step.md:334.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -536,7 +536,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:326.
+    Source: DD79, srs/models/joint_step.md:335.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -555,7 +555,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:328.
+    Source: DD79, srs/models/joint_step.md:337.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -579,7 +579,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:330.
+    Source: DD79, srs/models/joint_step.md:339.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -594,7 +594,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:332.
+    Source: DD79, srs/models/joint_step.md:341.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -610,6 +610,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:333.
+    Source: DD79, srs/models/joint_step.md:342.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

@@ -146,9 +146,7 @@ def note_energy_of_springs(n: int, joints: Joints) -> None:
     numbers[J_MOTION_LATER] = numbers[J_MOTION]
 
 
-def note_balance(
-    start: float, now: float, sprung: float, balance: float, numbers: Array
-) -> None:
+def note_balance(start: float, now: float, sprung: float, balance: float, numbers: Array) -> None:
     """Note what of its balance, J, a mechanism has not as a part ends: that it may gain, or owes.
 
     Where it began with other motion than the last part ended with, joints may take of that what
