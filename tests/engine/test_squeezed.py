@@ -22,9 +22,7 @@ def test_what_presses_a_light_body_to_a_wall_stops(
     wall = t2.Box(width=0.2, height=4.0)
     getattr(scene, add_wall)(wall, position=(-0.6, 0.0), **SURFACE)
     scene.add_body(SHAPES[shape], mass=1.0, position=(0.0, 0.0), **SURFACE)
-    scene.add_body(
-        SHAPES[shape], mass=mass, position=(1.2, 0.0), velocity=(-SPEED, 0.0), **SURFACE
-    )
+    scene.add_body(SHAPES[shape], mass=mass, position=(1.2, 0.0), velocity=(-SPEED, 0.0), **SURFACE)
     sim = t2.Simulator(scene, time_step=time_step)
     sim.step(round(0.5 / time_step))
     assert abs(sim.velocity).max() < 1e-3 * SPEED  # slow enough to be no bounce
@@ -36,9 +34,7 @@ def test_two_heavy_bodies_stop_at_a_light_one_between_them(shape: str, mass: flo
     scene = t2.Scene(gravity=(0.0, 0.0))
     for x, own in ((-1.2, 100.0), (0.0, mass), (1.2, 100.0)):
         speed = -SPEED * x / 1.2
-        scene.add_body(
-            SHAPES[shape], mass=own, position=(x, 0.0), velocity=(speed, 0.0), **SURFACE
-        )
+        scene.add_body(SHAPES[shape], mass=own, position=(x, 0.0), velocity=(speed, 0.0), **SURFACE)
     sim = t2.Simulator(scene, time_step=1 / 60)
     sim.step(60)
     assert abs(sim.velocity).max() < 1e-3 * SPEED

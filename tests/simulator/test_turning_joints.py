@@ -46,7 +46,7 @@ def test_a_bob_that_whirls_around_its_post_faster_than_steps_is_told(
     light: float, time_step: float
 ) -> None:
     lost, told = lost_and_told(light, time_step)
-    assert lost > 0.05
+    assert lost > 0.02  # twice what those lose that steps can follow
     assert len(told) == 1
 
 

@@ -1,5 +1,5 @@
 """Joint step: Row of a joint; Impulse of a row of a joint; Joint in a substep; Spring of a joint
-in a substep; Energy of a mechanism with springs.
+in a substep; Energy of a mechanism.
 
 Generated from srs/models/joint_step.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -439,7 +439,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:231.
+    Source: IM19, srs/models/joint_step.md:232.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -461,7 +461,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:235.
+    Source: IM19, srs/models/joint_step.md:236.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -496,7 +496,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:237.
+    Source: IM19, srs/models/joint_step.md:238.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -512,7 +512,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:238.
+    Source: IM19, srs/models/joint_step.md:239.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -526,35 +526,34 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:331.
+    Source: DD79, srs/models/joint_step.md:340.
     """
     return row_stiffness * row_value * row_value / 2
 
 
-def sprung_energy_most(
+def mechanism_energy_balance(
     kinetic_energy_start: Scalar,
     work: Scalar,
     row_energy_start: Scalar,
     row_energy: Scalar,
     energy_reserve: Scalar,
 ) -> Scalar:
-    """Kinetic energy with which a step of a mechanism with springs may end (J).
+    """Kinetic energy with which a step of a mechanism may end, or what it lacks (J).
 
-    sprung_energy_most = max(kinetic_energy_start + work + row_energy_start - row_energy +
-    energy_reserve, 0[J])
+    mechanism_energy_balance = kinetic_energy_start + work + row_energy_start - row_energy +
+    energy_reserve
 
     Args:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
         row_energy_start: Energy of a spring at a joint; at the start, J
         row_energy: Energy of a spring at a joint, J
-        energy_reserve: What a mechanism with springs may gain of what it has lost, J
+        energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
+            negative, J
 
-    Source: DD79, srs/models/joint_step.md:332.
+    Source: DD79, srs/models/joint_step.md:341.
     """
-    return largest(
-        kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve, 0.0
-    )
+    return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
 
 def energy_scale_later(
@@ -571,25 +570,61 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:335.
+    Source: DD79, srs/models/joint_step.md:343.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
 
 def energy_reserve_later(
-    kinetic_energy_most: Scalar, kinetic_energy: Scalar, energy_scale: Scalar, reserve_ratio: Scalar
+    mechanism_energy_balance: Scalar,
+    kinetic_energy: Scalar,
+    energy_scale: Scalar,
+    reserve_ratio: Scalar,
 ) -> Scalar:
-    """What a mechanism with springs may gain of what it has lost; after the bodies have moved (J).
+    """What a mechanism may gain of what it has lost, or owes where it is negative; after the
+    bodies have moved (J).
 
-    energy_reserve_later = max(min(kinetic_energy_most - kinetic_energy,
-    reserve_ratio*energy_scale), 0[J])
+    energy_reserve_later = min(mechanism_energy_balance - kinetic_energy,
+    reserve_ratio*energy_scale)
 
     Args:
-        kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
+        mechanism_energy_balance: Kinetic energy with which a step of a mechanism may end, or
+            what it lacks, J
         kinetic_energy: Energy of motion, turning included, J
         energy_scale: The most of motion and springs that a mechanism has had lately, J
-        reserve_ratio: Reserve of a mechanism with springs, of its scale at most, 1
+        reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:337.
+    Source: DD79, srs/models/joint_step.md:345.
     """
-    return largest(least(kinetic_energy_most - kinetic_energy, reserve_ratio * energy_scale), 0.0)
+    return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
+
+
+def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
+    """What a mechanism has gained in a step of what it had lost (J).
+
+    energy_regained = max(kinetic_energy - kinetic_energy_start - work, 0[J])
+
+    Args:
+        kinetic_energy: Energy of motion, turning included, J
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+
+    Source: DD79, srs/models/joint_step.md:347.
+    """
+    return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
+
+
+def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar) -> Scalar:
+    """Share of its way for which a mechanism has the energy (1).
+
+    way_kept = -(kinetic_energy_start + energy_reserve)/work
+
+    Args:
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+        energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
+            negative, J
+
+    Source: DD79, srs/models/joint_step.md:348.
+    """
+    return (-(kinetic_energy_start + energy_reserve)) / work

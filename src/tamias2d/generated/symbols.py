@@ -2411,23 +2411,38 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1484,
     ),
-    "sprung_energy_most": Symbol(
-        "sprung_energy_most",
+    "mechanism_energy_balance": Symbol(
+        "mechanism_energy_balance",
         "J",
-        "kinetic energy with which a step of a mechanism with springs may end",
-        range=Range(">= 0", low=0.0, low_open=False),
-        tex="K_{most}",
+        "kinetic energy with which a step of a mechanism may end, or what it lacks",
+        tex="K_b",
         file="srs/symbols.md",
         line=1489,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
         "J",
-        "what a mechanism with springs may gain of what it has lost",
-        range=Range(">= 0", low=0.0, low_open=False),
+        "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1494,
+        line=1493,
+    ),
+    "energy_regained": Symbol(
+        "energy_regained",
+        "J",
+        "what a mechanism has gained in a step of what it had lost",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_g",
+        file="srs/symbols.md",
+        line=1497,
+    ),
+    "way_kept": Symbol(
+        "way_kept",
+        "1",
+        "share of its way for which a mechanism has the energy",
+        tex="s_w",
+        file="srs/symbols.md",
+        line=1502,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2436,16 +2451,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1499,
+        line=1506,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
         "1",
-        "reserve of a mechanism with springs, of its scale at most",
+        "reserve of a mechanism, of its scale at most",
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1504,
+        line=1511,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2454,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1509,
+        line=1516,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2462,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1514,
+        line=1521,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2471,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1518,
+        line=1525,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2479,7 +2494,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1523,
+        line=1530,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2487,7 +2502,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1527,
+        line=1534,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2496,7 +2511,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1531,
+        line=1538,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2505,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1536,
+        line=1543,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2514,7 +2529,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1541,
+        line=1548,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2522,7 +2537,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1546,
+        line=1553,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2530,7 +2545,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1550,
+        line=1557,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2538,7 +2553,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1554,
+        line=1561,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2547,7 +2562,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1558,
+        line=1565,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2556,7 +2571,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1563,
+        line=1570,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2565,7 +2580,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1568,
+        line=1575,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2574,7 +2589,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1573,
+        line=1580,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2583,7 +2598,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1578,
+        line=1585,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2592,7 +2607,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1583,
+        line=1590,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2601,7 +2616,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1588,
+        line=1595,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2610,7 +2625,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1593,
+        line=1600,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2618,7 +2633,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1598,
+        line=1605,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2627,7 +2642,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1602,
+        line=1609,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2635,7 +2650,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1607,
+        line=1614,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2644,7 +2659,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1611,
+        line=1618,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2653,7 +2668,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1616,
+        line=1623,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2662,7 +2677,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1621,
+        line=1628,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2671,7 +2686,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1626,
+        line=1633,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2680,7 +2695,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1631,
+        line=1638,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2688,7 +2703,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1636,
+        line=1643,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2697,7 +2712,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1640,
+        line=1647,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2706,7 +2721,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1645,
+        line=1652,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2715,7 +2730,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1650,
+        line=1657,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2724,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1655,
+        line=1662,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2732,7 +2747,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1660,
+        line=1667,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2740,7 +2755,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1664,
+        line=1671,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2749,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1668,
+        line=1675,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2758,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1673,
+        line=1680,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2767,7 +2782,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1678,
+        line=1685,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2776,7 +2791,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1683,
+        line=1690,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2785,7 +2800,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1688,
+        line=1695,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2794,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1693,
+        line=1700,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2803,7 +2818,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1698,
+        line=1705,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2812,7 +2827,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1703,
+        line=1710,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2821,7 +2836,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1708,
+        line=1715,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2829,7 +2844,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1713,
+        line=1720,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2837,7 +2852,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1717,
+        line=1724,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2846,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1721,
+        line=1728,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2854,7 +2869,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1726,
+        line=1733,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2862,7 +2877,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1730,
+        line=1737,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2871,7 +2886,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1734,
+        line=1741,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2880,7 +2895,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1739,
+        line=1746,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2889,7 +2904,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1744,
+        line=1751,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2897,7 +2912,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1749,
+        line=1756,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2906,7 +2921,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1753,
+        line=1760,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2914,7 +2929,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1758,
+        line=1765,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2923,7 +2938,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1762,
+        line=1769,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2932,7 +2947,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1767,
+        line=1774,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2940,7 +2955,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1772,
+        line=1779,
     ),
     "change": Symbol(
         "change",
@@ -2949,7 +2964,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1776,
+        line=1783,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2958,7 +2973,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1781,
+        line=1788,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2967,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1786,
+        line=1793,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2975,7 +2990,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1791,
+        line=1798,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2984,7 +2999,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1795,
+        line=1802,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2992,7 +3007,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1800,
+        line=1807,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3000,7 +3015,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1804,
+        line=1811,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3008,7 +3023,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1808,
+        line=1815,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3017,7 +3032,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1812,
+        line=1819,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3025,7 +3040,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1817,
+        line=1824,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3034,6 +3049,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1821,
+        line=1828,
     ),
 }

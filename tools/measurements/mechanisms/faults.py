@@ -9,7 +9,9 @@ from tools.measurements.mechanisms.scenes import G
 
 
 class Energy:
-    """The most that the energy of a scene has risen in a step, as a share of all there was.
+    """The most that the energy of a scene has risen, as a share of all there was.
+
+    `gain` is what it rose by in a step, `above` by how much it was above the first.
 
     What does not move has none but by rounding: at least what gravity gives in a millionth of the
     scene's size counts.
@@ -21,8 +23,8 @@ class Energy:
         self._mass = np.array([scene.bodies[k].mass for k in moving])
         self._inertia = np.array([scene.bodies[k].inertia for k in moving])
         self._before: float | None = None
-        self._start = self._size = 0.0
-        self.gain = 0.0
+        self._start = self._size = self._first = 0.0
+        self.gain = self.above = 0.0
 
     def look(self, places: Array, rates: Array) -> None:
         """Look at the state after a step: places (n, 3) and their rates (n, 3)."""
@@ -32,7 +34,7 @@ class Energy:
         )
         height = G * float(self._mass @ places[:, 1])
         if self._before is None:
-            self._before = moving + height
+            self._before = self._first = moving + height
             self._start = height
             extent = float(np.ptp(places[:, :2], axis=0).max())
             self._size = 1e-6 * G * float(self._mass.sum()) * extent
@@ -40,6 +42,7 @@ class Energy:
         rise = moving + height - self._before
         if self._size > 0:
             self.gain = max(self.gain, rise / self._size)
+            self.above = max(self.above, (moving + height - self._first) / self._size)
         self._before = moving + height
 
 

@@ -3,7 +3,8 @@
 What is too much is taken from the motion of all bodies in proportion: relative to what the
 mechanism is tied to, or else to its motion as one. Rows that have no rate have none afterwards.
 One that is tied and has not the energy for its way keeps a part of it.
-Springs have energies, too, and with them what was lost may be gained again (DD79).
+What was lost may be gained again (DD79): a scheme of order two goes to and fro about the right
+energy, and would lose by a bound that is blind to it. Springs have energies, too.
 
 Cost: a visit to each body and spring, and two more where there is too much.
 """
@@ -28,6 +29,8 @@ from tamias2d.engine.tables import (
     ISLAND_MASS,
     J_ENERGY,
     J_LAW,
+    J_MOTION,
+    J_MOTION_LATER,
     J_RESERVE,
     J_RESERVE_LATER,
     J_ROW,
@@ -44,6 +47,7 @@ from tamias2d.engine.tables import (
     SPRING,
     STEP_START,
     SUPPORT,
+    TOTAL_ENERGY_START,
     VX,
     VY,
     Bodies,
@@ -61,22 +65,27 @@ from tamias2d.generated.island_energy import (
     work,
 )
 from tamias2d.generated.joint_step import (
+    energy_regained,
     energy_reserve_later,
     energy_scale_later,
-    kinetic_energy_most,
+    mechanism_energy_balance,
     row_energy,
-    sprung_energy_most,
+    way_kept,
 )
 from tamias2d.state import Array
 
-RESERVE = 0.01  # of the energy at play lately: what may be gained of what was lost
+RESERVE = 0.05  # of the energy at play lately: what may be gained of what was lost
+SAME_MOTION = 1e-9  # of its energy: what differs by less is rounding
 SCALE_FADE = 0.99  # in a part, of the energy at play: oscillations of some seconds keep theirs
 
 
 def bound_mechanism(
-    n: int, control: Control, bodies: Bodies, joints: Joints, islands: Islands
+    n: int, control: Control, bodies: Bodies, joints: Joints, islands: Islands, energy: Array
 ) -> None:
-    """Take from the motion of a mechanism what is more than a step may end with."""
+    """Take from the motion of a mechanism what is more than a step may end with.
+
+    What it gains of what it has lost is no energy that contacts have made.
+    """
     first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
     gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
     start = now = given = 0.0
@@ -89,22 +98,40 @@ def bound_mechanism(
         now += kinetic_energy(mass, (motion[VX], motion[VY]), inertia, motion[SPIN])
         shift, force = (motion[DX], motion[DY]), (load[0], load[1])
         given += work(mass, gravity, force, load[2], shift, motion[DANGLE])
-    tied = joints.mechanisms[n, M_TIED] == 1
-    if joints.mechanisms[n, M_GOVERNED] == 1:
-        most = most_with_springs(n, start, given, now, joints)
-    else:
-        if tied and start + given < 0.0:
-            keep_part_of_way(first, last, -start / given, bodies, joints)
-        most = kinetic_energy_most(start, given)
+    tied, governed = joints.mechanisms[n, M_TIED] == 1, joints.mechanisms[n, M_GOVERNED] == 1
+    numbers = joints.numbers[joints.mechanisms[n, M_JOINT]]
+    sprung, reserve = energy_of_springs(n, joints), numbers[J_RESERVE]
+    if tied and not governed and start + given + reserve < 0.0:
+        share = way_kept(start, given, reserve)
+        keep_part_of_way(first, last, share, bodies, joints)
+        given *= share
+    balance = mechanism_energy_balance(start, given, numbers[J_ENERGY], sprung, reserve)
+    most = max(balance, 0.0)
     if now > most:
         row = islands.energy[joints.sparse[first, N_BODY]]
         row[ENERGY_KEPT], row[ENERGY_BOUND] = now, most
         damp_mechanism(first, last, tied, row, bodies, joints)
+        now = most if row[DAMPED_SHARE] > 0.0 else energy_of_motion(first, last, bodies, joints)
+    energy[TOTAL_ENERGY_START] += energy_regained(now, start, given)
+    note_balance(start, now, sprung, balance, numbers)
+
+
+def energy_of_motion(first: int, last: int, bodies: Bodies, joints: Joints) -> float:
+    """Return the kinetic energy of some nodes, J."""
+    energy = 0.0
+    for node in range(first, last):
+        i = joints.sparse[node, N_BODY]
+        mass, inertia = mass_and_inertia(i, bodies.properties)
+        motion = bodies.motion[i]
+        energy += kinetic_energy(mass, (motion[VX], motion[VY]), inertia, motion[SPIN])
+    return energy
 
 
 def energy_of_springs(n: int, joints: Joints) -> float:
     """Return the energy of the springs of a mechanism, J, at the values that their rows have."""
     energy = 0.0
+    if joints.mechanisms[n, M_GOVERNED] == 0:
+        return energy
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         if joints.joints[j, J_LAW] == SPRING:
             energy += row_energy(joints.laws[j, LAW_STIFFNESS], joints.numbers[j, J_ROW])
@@ -112,24 +139,24 @@ def energy_of_springs(n: int, joints: Joints) -> float:
 
 
 def note_energy_of_springs(n: int, joints: Joints) -> None:
-    """Note the energy of the springs of a mechanism as a part begins; nothing is left as yet."""
+    """Note the energy of the springs of a mechanism as a part begins, and what it may gain yet."""
     numbers = joints.numbers[joints.mechanisms[n, M_JOINT]]
     numbers[J_ENERGY] = energy_of_springs(n, joints)
     numbers[J_RESERVE_LATER], numbers[J_SCALE_LATER] = numbers[J_RESERVE], numbers[J_SCALE]
+    numbers[J_MOTION_LATER] = numbers[J_MOTION]
 
 
-def most_with_springs(n: int, start: float, given: float, now: float, joints: Joints) -> float:
-    """Return with how much kinetic energy, J, a part may end; note what may be gained later.
+def note_balance(start: float, now: float, sprung: float, balance: float, numbers: Array) -> None:
+    """Note what of its balance, J, a mechanism has not as a part ends: that it may gain, or owes.
 
-    It began with some, forces gave some, and it has some now.
+    Where it began with other motion than the last part ended with, joints may take of that what
+    does not fit them: none may be gained for it.
     """
-    numbers = joints.numbers[joints.mechanisms[n, M_JOINT]]
-    energy = energy_of_springs(n, joints)
-    most = sprung_energy_most(start, given, numbers[J_ENERGY], energy, numbers[J_RESERVE])
-    scale = energy_scale_later(numbers[J_SCALE], now, energy, SCALE_FADE)
-    numbers[J_SCALE_LATER] = scale
-    numbers[J_RESERVE_LATER] = energy_reserve_later(most, now, scale, RESERVE)
-    return float(most)
+    scale = energy_scale_later(numbers[J_SCALE], now, sprung, SCALE_FADE)
+    later = energy_reserve_later(balance, now, scale, RESERVE)
+    changed = abs(start - numbers[J_MOTION]) > SAME_MOTION * start
+    numbers[J_RESERVE_LATER] = min(later, numbers[J_RESERVE]) if changed else later
+    numbers[J_SCALE_LATER], numbers[J_MOTION_LATER] = scale, now
 
 
 def keep_part_of_way(first: int, last: int, share: float, bodies: Bodies, joints: Joints) -> None:

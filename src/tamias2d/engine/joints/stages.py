@@ -54,6 +54,8 @@ from tamias2d.engine.tables import (
     J_GIVEN,
     J_LEFT,
     J_LEFT_BEFORE,
+    J_MOTION,
+    J_MOTION_LATER,
     J_PULL,
     J_RESERVE,
     J_RESERVE_LATER,
@@ -202,7 +204,7 @@ def begin_joints(substep: float, world: World) -> None:
                 kick_half(n, False, bodies, joints)
     begin_blocks(bodies, joints)
     for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_STATUS] != ASLEEP and joints.mechanisms[n, M_GOVERNED] == 1:
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
             note_energy_of_springs(n, joints)
 
 
@@ -241,6 +243,7 @@ def keep_joint_impulses(world: World) -> None:
                     numbers[J_STEP_TOTAL + k] = before + numbers[J_TOTAL + k]
                 numbers[J_LEFT_BEFORE] = numbers[J_LEFT]
                 numbers[J_RESERVE] = numbers[J_RESERVE_LATER]
+                numbers[J_MOTION] = numbers[J_MOTION_LATER]
                 numbers[J_SCALE] = numbers[J_SCALE_LATER]
                 for k in range(3):
                     numbers[J_FORCE + k] = numbers[J_PULL + k] / time
@@ -362,6 +365,7 @@ def fit(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> 
 def end_joints(world: World) -> None:
     """End a step: let the velocities of mechanisms that are free of contacts catch up, and fit."""
     joints, bodies = world.joints, world.bodies
+    energy = world.constraints.energy
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
     for n in range(joints.counts[MECHANISMS]):
@@ -375,7 +379,7 @@ def end_joints(world: World) -> None:
         if status == FREE_OF_CONTACTS and alone:
             fit(n, 0.5, world.control.settings[SUBSTEP], bodies, joints)
         if status != ASLEEP and status != IN_CONTACT:
-            bound_mechanism(n, world.control, bodies, joints, world.islands)
+            bound_mechanism(n, world.control, bodies, joints, world.islands, energy)
         awake = joints.mechanisms[n, M_STATUS] != ASLEEP
         if alone and awake and joints.mechanisms[n, M_HINGED] == 1:
             if joints.mechanisms[n, M_MESHED] == 1:

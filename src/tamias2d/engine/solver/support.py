@@ -11,6 +11,7 @@ from tamias2d.engine.tables import (
     DX,
     DYNAMIC,
     ENERGY_START,
+    FREE_OF_CONTACTS,
     GRAVITY_X,
     GRAVITY_Y,
     I_NODE,
@@ -23,6 +24,7 @@ from tamias2d.engine.tables import (
     LIFT_WORK,
     M_DRIVEN,
     M_JOINT,
+    M_STATUS,
     MECHANISMS,
     MOMENTUM_X,
     MOMENTUM_Y,
@@ -133,8 +135,8 @@ def charge_joined(
 
     Joints and contacts that are solved in turns would otherwise lift them for nothing, again and
     again. One that has not the energy for its way, with what overlaps may give back, keeps a part
-    of it. One that is driven may give
-    any energy.
+    of it. One that is driven may give any energy, and one that no contact touches has its own
+    bound.
     """
     if joints.counts[MECHANISMS] == 0:
         return
@@ -142,7 +144,8 @@ def charge_joined(
     for n in range(joints.counts[MECHANISMS]):
         root = islands.links[joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT], ROOT]
         row = islands.energy[root]
-        if joints.mechanisms[n, M_DRIVEN] == 1:
+        bounded = joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS
+        if bounded or joints.mechanisms[n, M_DRIVEN] == 1:
             row[WORK] = UNLIMITED
         elif row[WORK] < 0.0:
             least = kept_way(row[ENERGY_START], row[LIFT_WORK], row[WORK])
