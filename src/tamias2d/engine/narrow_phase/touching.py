@@ -120,10 +120,11 @@ def find_touching(
             beside = contacts.flags[p, FEATURE] == BESIDE
             gap = smallest_gap(contacts.manifolds[p], count)
             apart = gap > (CLOSE + AHEAD) * smaller
-            meets = (apart or not touched) and will_meet(
+            comes = (apart or not touched) and will_meet(
                 p, i, j, count, smaller, control, bodies, contacts
             )
-            if not meets and (apart or beside):
+            meets = comes and not touched
+            if (apart and not comes) or (beside and not meets):
                 contacts.flags[p, POINT_COUNT] = 0
                 continue
             deep = deep | (gap < -DEEP * smaller)
@@ -136,7 +137,7 @@ def find_touching(
                 contacts.flags[p, LOCATED] = MOST_LOCATED
             static = (bodies.kind[i] == STATIC) | (bodies.kind[j] == STATIC)
             new_static += 1 if static and not touched else 0
-            if meets or margin > (CLOSE + AHEAD) * smaller:  # it may change a velocity by much
+            if comes or margin > (CLOSE + AHEAD) * smaller:  # it may change a velocity by much
                 marked += 1
         else:
             mark_sensor(count, contacts.manifolds[p], contacts.flags[p])
