@@ -3,8 +3,6 @@
 from tamias2d.engine.part_impulses import store_impulse_of_part
 from tamias2d.engine.solver.blocks import lane_of, points_of
 from tamias2d.engine.tables import (
-    BOUNCING,
-    FIRST_RESTITUTION,
     IS_TOUCHING,
     LEVEL,
     NORMAL_IMPULSE,
@@ -28,7 +26,6 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
-from tamias2d.kernels.lanes import LANES
 
 
 def store_impulses(
@@ -43,9 +40,9 @@ def store_impulses(
     """Store the impulses of touching contacts, which are listed by slabs, and where they acted.
 
     A contact with an impulse touched. The impulses of the parts of a step are added up as each
-    ends (`add_up_impulses`). A point that has bounced parts: it starts with none.
+    ends (`add_up_impulses`).
     """
-    in_parts, bouncing = control.counts[LEVEL] > 0, constraints.counts[BOUNCING] > 0
+    in_parts = control.counts[LEVEL] > 0
     for place in range(first, last):
         k = touching.by_slab[place]
         p, pose = touching.contact[k], bodies.pose[touching.body_a[k]]
@@ -62,6 +59,5 @@ def store_impulses(
                 manifold[WORLD_POINT + to + 1] = pose[Y] + manifold[PY + to]
                 if total > 0.0:
                     contacts.flags[p, TOUCHES] |= IS_TOUCHING
-            parts = bouncing and row[FIRST_RESTITUTION + n * LANES + m] > 0.0
-            manifold[NORMAL_IMPULSE + to] = 0.0 if parts else row[at + P_NORMAL_IMPULSE]
-            manifold[TANGENT_IMPULSE + to] = 0.0 if parts else row[at + P_TANGENT_IMPULSE]
+            manifold[NORMAL_IMPULSE + to] = row[at + P_NORMAL_IMPULSE]
+            manifold[TANGENT_IMPULSE + to] = row[at + P_TANGENT_IMPULSE]

@@ -85,6 +85,7 @@ from tamias2d.state import Array
 FIRMER = 2.0  # frequency of a contact with a body that does not move freely, to that of others
 FIRMEST = 2.0  # frequency under load, to that without
 DAMPING = 10.0  # of the spring, where 1 is critical
+PARTING = 2.0**-4  # of the velocity that its impulse gives: a point that has bounced parts faster
 REST = 0.015  # of the smaller radius: overlap to which a load should lead
 LEARNT = 0.02  # of the overlap, by the preload in a step
 PRELOADED = 0.2  # of the smaller radius: largest preload
@@ -226,10 +227,12 @@ def prepare_blocks(first: int, last: int, substep: float, blocks: Array, lanes: 
     """Write the effective masses and the softness of some blocks."""
     for b in range(first, last):
         row = blocks[b]
-        soften_lanes(row, lanes[b, POINTS], substep)
         effective_mass_lanes(FIRST_POINT, row)
+        unload_parting_lanes(FIRST_POINT, row)
         if lanes[b, POINTS] == 2:
             effective_mass_lanes(SECOND_POINT, row)
+            unload_parting_lanes(SECOND_POINT, row)
+        soften_lanes(row, lanes[b, POINTS], substep)
 
 
 def effective_mass_lanes(at: int, row: Array) -> None:
@@ -245,6 +248,19 @@ def effective_mass_lanes(at: int, row: Array) -> None:
         tangent = row_mass(a, turn_a, tangent_a, b, turn_b, tangent_b)
         row[at + P_NORMAL_MASS + m] = 0.0 if idle else normal
         row[at + P_TANGENT_MASS + m] = 0.0 if idle else tangent
+
+
+def unload_parting_lanes(at: int, row: Array) -> None:
+    """Take their impulses from points that have bounced and part.
+
+    Friction would act by the impulse of a blow that is over.
+    """
+    for m in range(LANES):
+        normal = row[at + P_NORMAL_IMPULSE + m]
+        parting = row[at + P_NORMAL_MASS + m] * row[at + P_APPROACH + m]
+        parts = (row[R_RESTITUTION + m] > 0.0) & (parting > PARTING * normal)
+        row[at + P_NORMAL_IMPULSE + m] = 0.0 if parts else normal
+        row[at + P_TANGENT_IMPULSE + m] = 0.0 if parts else row[at + P_TANGENT_IMPULSE + m]
 
 
 def soften_lanes(row: Array, points: int, substep: float) -> None:
