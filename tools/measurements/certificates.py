@@ -29,8 +29,8 @@ from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
 from tamias2d.solve import solve, solve_halved
 from tamias2d.state import Array
-from tamias2d.study import certify, companion, pilot, tolerance as within_tolerance
-from tamias2d.study.certify import rounding
+from tamias2d.study import companion, embedded, pilot, tolerance as within_tolerance
+from tamias2d.study.bound import rounding
 from tamias2d.study.error import history_error, scale
 from tamias2d.study.recommend import schemes_for, solved
 from tamias2d.study.refusal import ToleranceError
@@ -315,7 +315,7 @@ def _counted() -> Iterator[Callable[[], int]]:
     with ExitStack() as patched:
         for module in (companion, pilot, within_tolerance):
             patched.enter_context(patch.object(module, "solve", counting))
-        for module in (certify, within_tolerance):
+        for module in (embedded, within_tolerance):
             patched.enter_context(patch.object(module, "solve_halved", counting_halves))
         yield lambda: sum(spent)
 
