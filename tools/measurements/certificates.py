@@ -24,6 +24,7 @@ from rich.progress import track
 
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Dop853, DormandPrince5, Method, Reference, Stepped
+from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
@@ -307,10 +308,10 @@ def _counted() -> Iterator[Callable[[], int]]:
         spent.append(run.cost.force_evaluations if run.cost else 0)
         return run
 
-    def counting_halves(scene: Scene, **inputs: Any) -> tuple[Run, Array | None]:
-        run, apart = solve_halved(scene, **inputs)
+    def counting_halves(scene: Scene, **inputs: Any) -> tuple[Run, Halving | None]:
+        run, halving = solve_halved(scene, **inputs)
         spent.append(run.cost.force_evaluations if run.cost else 0)
-        return run, apart
+        return run, halving
 
     with ExitStack() as patched:
         for module in (companion, pilot, within_tolerance):

@@ -3,13 +3,20 @@
 from collections.abc import Callable
 from dataclasses import replace
 
+from tamias2d.certificate import Certificate
 from tamias2d.errors import InputError
 from tamias2d.motion import ClosedForm, Dop853, DormandPrince5, Legacy2018, Method, Stepped
+from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
 from tamias2d.scene.rules import shown
-from tamias2d.state import Array
-from tamias2d.study.bound import Bound, NoBoundError, Way
-from tamias2d.study.embedded import embedded, of_halves, whole_beside
+from tamias2d.study.bound import Bound, NoBoundError, Way, companion_of
+from tamias2d.study.embedded import (
+    embedded,
+    looser_than,
+    of_halves,
+    of_tighter,
+    whole_beside,
+)
 from tamias2d.study.error import scale
 from tamias2d.study.exact_bound import exact
 from tamias2d.study.penetration import crowded, penetrations
@@ -40,9 +47,14 @@ def certify(run: Run) -> Run:
     return _certified(run, lambda: _way(run.method), told=True)
 
 
-def certify_halved(run: Run, apart: Array | None) -> Run:
-    """Return a run by halved steps with a certificate, from how far whole ones are, (n, 3)."""
-    return _certified(run, lambda: lambda run, _: of_halves(run, apart))
+def certify_halved(run: Run, halving: Halving | None) -> tuple[Run, Run | None]:
+    """Return a run by halved steps with a certificate, from how far whole ones are.
+
+    The other run is the one at a tighter tolerance behind it, if these tell nothing.
+    """
+    tighter: list[Run] = []
+    found = _certified(run, lambda: lambda run, _: of_halves(run, halving, tighter))
+    return found, tighter[-1] if tighter else None
 
 
 def certify_embedded(run: Run) -> tuple[Run, Run | None]:
@@ -52,12 +64,35 @@ def certify_embedded(run: Run) -> tuple[Run, Run | None]:
     return found, tighter[-1] if tighter else None
 
 
-def _certified(run: Run, way: Callable[[], Way], *, told: bool = False) -> Run:
+def certify_tighter(run: Run, looser: Run) -> Run:
+    """Return a run with a certificate from a looser one, whose companion it was."""
+    return _certified(run, lambda: lambda run, _: of_tighter(run, looser), looser=looser)
+
+
+def certify_as(run: Run, told: Certificate) -> Run:
+    """Return a run with a certificate that was made as another one tells, of all ways there are."""
+    usual, method = certify(run), run.method
+    if usual.certificate is None or usual.certificate.how == told.how:
+        return usual
+    if not isinstance(method, Dop853 | DormandPrince5):
+        return usual
+    for looser in looser_than(method):
+        if told.how == f"{method} against {looser}":
+            try:
+                return certify_tighter(run, companion_of(run, method=looser))
+            except NoBoundError:
+                return usual
+    return certify_embedded(run)[0] if method.halved else usual
+
+
+def _certified(
+    run: Run, way: Callable[[], Way], *, told: bool = False, looser: Run | None = None
+) -> Run:
     """Return a run with a certificate, which tells of the horizon also where its bound is large."""
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=of_penetration(run, fault))
     try:
-        certificate = of_positions(run, _found(run, way(), told=told))
+        certificate = of_positions(run, _found(run, way(), looser or run, told=told))
     except NoBoundError as reason:
         certificate = of_energy(run, str(reason), reason.lost_at)
     else:  # the way of many bodies is searched only if something is said of it
@@ -72,14 +107,14 @@ def is_bounded(run: Run) -> bool:
     return certificate is not None and certificate.bound is not None
 
 
-def _found(run: Run, way: Way, *, told: bool) -> Bound:
+def _found(run: Run, way: Way, loosest: Run, *, told: bool) -> Bound:
     """Return a bound; none past the horizon.
 
-    Runs that agree although each of their steps errs by more than what is perturbed show that this
-    does not grow: they need no perturbed run.
+    Runs that agree although each step of the loosest errs by more than what is perturbed show that
+    this does not grow: they need no perturbed run.
     """
     early, fault = None, None
-    if getattr(run.method, "rtol", 0.0) >= _COARSE:
+    if getattr(loosest.method, "rtol", 0.0) >= _COARSE:
         try:
             early = way(run, None)
         except NoBoundError as reason:
@@ -121,5 +156,5 @@ def _way(method: Method) -> Way:
     if method.fixed_step:
         return step_doubling
     if isinstance(method, Dop853 | DormandPrince5) and method.halved:
-        return lambda run, _: of_halves(run, whole_beside(run))
+        return lambda run, _: of_halves(run, whole_beside(run), [])
     return lambda run, _: embedded(run, [])
