@@ -9,7 +9,7 @@ import numpy as np
 from tamias2d.motion import Dop853, DormandPrince5, Method, Reference
 from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
-from tamias2d.scene.acting import kinked
+from tamias2d.scene.acting import brief_laws, kinked
 from tamias2d.solve import solve_halved
 from tamias2d.study.bound import Bound, NoBoundError, companion_of, difference, rounding
 from tamias2d.study.companion import limit_beside
@@ -37,12 +37,13 @@ def of_halves(run: Run, halving: Halving | None, tighter: list[Run]) -> Bound:
 
     By the order p of the scheme halves err 2^p - 1 times less than both differ. The farther apart
     they are, and the fewer, the less the order is believed: where a run meets something sharp, or
-    is coarse, both may err by much the same. Across a kink of a force there is no order, and none
-    below rounding.
+    is coarse, both may err by much the same. Across a kink of a force there is no order, none
+    where steps are suddenly short for what a law does for a moment, and none below rounding.
     """
     steps = run.cost.steps if run.cost else 0
     rounds: float = (_ROUNDS / run.method.rtol) ** 2  # type: ignore[attr-defined]
-    if halving is None or steps < _FEW or run.method.facts is None or kinked(run.scene):
+    sharp = kinked(run.scene) or (halving and halving.sudden and brief_laws(run.scene))
+    if halving is None or steps < _FEW or run.method.facts is None or sharp:
         return embedded(run, tighter)
     if rounds > _TRUSTED:
         return _against(run, Reference(1e-13))
