@@ -11,7 +11,7 @@ from tamias2d.record.difference import Difference, first_difference
 from tamias2d.record.header import Header
 from tamias2d.run import Run
 from tamias2d.solve import solve, work_limit_of
-from tamias2d.study.certify import certify
+from tamias2d.study.certify import certify_as
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ def _certificate_fault(recorded: Run, recomputed: Run) -> str:
     claimed = recorded.certificate
     if claimed is None:
         return ""
-    made = certify(recomputed).certificate
+    made = certify_as(recomputed, claimed).certificate
     for field in fields(Certificate):
         ours, theirs = getattr(claimed, field.name), getattr(made, field.name)
         if field.name != "hashes" and ours != theirs:  # those of another version are other ones

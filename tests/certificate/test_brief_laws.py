@@ -2,6 +2,7 @@
 
 import math
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ import tamias2d as t2
 from tamias2d.motion import Method
 from tamias2d.motion.law_resolution import LOOKS, UNRESOLVED
 from tamias2d.state import Array
+from tamias2d.study.error import history_error
 
 AT, PUSH, DURATION = 1.234, 100.0, 4.0
 
@@ -124,3 +126,24 @@ def test_pushes_one_after_the_other_are_all_seen() -> None:
     run = t2.simulate(scene, duration=10.0, times=times, tolerance=1e-8)
     gained = [after - before for before, after in pairwise(run.velocity[:-1, 0, 1])]
     assert gained == pytest.approx([50 * 0.02 * math.sqrt(math.pi) / 2] * 4, rel=1e-8)
+
+
+def test_steps_that_a_push_shortens_are_not_believed_by_their_order() -> None:
+    """Halves of such steps err by some ten times what the order says: against scipy at 1e-13."""
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    scene.add_body(None, mass=1.7151510618945593, position=(0.7473891123120944, 0.0))
+    scene.add_spring(
+        0,
+        (0.0, 0.0),
+        stiffness=24.6877306312823,
+        rest_length=0.22229129001814674,
+        damping=0.44179487523851413,
+    )
+    push = "17.28[N]*exp(-((time-2.8894[s])/0.01359[s])**2)"
+    scene.add_field(force=[push, "0[N]"])
+    asked: dict[str, Any] = {"duration": 5.18329, "times": np.linspace(0.0, 5.18329, 101)}
+    exact = t2.simulate(scene, method=t2.Reference(1e-13), **asked)
+    run = t2.certify(t2.simulate(scene, method=t2.Dop853(6e-7, halved=True), **asked))
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
+    assert history_error(run, exact) <= run.certificate.bound

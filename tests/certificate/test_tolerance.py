@@ -3,6 +3,7 @@
 import math
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,12 +12,13 @@ import tamias2d as t2
 from tamias2d.certificate import Certificate, from_json
 from tamias2d.replay import check
 from tamias2d.run import load
-from tamias2d.study import tolerance as tolerance_module
+from tamias2d.study import companion, tolerance as tolerance_module
 from tamias2d.study.companion import limit_beside
 from tamias2d.study.error import history_error
 from tamias2d.study.pilot import Pilot
 from tamias2d.study.refusal import refusal
 from tamias2d.work_limit import WORK_LIMIT
+from tools.measurements import held_out
 
 
 def oscillator() -> t2.Scene:
@@ -60,7 +62,7 @@ def test_others_are_weighed_only_where_the_first_does_not_meet_it(
     )
     run = t2.simulate(oscillator(), duration=1.0, tolerance=1e-6)
     assert not weighed
-    assert run.method == t2.Dop853(1e-6, halved=True)
+    assert run.method == t2.Dop853(6e-6, halved=True)
     assert "no other method was weighed" in run.notes[0]
     far = t2.Scene(gravity=(0.0, 0.0))  # so far out that its rounding is a part of the tolerance
     far.add_body(None, mass=1.0, position=(3e9, 0.0))
@@ -68,6 +70,52 @@ def test_others_are_weighed_only_where_the_first_does_not_meet_it(
     with pytest.raises(t2.ToleranceError):
         t2.simulate(far, duration=1.0, tolerance=1e-7)
     assert weighed
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-4])
+def test_a_companion_is_returned_where_only_that_meets_it(
+    tolerance: float, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """No third run is made for it, and its certificate can be made again."""
+    made: list[t2.Method] = []
+
+    def solve(*asked: Any, **inputs: Any) -> t2.Run:
+        made.append(inputs["method"])
+        return whole(*asked, **inputs)
+
+    whole = tolerance_module.solve
+    monkeypatch.setattr(tolerance_module, "solve", solve)
+    monkeypatch.setattr(companion, "solve", solve)
+    run = t2.simulate(oscillator(), duration=10.0, tolerance=tolerance)
+    assert made[1:] == [run.method]
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
+    assert error_of(run) <= run.certificate.bound <= tolerance
+    monkeypatch.undo()
+    run.save(tmp_path / "run.npz")
+    assert check(tmp_path / "run.npz").identical
+
+
+@pytest.mark.parametrize(
+    ("name", "tolerance", "how"),
+    [
+        ("springs 0", 1e-6, "halved=True) against whole steps"),
+        ("orbit 1", 1e-8, "halved=True) against Dop853"),
+    ],
+)
+def test_halved_steps_that_meet_something_sudden_are_certified(
+    name: str, tolerance: float, how: str, tmp_path: Path
+) -> None:
+    """By the whole ones beside them, or if that is not enough by shorter ones."""
+    scene = next(one for one in held_out.scenes() if one.name == name)
+    run = t2.simulate(scene, duration=scene.duration, tolerance=tolerance)
+    exact = t2.simulate(scene, duration=scene.duration, method=t2.Reference(1e-13), times=run.times)
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
+    assert how in run.certificate.how
+    assert history_error(run, exact) <= run.certificate.bound
+    run.save(tmp_path / "run.npz")
+    assert check(tmp_path / "run.npz").identical
 
 
 def test_a_looser_tolerance_costs_less() -> None:

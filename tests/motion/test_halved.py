@@ -16,11 +16,11 @@ def test_halves_err_less_by_the_order_of_the_scheme(
 ) -> None:
     scene = t2.catalogue.load("kepler")
     times = np.linspace(0.0, 10.0, 61)
-    halves, apart = solve_halved(scene, duration=10.0, method=method, times=times)
+    halves, halving = solve_halved(scene, duration=10.0, method=method, times=times)
     exact = t2.simulate(scene, duration=10.0, method=t2.Reference(1e-13), times=times)
     error = np.linalg.norm(halves.position - exact.position, axis=-1).max()
-    assert apart is not None
-    said = np.linalg.norm(apart[:, :2], axis=-1).max() / (2**order - 1)
+    assert halving is not None
+    said = np.linalg.norm(halving.apart[:, :2], axis=-1).max() / (2**order - 1)
     assert 0.3 * said < error < 3 * said  # both err alike: from 1/2 to 2 on orbits and springs
 
 
@@ -39,10 +39,10 @@ def test_halves_take_twice_the_steps_and_are_what_the_method_says() -> None:
 
 def test_what_impacts_change_says_nothing_of_the_error() -> None:
     scene = t2.catalogue.load("bouncing-disc")
-    run, apart = solve_halved(scene, duration=1.0, method=t2.Dop853(1e-8))
+    run, halving = solve_halved(scene, duration=1.0, method=t2.Dop853(1e-8))
     exact = t2.simulate(scene, duration=1.0)
     assert len(run.impacts)
-    assert apart is None
+    assert halving is None
     assert np.abs(run.position - exact.position).max() < 1e-9
 
 

@@ -1,6 +1,7 @@
 """Every measurement runs to its end, small; no time and no figure is looked at."""
 
 import json
+from argparse import ArgumentParser
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,6 @@ from tamias2d.study.stored import study_from_json
 from tools.measurements import (
     asked,
     certificates,
-    certified_steps,
     crowds,
     drift,
     fronts,
@@ -63,24 +63,56 @@ def test_asked_tells_what_takes_long_or_breaks(monkeypatch: pytest.MonkeyPatch) 
     assert "IndexError: beyond" in asked.notes(found)[0]
 
 
+def of_certificates(**asked: Any) -> dict[str, Any]:
+    """What is found as JSON; a table and notes can be made of it."""
+    found = certificates.measure(**asked)
+    assert json.loads(json.dumps(found)) == found
+    heads, rows = certificates.table(found)
+    assert {len(row) for row in rows} == {len(heads)}
+    assert len(certificates.notes(found)) >= 2
+    return found
+
+
 def test_certificates(monkeypatch: pytest.MonkeyPatch) -> None:
-    names = ["driven", "cradle-touching"]
-    new = [scene for scene in held_out.scenes() if scene.name == "throw 0"]
-    steps = [scene for scene in held_out.stepped_scenes() if scene.name == "platform 0"]
-    monkeypatch.setattr(certificates, "TOLERANCES", (1e-2,))
-    monkeypatch.setattr(certified_steps, "TOLERANCES", (1e-1, 1e-2))
-    of = {None: names, "located": names, "stepped": ["cradle-touching"]}
-    monkeypatch.setattr(catalogue, "names", lambda contacts=None: of[contacts])
-    monkeypatch.setattr(held_out, "scenes", lambda *_: iter(new))
-    monkeypatch.setattr(held_out, "stepped_scenes", lambda *_: iter(steps))
-    found, _ = lines_of(certificates)
-    by_steps = {row["scene"] for row in found["stepped_rows"]}
-    assert by_steps == {"cradle-touching", "platform 0"}
+    monkeypatch.setattr(catalogue, "names", lambda _=None: ["driven", "cradle-touching"])
+    scenes = ["driven", "cradle-touching", "throw 0", "platform 0"]
+    found = of_certificates(scenes=scenes, tolerances=[1e-2])
+    assert {row["scene"] for row in found["stepped_rows"]} == {"cradle-touching", "platform 0"}
     for row in found["stepped_rows"]:
         assert row["covered"] is not False
     assert any(row["covered"] for row in found["stepped_rows"])
     assert "Stepped, held out" in certificates.notes(found)[-1]
     assert [row["scene"] for row in found["rows"]] == ["driven", "cradle-touching", "throw 0"]
+    assert {row["tolerance"] for row in found["rows"]} == {1e-2}
+    assert found["left_out"] == []
+
+
+def test_certificates_of_scenes_that_are_asked_for() -> None:
+    parser = ArgumentParser()
+    certificates.options(parser)
+    given = parser.parse_args(["--scenes", "tc1", "throw 0", "--tolerances", "1e-2", "1e-4"])
+    found = of_certificates(**vars(given))
+    pairs = [(row["scene"], row["tolerance"]) for row in found["rows"]]
+    assert pairs == [(name, each) for name in ("tc1", "throw 0") for each in (1e-2, 1e-4)]
+    assert found["stepped_rows"] == []
+    with pytest.raises(SystemExit):
+        parser.parse_args(["--scenes", "of nobody"])
+
+
+def test_certificates_that_are_stopped_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also those of the scene in which it was stopped; nothing is said of what was not asked."""
+    one = certificates._pair
+
+    def stopped(name: str, scene: Any, tolerance: float, *others: Any) -> Any:
+        if (name, tolerance) == ("tc2", 1e-4):
+            raise KeyboardInterrupt
+        return one(name, scene, tolerance, *others)
+
+    monkeypatch.setattr(certificates, "_pair", stopped)
+    found = of_certificates(scenes=["tc1", "tc2", "tc3", "throw 0"], tolerances=[1e-2, 1e-4])
+    pairs = [(row["scene"], row["tolerance"]) for row in found["rows"]]
+    assert pairs == [("tc1", 1e-2), ("tc1", 1e-4), ("tc2", 1e-2)]
+    assert found["held_out"]["coverage"] is None
     assert found["left_out"] == []
 
 

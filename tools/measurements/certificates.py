@@ -6,28 +6,32 @@ from scipy at 1e-13, whose own doubt is what our order 8 at 1e-14 says otherwise
 bound over the true error; where that is below rounding (of the largest terms of a place) or below
 the doubt, over these. A bound below the doubt is not judged at all. Scenes whose contacts are
 stepped have another true answer, and tables of their own (`certified_steps`); those that have none
-are named. It takes an hour.
+are named. All scenes take an hour and more. Stop it by Ctrl-C, and what was found is printed.
 """
 
 import math
 import time
 from argparse import ArgumentParser
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict, dataclass, replace
 from statistics import median
-from typing import Any
+from typing import Any, NamedTuple
 from unittest.mock import patch
+
+from rich.console import Console
+from rich.progress import track
 
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Dop853, DormandPrince5, Method, Reference, Stepped
+from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
 from tamias2d.solve import solve, solve_halved
 from tamias2d.state import Array
-from tamias2d.study import certify, companion, pilot, tolerance as within_tolerance
-from tamias2d.study.certify import rounding
+from tamias2d.study import companion, embedded, pilot, tolerance as within_tolerance
+from tamias2d.study.bound import rounding
 from tamias2d.study.error import history_error, scale
 from tamias2d.study.recommend import schemes_for, solved
 from tamias2d.study.refusal import ToleranceError
@@ -76,40 +80,89 @@ class _Truth:
 def options(parser: ArgumentParser) -> None:
     """Add what can be chosen."""
     parser.add_argument("--seed", type=int, default=held_out.SEED, help="of the held-out scenes")
+    parser.add_argument(
+        "--scenes", nargs="+", metavar="SCENE", choices=_names(),
+        help="these alone, of the catalogue and of the held-out ones (throw 0)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--tolerances", nargs="+", type=float,
+        help="these alone; else 1e-2 to 1e-10, and 1e-1 to 1e-4 where contacts are stepped",
+    )  # fmt: skip
 
 
-def measure(seed: int = held_out.SEED) -> dict[str, Any]:
+def measure(
+    seed: int = held_out.SEED,
+    scenes: Sequence[str] | None = None,
+    tolerances: Sequence[float] | None = None,
+) -> dict[str, Any]:
     """Return shares and medians over the catalogue, those over held-out scenes, and all pairs."""
-    known = [(name, catalogue.load(name)) for name in catalogue.names("located")]
-    new = [(scene.name, scene) for scene in held_out.scenes(seed)]
-    by_steps = _stepped_parts(seed)
-    found = [{name: _pairs(name, scene) for name, scene in part} for part in (known, new)]
-    parts = [[pair for pairs in part.values() for pair in pairs] for part in found]
+    asked = list(_all(seed, scenes))
+    parts = {"catalogue": _Part(), "held out": _Part()}
+    try:
+        for one in track(asked, "Scenes", console=Console(stderr=True), transient=True):
+            parts[one.part].add(one, tolerances)
+    except KeyboardInterrupt:
+        Console(stderr=True).print("Stopped; this is what was found until then.")
     return {
-        **summary(parts[0]),
-        "held_out": summary(parts[1]),
-        "left_out": [name for part in found for name, pairs in part.items() if not pairs],
-        "stepped": {name: certified_steps.summary(part) for name, part in by_steps.items()},
-        "stepped_rows": [row for part in by_steps.values() for row in certified_steps.rows(part)],
-        "rows": [asdict(pair) for part in parts for pair in part],
+        **summary(parts["catalogue"].located),
+        "held_out": summary(parts["held out"].located),
+        "left_out": [name for part in parts.values() for name in part.left_out],
+        "stepped": {name: certified_steps.summary(part.stepped) for name, part in parts.items()},
+        "stepped_rows": [row for p in parts.values() for row in certified_steps.rows(p.stepped)],
+        "rows": [asdict(pair) for part in parts.values() for pair in part.located],
     }
 
 
-def _stepped_parts(seed: int) -> dict[str, list[certified_steps.SteppedPair]]:
-    """Return what came of stepped scenes, of the catalogue and held out."""
-    known = [(name, catalogue.load(name)) for name in catalogue.names("stepped")]
-    new = [(scene.name, scene) for scene in held_out.stepped_scenes(seed)]
-    return {
-        part: [pair for name, scene in scenes for pair in certified_steps.pairs(name, scene)]
-        for part, scenes in (("catalogue", known), ("held out", new))
-    }
+def _names() -> list[str]:
+    new = (*held_out.scenes(), *held_out.stepped_scenes())
+    return [*catalogue.names("located"), *catalogue.names("stepped"), *(one.name for one in new)]
+
+
+class _Asked(NamedTuple):
+    """A scene of the catalogue, or a held-out one."""
+
+    part: str
+    name: str
+    scene: Scene
+    by_steps: bool
+
+
+def _all(seed: int, names: Sequence[str] | None = None) -> Iterator[_Asked]:
+    """Yield the scenes of some names, or all: those whose contacts are stepped come last."""
+    for by_steps in (False, True):
+        for name in catalogue.names("stepped" if by_steps else "located"):
+            if names is None or name in names:
+                yield _Asked("catalogue", name, catalogue.load(name), by_steps)
+        for scene in (held_out.stepped_scenes if by_steps else held_out.scenes)(seed):
+            if names is None or scene.name in names:
+                yield _Asked("held out", scene.name, scene, by_steps)
+
+
+class _Part:
+    """What came of the catalogue, or of the held-out scenes, as far as it was found."""
+
+    def __init__(self) -> None:
+        self.located: list[Pair] = []
+        self.stepped: list[certified_steps.SteppedPair] = []
+        self.left_out: list[str] = []
+
+    def add(self, asked: _Asked, tolerances: Sequence[float] | None) -> None:
+        """Find the pairs of one more scene; what was found of it is kept when that is stopped."""
+        if asked.by_steps:
+            within = tolerances or certified_steps.TOLERANCES
+            self.stepped.extend(certified_steps.pairs(asked.name, asked.scene, within))
+            return
+        before = len(self.located)
+        self.located.extend(_pairs(asked.name, asked.scene, tolerances or TOLERANCES))
+        if len(self.located) == before:
+            self.left_out.append(asked.name)
 
 
 def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
     """Return heads and rows for people: the catalogue, and what was held out."""
     heads = tuple(key for key in found if key not in _APART)
     rows = [
-        (name, *(f"{part[key]:.4g}" for key in heads))
+        (name, *("-" if part[key] is None else f"{part[key]:.4g}" for key in heads))
         for name, part in (("catalogue", found), ("held out", found["held_out"]))
     ]
     return ("scenes", *heads), rows
@@ -126,43 +179,60 @@ def notes(found: dict[str, Any]) -> list[str]:
 
 
 def summary(pairs: list[Pair]) -> dict[str, Any]:
-    """Return how many claims were true, how tight, and how cheap the choices were."""
+    """Return how many claims were true, how tight, and how cheap the choices were.
+
+    What nothing is known of is None.
+    """
     claims = [pair for pair in pairs if pair.covered is not None]
+    tight = [pair.effectivity for pair in claims if pair.effectivity is not None]
     numeric = [p.effectivity for p in claims if p.kind != "exact" and p.effectivity is not None]
     regrets = [pair.regret for pair in pairs if pair.regret is not None]
     dear = [p for p in pairs if p.cost and p.total and p.regret is not None]
-    with_all = sorted(p.regret_of_all for p in dear if p.regret_of_all is not None)
-    seconds = sorted(p.regret_of_seconds for p in dear if p.regret_of_seconds is not None)
+    with_all = [p.regret_of_all for p in dear if p.regret_of_all is not None]
+    seconds = [p.regret_of_seconds for p in dear if p.regret_of_seconds is not None]
     return {
-        "coverage": sum(bool(pair.covered) for pair in claims) / len(claims),
-        "effectivity_median": median(p.effectivity for p in claims if p.effectivity is not None),
-        "effectivity_median_not_exact": median(numeric),
-        "met_first_try": sum(pair.first_try for pair in pairs) / len(pairs),
-        "regret_median": median(regrets),
-        "regret_largest": max(regrets),
-        "regret_median_not_exact": median(p.regret for p in dear if p.regret is not None),
-        "total_over_cost_median": median(p.total / p.cost for p in dear if p.total and p.cost),
-        "regret_of_all_median": median(with_all),
-        "regret_of_all_of_19_in_20": with_all[math.ceil(0.95 * len(with_all)) - 1],
-        "regret_of_seconds_median": median(seconds),
-        "regret_of_seconds_of_19_in_20": seconds[math.ceil(0.95 * len(seconds)) - 1],
+        "coverage": _share([bool(pair.covered) for pair in claims]),
+        "effectivity_median": _median(tight),
+        "effectivity_median_not_exact": _median(numeric),
+        "met_first_try": _share([pair.first_try for pair in pairs]),
+        "regret_median": _median(regrets),
+        "regret_largest": max(regrets, default=None),
+        "regret_median_not_exact": _median([p.regret for p in dear if p.regret is not None]),
+        "total_over_cost_median": _median([p.total / p.cost for p in dear if p.total and p.cost]),
+        "regret_of_all_median": _median(with_all),
+        "regret_of_all_of_19_in_20": _of_19_in_20(with_all),
+        "regret_of_seconds_median": _median(seconds),
+        "regret_of_seconds_of_19_in_20": _of_19_in_20(seconds),
         "pairs": len(pairs),
         "claims": len(claims),
     }
 
 
-def _pairs(name: str, scene: Scene) -> list[Pair]:
-    """Return what came of all tolerances; nothing where there is no true answer."""
+def _share(found: list[bool]) -> float | None:
+    return sum(found) / len(found) if found else None
+
+
+def _median(found: list[float]) -> float | None:
+    return median(found) if found else None
+
+
+def _of_19_in_20(found: list[float]) -> float | None:
+    return sorted(found)[math.ceil(0.95 * len(found)) - 1] if found else None
+
+
+def _pairs(name: str, scene: Scene, tolerances: Sequence[float]) -> Iterator[Pair]:
+    """Yield what came of all tolerances; nothing where there is no true answer."""
     duration = scene.duration or 1.0
     try:
         start = simulate(scene, duration=duration)
     except (SimulationError, SceneError):
-        return []
+        return
     if isinstance(start.method, Stepped):
-        return []
+        return
     truth = _truth(start)
     sweep = _Sweep(scene, truth)
-    return [_pair(name, scene, tolerance, truth, sweep) for tolerance in TOLERANCES]
+    for tolerance in tolerances:
+        yield _pair(name, scene, tolerance, truth, sweep)
 
 
 def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: "_Sweep") -> Pair:
@@ -238,15 +308,15 @@ def _counted() -> Iterator[Callable[[], int]]:
         spent.append(run.cost.force_evaluations if run.cost else 0)
         return run
 
-    def counting_halves(scene: Scene, **inputs: Any) -> tuple[Run, Array | None]:
-        run, apart = solve_halved(scene, **inputs)
+    def counting_halves(scene: Scene, **inputs: Any) -> tuple[Run, Halving | None]:
+        run, halving = solve_halved(scene, **inputs)
         spent.append(run.cost.force_evaluations if run.cost else 0)
-        return run, apart
+        return run, halving
 
     with ExitStack() as patched:
         for module in (companion, pilot, within_tolerance):
             patched.enter_context(patch.object(module, "solve", counting))
-        for module in (certify, within_tolerance):
+        for module in (embedded, within_tolerance):
             patched.enter_context(patch.object(module, "solve_halved", counting_halves))
         yield lambda: sum(spent)
 

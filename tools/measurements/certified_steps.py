@@ -6,6 +6,7 @@ times shorter than those of the run, and by no fewer substeps; the one that is f
 """
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from statistics import median
 from typing import Any
@@ -45,16 +46,13 @@ class SteppedPair:
     refused: str
 
 
-def pairs(name: str, scene: Scene) -> list[SteppedPair]:
-    """Return what came of all tolerances; nothing where contacts are not stepped."""
-    duration = scene.duration or 1.0
-    found = []
-    for tolerance in TOLERANCES:
-        pair = _pair(name, scene, tolerance, duration)
+def pairs(name: str, scene: Scene, tolerances: Sequence[float]) -> Iterator[SteppedPair]:
+    """Yield what came of all tolerances; nothing from one on whose contacts are not stepped."""
+    for tolerance in tolerances:
+        pair = _pair(name, scene, tolerance, scene.duration or 1.0)
         if pair is None:
-            return []
-        found.append(pair)
-    return found
+            return
+        yield pair
 
 
 def summary(found: list[SteppedPair]) -> dict[str, Any]:

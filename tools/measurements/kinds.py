@@ -28,7 +28,8 @@ from tamias2d.run import Run
 from tamias2d.scene import Disc, HalfPlane, Scene, catalogue
 from tamias2d.simulate import simulate
 from tamias2d.state import Array
-from tamias2d.study.certify import certify, rounding
+from tamias2d.study.bound import rounding
+from tamias2d.study.certify import certify
 from tamias2d.study.error import history_error, scale
 from tamias2d.study.recommend import solved
 from tools.measurements import held_out

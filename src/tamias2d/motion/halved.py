@@ -7,6 +7,7 @@ section II.8). The halves are what is returned.
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,6 +19,15 @@ from tamias2d.motion.step_batch import StepBatch, joined
 from tamias2d.state import Array
 
 _SUDDEN = 0.5  # of the step before is one that meets something sudden
+
+
+class Halving(NamedTuple):
+    """How far whole steps are from their halves."""
+
+    apart: Array
+    """(n, 3): coordinates of all bodies, at most"""
+    sudden: bool
+    """Whether some steps were suddenly far shorter than those before"""
 
 
 @dataclass
@@ -55,8 +65,10 @@ class Halved:
         """Of each body (3,): how far its coordinates were from those of whole steps, at most.
 
         None where something else changed a state, as impacts do, and whole steps began anew, and
-        where steps met something sudden: there halves do not err less by the order.
+        where a law did what errors had not told of: there halves do not err less by the order.
         """
+        self.sudden = False
+        """Whether steps met something sudden."""
 
     def step(
         self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
@@ -84,7 +96,8 @@ class Halved:
         times = np.repeat(whole.times, 2)[:-1]
         times[1::2] = (times[:-1:2] + times[2::2]) / 2
         halves = self._halves(field, times.tolist(), position, velocity)
-        if self._whole.missed or known.shortens(whole, limit):
+        self.sudden = known.shortens(whole, limit) or self.sudden
+        if self._whole.missed:
             self.apart = None
         self._compare(field.bodies, whole, halves)
         known.time, known.state, known.halved = whole.end, whole.last, halves.last

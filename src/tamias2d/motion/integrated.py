@@ -9,7 +9,7 @@ from tamias2d.errors import TamiasError
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.fixed_steps import FixedSteps
-from tamias2d.motion.halved import Halved
+from tamias2d.motion.halved import Halved, Halving
 from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_decision import begin
 from tamias2d.motion.joint_events import JointEvents, joint_events
@@ -237,16 +237,16 @@ class IntegratedMotion:
                 start, now = step.end, step.last
 
     @property
-    def halving(self) -> Array | None:
-        """(n, 3): how far coordinates are at most from those by whole steps, taken in halves here.
+    def halving(self) -> Halving | None:
+        """How far coordinates are at most from those by whole steps, which are taken in halves.
 
         None for other steps, and where whole ones could not be followed to the end of the run.
         """
-        apart = self._integrator.apart if isinstance(self._integrator, Halved) else None
-        if apart is None:
+        if not isinstance(self._integrator, Halved) or self._integrator.apart is None:
             return None
-        still = np.zeros(3)
-        return np.array([apart.get(k, still) for k in range(len(self._scene))])
+        apart, still = self._integrator.apart, np.zeros(3)
+        rows = np.array([apart.get(k, still) for k in range(len(self._scene))])
+        return Halving(rows, self._integrator.sudden)
 
     def joint_events(self) -> JointEvents:
         """Return what has happened in joints."""

@@ -14,6 +14,7 @@ from tamias2d.contact import (
     UndecidedContactError,
 )
 from tamias2d.motion import Dop853, DormandPrince5, Legacy2018, Method, PathMethod, Stepped
+from tamias2d.motion.halved import Halving
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.loads import Loads, coordinates, start_states
 from tamias2d.run import Run
@@ -24,7 +25,6 @@ from tamias2d.solve.legacy import run_by_legacy
 from tamias2d.solve.located import are_many, run_by_paths
 from tamias2d.solve.plan import Plan, planned
 from tamias2d.solve.stepped import run_by_steps
-from tamias2d.state import Array
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
 _UNDECIDED = (SimultaneousImpactsError, LastingContactError, UndecidedContactError)
@@ -74,11 +74,10 @@ def solve_halved(
     times: Iterable[float] | None = None,
     progress: bool = False,
     work_limit: int = WORK_LIMIT,
-) -> tuple[Run, Array | None]:
+) -> tuple[Run, Halving | None]:
     """Return the history of a scene by halved steps, and how far whole ones are from it.
 
-    That is (n, 3), of each coordinate at most; None where impacts or joints hide it. Arguments and
-    errors are those of `solve`.
+    That is None where impacts or joints hide it. Arguments and errors are those of `solve`.
     """
     method = replace(method, halved=True)
     plan = planned(scene, duration, method, None, times, work_limit)

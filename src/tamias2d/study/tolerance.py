@@ -14,19 +14,26 @@ from tamias2d.scene.acting import kinked, only_slowed
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve import Interrupted, solve, solve_halved
 from tamias2d.state import Array
-from tamias2d.study.certify import certify, certify_embedded, certify_halved, certify_steps
+from tamias2d.study.certify import (
+    certify,
+    certify_embedded,
+    certify_halved,
+    certify_steps,
+    certify_tighter,
+)
+from tamias2d.study.embedded import looser_than
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.recommend import located_plan, solved
 from tamias2d.study.refusal import ToleranceError, refusal
 from tamias2d.study.stepped_plan import plan_steps, stepped_because
 from tamias2d.work_limit import WORK_LIMIT
 
-_HALVED, _ORDERLY = 3.0, 1e-6
+_HALVED, _ORDERLY = 6.0, 1e-5
 """Times the tolerance is that of order 8 whose halved steps are tried first; at most so large is it
 that most scenes show the order of the scheme."""
-_PLAIN, _SLOWED = 0.1, 10.0
+_PLAIN, _SLOWED = 0.3, 10.0
 """The same of whole steps; where bodies are only slowed, and errors decay with their speed."""
-_ORDER_8, _IMPACTS = 3e-5, 1e-8
+_ORDER_8, _IMPACTS = 3e-8, 1e-8
 """Below these tolerances order 8 is cheaper than order 5 where bodies are only slowed: where none
 meet, and where steps are short for impacts."""
 _HALVES = 3e-6
@@ -161,50 +168,59 @@ def _unweighed(asked: _Asked) -> Run | None:
             return _halved(asked)
         loose = tolerance >= (_IMPACTS if meet else _ORDER_8)
         method = DormandPrince5 if slowed and loose else Dop853
-        return _tighter(asked, method, (_SLOWED if slowed else _PLAIN) * tolerance)
+        return _whole(asked, method, (_SLOWED if slowed and not meet else _PLAIN) * tolerance)
     except SimulationError:  # of a loose run; the plan refuses what cannot be
         return None
 
 
 def _halved(asked: _Asked) -> Run | None:
-    """Return a run by halved steps, which are certified by whole ones."""
-    rtol = min(_HALVED * asked.tolerance, _ORDERLY)
-    for attempt in range(_TRIES):
-        run, apart = solve_halved(
-            asked.scene,
-            duration=asked.duration,
-            method=Dop853(rtol=_two_digits(rtol)),
-            times=asked.times,
-            progress=asked.progress,
-            work_limit=asked.work_limit,
-        )
-        run = certify_halved(run, apart)
-        if run.certificate is not None and run.certificate.meets(asked.tolerance):
-            return _first(run, asked.tolerance, attempt)
-        excess = _reached(run.certificate) / asked.tolerance
-        rtol /= 1.2 * min(excess, _MOST)
-        if not excess < math.inf or rtol < _TIGHTEST:
-            return None
-    return None
-
-
-def _tighter(asked: _Asked, method: type[Dop853] | type[DormandPrince5], rtol: float) -> Run | None:
-    """Return a run that is certified by one at a tighter tolerance, which is the next to try."""
-    rtol = min(rtol, _LOOSEST)
-    run = None
-    for attempt in range(_TRIES):
-        run = run or asked.run(_estimate(asked, method(rtol=_two_digits(rtol))))
+    """Return a run by halved steps, which are certified by whole ones, of the same times or not."""
+    run, halving = solve_halved(
+        asked.scene,
+        duration=asked.duration,
+        method=Dop853(rtol=_two_digits(min(_HALVED * asked.tolerance, _ORDERLY))),
+        times=asked.times,
+        progress=asked.progress,
+        work_limit=asked.work_limit,
+    )
+    run, tighter = certify_halved(run, halving)
+    if tighter is None and not _meets(run, asked) and _reached(run.certificate) < math.inf:
         run, tighter = certify_embedded(run)
-        if run.certificate is not None and run.certificate.meets(asked.tolerance):
+    return _tightened(asked, run, tighter)
+
+
+def _whole(asked: _Asked, method: type[Dop853] | type[DormandPrince5], rtol: float) -> Run | None:
+    """Return a run by whole steps, which are certified by those at a tighter tolerance."""
+    first = asked.run(_estimate(asked, method(rtol=_two_digits(min(rtol, _LOOSEST)))))
+    return _tightened(asked, *certify_embedded(first))
+
+
+def _tightened(asked: _Asked, run: Run, tighter: Run | None) -> Run | None:
+    """Return a run, or else the one at a tighter tolerance behind it, which is the next to try."""
+    for attempt in range(_TRIES):
+        if attempt:
+            run, tighter = certify_embedded(run)
+        if _meets(run, asked):
             return _first(run, asked.tolerance, attempt)
-        excess = 1.2 * _reached(run.certificate) / asked.tolerance
-        if not excess < math.inf or (rtol := rtol / min(excess, _MOST)) < _TIGHTEST:
+        if tighter is None or not _reached(run.certificate) < math.inf:
             return None
-        run = None
-        if tighter is not None and isinstance(tighter.method, method):
-            run = tighter if tighter.method.rtol <= rtol else None
-            rtol = tighter.method.rtol if run else rtol
+        run = _believed(tighter, run)
+        if _meets(run, asked):
+            return _first(run, asked.tolerance, attempt)
     return None
+
+
+def _believed(run: Run, before: Run) -> Run:
+    """Return a run with a certificate from the one before it, if it can be made again from this."""
+    method = run.method
+    if not isinstance(method, Dop853 | DormandPrince5):
+        return run
+    known = any(one == before.method for one in looser_than(method))
+    return certify_tighter(run, before) if known else run
+
+
+def _meets(run: Run, asked: _Asked) -> bool:
+    return run.certificate is not None and run.certificate.meets(asked.tolerance)
 
 
 def _estimate(asked: _Asked, method: Dop853 | DormandPrince5) -> Estimate:

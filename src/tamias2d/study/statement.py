@@ -1,0 +1,125 @@
+"""What a certificate states: of positions, of the balance of energy, or of a fault."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from tamias2d.certificate import Certificate, hashes, not_claimed
+from tamias2d.contact import RULED
+from tamias2d.motion import ClosedForm, Stepped
+from tamias2d.motion.law_resolution import LOOKS
+from tamias2d.run import Run
+from tamias2d.scene.acting import brief_laws
+from tamias2d.study.bound import Bound, NoBoundError
+from tamias2d.study.error import MEASURE, radii, scale, way
+from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
+from tamias2d.study.penetration import Penetration, crowded
+
+_SOLUTION = "the exact solution of the scene's equations"
+_LIMIT = "where ever shorter steps lead"
+_STEPPED_MEASURE = MEASURE.replace("its exact place", _LIMIT)
+_LEFT_OPEN = (
+    "that rigid bodies do so where what is struck touches others: steps answer the blow at all "
+    "contacts at once, and restitution follows (A18)"
+)
+_BRIEF = "what a law does for less than {shortest:.3g} s: it is asked a thousand times over the run"
+_POINTS = "how far a body without a shape has turned: it has no point but its centre"
+_UNSEEN = "that no body passes through another: of so many it is not looked for"
+_BALANCE = "balance of energy, with what impacts take, relative to the largest kinetic energy"
+_KEPT = "the balance of energy"
+_RISE = "rise of the energy above what it was before"
+_RISING = f"{_RISE}, relative to the largest kinetic one, or to what lifts bodies by their radius"
+
+
+def with_rule(certificate: Certificate, run: Run) -> Certificate:
+    """Return a certificate that tells what was decided by rule, and when (A18)."""
+    told = tuple(
+        f"that nature decides as the {note}" for note in run.notes if note.startswith(f"{RULED}: ")
+    )
+    return replace(certificate, does_not_claim=certificate.does_not_claim + told)
+
+
+def of_positions(run: Run, found: Bound) -> Certificate:
+    """Return the certificate of a bound; raise `NoBoundError` if it is larger than the motion."""
+    stepped = isinstance(run.method, Stepped)
+    length, of = scale(run), "that the farthest one goes"
+    if not way(run.scene, run):
+        of = "taken where nothing moves"
+    if stepped and length < (largest := float(radii(run.scene).max(initial=0.0))):
+        length, of = largest, "around the largest one"  # what only sinks in goes nowhere
+    if found.value > length:
+        raise NoBoundError(f"a bound by {found.kind} would be larger than the motion itself")
+    until = f"at all {len(run.times)} samples up to {run.times[-1]:g} s"
+    return Certificate(
+        kind=found.kind,
+        measure=f"{_STEPPED_MEASURE if stepped else MEASURE}, relative to the {length:.6g} m {of}",
+        bound=found.value / length,
+        how=found.how,
+        claims=(f"how far it is from {_LIMIT if stepped else _SOLUTION}, {until}",),
+        does_not_claim=(
+            *not_claimed(None),
+            *_brief(run),
+            *_turning(run),
+            *((_LEFT_OPEN,) if stepped else ()),
+            *((_UNSEEN,) if stepped and crowded(run) else ()),
+        ),
+        observed_order=found.order,
+        predictability_horizon=None,
+        hashes=hashes(run.scene),
+    )
+
+
+def _brief(run: Run) -> tuple[str, ...]:
+    """Return what is not claimed of laws that may do something for a moment."""
+    if isinstance(run.method, ClosedForm) or not brief_laws(run.scene):
+        return ()
+    return (_BRIEF.format(shortest=run.duration / LOOKS),)
+
+
+def _turning(run: Run) -> tuple[str, ...]:
+    """Return what is not claimed of bodies without a shape: they have no point but the centre."""
+    points = [k for k, b in enumerate(run.scene.bodies) if b.dynamic and b.shape is None]
+    return (_POINTS,) if np.ptp(run.orientation[:, points], axis=0).any() else ()
+
+
+def of_penetration(run: Run, fault: Penetration) -> Certificate:
+    """Return the certificate of a run that is wrong, whatever else is known of it."""
+    first, second = (run.scene.bodies[k].name for k in fault.bodies)
+    what = f"overlap by {fault.depth:.3g} m" if fault.depth else "pass through each other"
+    return Certificate(
+        kind="none",
+        measure=MEASURE,
+        bound=None,
+        how=f"'{first}' and '{second}' {what} at {fault.time:.6g} s",
+        claims=(),
+        does_not_claim=(*not_claimed(None), "where single bodies are, since solid ones do not"),
+        observed_order=None,
+        predictability_horizon=None,
+        hashes=hashes(run.scene),
+    )
+
+
+def of_energy(run: Run, reason: str, lost_at: float | None) -> Certificate:
+    """Return what is left to say: how well the run keeps the balance of energy."""
+    stepped = isinstance(run.method, Stepped)
+    strayed = energy_rise(run) if stepped else energy_drift(run)
+    if strayed is None or not math.isfinite(strayed):
+        bound = None
+    else:
+        bound = strayed + energy_rounding(run)
+    return Certificate(
+        kind="none" if bound is None else "invariants",
+        measure=_RISING if stepped else _BALANCE,
+        bound=bound,
+        how=reason,
+        claims=() if bound is None else (f"{_RISE if stepped else _KEPT} at all samples",),
+        does_not_claim=(
+            *not_claimed(lost_at),
+            "where single bodies are, since " + reason,
+            *((_UNSEEN,) if crowded(run) else ()),
+        ),
+        observed_order=None,
+        predictability_horizon=lost_at,
+        hashes=hashes(run.scene),
+    )
