@@ -85,7 +85,7 @@ from tamias2d.state import Array
 FIRMER = 2.0  # frequency of a contact with a body that does not move freely, to that of others
 FIRMEST = 2.0  # frequency under load, to that without
 DAMPING = 10.0  # of the spring, where 1 is critical
-PARTING = 2.0**-4  # of the velocity that its impulse gives: a point that has bounced parts faster
+PARTING = 2.0**-7  # of the velocity that its impulse gives: a point that has bounced parts faster
 REST = 0.015  # of the smaller radius: overlap to which a load should lead
 LEARNT = 0.02  # of the overlap, by the preload in a step
 PRELOADED = 0.2  # of the smaller radius: largest preload
