@@ -133,12 +133,11 @@ def find_touching(
             same = same & (touching.contact[total] == p) & (touching.colour[total] % 2 == count - 1)
             touching.contact[total], touching.body_a[total], touching.body_b[total] = p, i, j
             total += 1
-            if meets:
-                contacts.flags[p, LOCATED] = MOST_LOCATED
-            static = (bodies.kind[i] == STATIC) | (bodies.kind[j] == STATIC)
-            new_static += 1 if static and not touched else 0
-            if comes or margin > (CLOSE + AHEAD) * smaller:  # it may change a velocity by much
-                marked += 1
+            contacts.flags[p, LOCATED] = MOST_LOCATED if meets else 0
+            if not touched and (bodies.kind[i] == STATIC or bodies.kind[j] == STATIC):
+                new_static += 1
+            fast = margin > (CLOSE + AHEAD) * smaller  # it may change a velocity by much
+            marked += 1 if comes or fast else 0
         else:
             mark_sensor(count, contacts.manifolds[p], contacts.flags[p])
     if not same or touching.counts[TOUCHING] != total:
