@@ -120,7 +120,7 @@ def find_touching(
             beside = contacts.flags[p, FEATURE] == BESIDE
             gap = smallest_gap(contacts.manifolds[p], count)
             apart = gap > (CLOSE + AHEAD) * smaller
-            comes = (apart or not touched) and will_meet(
+            comes = (not touched or (apart and goes_slowly(margin, i, j, bodies))) and will_meet(
                 p, i, j, count, smaller, control, bodies, contacts
             )
             meets = comes and not touched
@@ -242,6 +242,14 @@ def will_meet(
         speed = opening_speed(n, i, j, bodies, manifold)
         meets = meets | ((speed < -2.0 * pull) & (gap + (speed - pull) * seen < 0.0))
     return bool(meets)
+
+
+def goes_slowly(margin: float, i: int, j: int, bodies: Bodies) -> bool:
+    """Return whether bodies go less far in a part than the thinner one is thick.
+
+    Those that have parted and meet again are left to the solver then, else to the search on paths.
+    """
+    return bool(margin <= min(bodies.properties[i, MIN_EXTENT], bodies.properties[j, MIN_EXTENT]))
 
 
 def opening_speed(n: int, i: int, j: int, bodies: Bodies, manifold: Array) -> float:
