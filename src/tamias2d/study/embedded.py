@@ -27,6 +27,7 @@ _SUDDEN = 3.0  # times that where some steps met something sudden
 _NEAR, _DISBELIEF = 3e-8, 0.3  # of the scale: as that is exceeded, the order is believed less
 _FAR = 1e-2  # of the scale: as that is exceeded, there soon is no order
 _FEW = 24  # halved steps show no order, and tighter ones are likely the same
+_LEAST = (1e-14, 3e-14, 1e-13)  # tolerances at which steps err by rounding
 _ROUNDS = 2e-13
 """The tolerance at which halved steps err by rounding as much as whole ones do, and by the square
 of it less at looser ones: measured on orbits of all eccentricities up to 0.99995."""
@@ -42,18 +43,31 @@ def of_halves(run: Run, halving: Halving | None, tighter: list[Run]) -> Bound:
     """
     steps = run.cost.steps if run.cost else 0
     rounds: float = (_ROUNDS / run.method.rtol) ** 2  # type: ignore[attr-defined]
-    sharp = kinked(run.scene) or (halving and halving.sudden and brief_laws(run.scene))
-    if halving is None or steps < _FEW or run.method.facts is None or sharp:
+    if halving is None or steps < _FEW or run.method.facts is None or kinked(run.scene):
         return embedded(run, tighter)
-    if rounds > _TRUSTED:
-        return _against(run, Reference(1e-13))
     x, y, turn = halving.apart.T
     farthest = float((np.hypot(x, y) + turn * radii(run.scene)).max())
+    if rounds > _TRUSTED:
+        return _near_rounding(run, farthest)
+    if halving.sudden and brief_laws(run.scene):
+        return embedded(run, tighter)
     doubt = _doubt(farthest / scale(run)) * (_SUDDEN if halving.sudden else 1.0)
     share = min(doubt / (2.0 ** float(run.method.facts.order) - 1), 1.0)
     value = (share + rounds) * farthest + rounding(run)
     how = f"{run.method} against whole steps, which are {farthest:.2g} m away"
     return Bound("embedded", value, how)
+
+
+def _near_rounding(run: Run, farthest: float) -> Bound:
+    """Bound the error of a run from how far whole steps are: its own, and those of other lengths.
+
+    All of them err by rounding, and of three some are unlikely to err just as the run does.
+    """
+    asked: float = run.method.rtol  # type: ignore[attr-defined]
+    others = sorted(_LEAST, key=lambda rtol: abs(math.log(rtol / asked)))[1:]
+    distances = [difference(run, _by_whole_steps(run, rtol)) for rtol in others]
+    value = 2 * _TRUSTED * max(farthest, *distances) + rounding(run)
+    return Bound("embedded", value, f"{run.method} against whole steps at three tolerances")
 
 
 def _doubt(share: float) -> float:

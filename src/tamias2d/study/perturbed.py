@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tamias2d.motion import ClosedForm, RungeKutta4, Stepped
+from tamias2d.motion import ClosedForm, Dop853, RungeKutta4, Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Body, Scene
 from tamias2d.scene.restart import restarted
@@ -19,6 +19,7 @@ from tamias2d.study.error import apart, scale
 
 MOVED = 1e-12
 _ROUNDING = 2.0**-52
+_FINE = 1e-13  # errs less than what is perturbed
 LOST = 1e-2  # of the scale: so far away a perturbed run says nothing any more
 
 
@@ -41,24 +42,35 @@ def rounding_spread(run: Run) -> float | None:
 def growth(run: Run) -> Array | None:
     """Return (k,): how far a perturbed run is from the run, relative to its perturbation.
 
-    None if it is refused before its end. Runs that are exact or step through contacts are compared
-    with perturbed runs by their own method; others are made anew, like the perturbed run, by a
-    scheme on as many steps as they took.
+    None if it is refused before its end.
     """
     perturbed = _perturbed(run, MOVED, 1.0)
-    like_it = isinstance(run.method, ClosedForm | Stepped)
-    method: dict[str, object] = {"method": run.method, "time_step": run.time_step}
-    if not like_it:
-        steps = max(run.cost.steps if run.cost else 0, 64)
-        method = {"method": RungeKutta4(), "time_step": run.duration / steps}
-    try:
-        other = _history(perturbed, run, method)
-        own = run if like_it else _history(run.scene, run, method)
-    except RefusedError:
-        return None
+    for method in _ways(run):
+        try:
+            own = run if method["method"] is run.method else _history(run.scene, run, method)
+            other = _history(perturbed, run, method)
+        except RefusedError:
+            return None
+        if float(apart(own, run).max()) <= LOST * scale(run):
+            break
     away = apart(other, own)
     result: Array = away / max(MOVED * scale(run), float(away[0]))
     return result
+
+
+def _ways(run: Run) -> list[dict[str, object]]:
+    """Return by which methods a run and a perturbed one are compared, the cheapest first.
+
+    Runs that are exact or step through contacts go by their own method; others by a scheme on as
+    many equal steps as they took or, where that leads elsewhere, by steps that are chosen.
+    """
+    if isinstance(run.method, ClosedForm | Stepped):
+        return [{"method": run.method, "time_step": run.time_step}]
+    steps = max(run.cost.steps if run.cost else 0, 64)
+    return [
+        {"method": RungeKutta4(), "time_step": run.duration / steps},
+        {"method": Dop853(rtol=_FINE)},
+    ]
 
 
 def horizon(run: Run, grown: Array | None) -> float | None:

@@ -19,11 +19,13 @@ from tamias2d.engine.tables import (
     GRAVITY_Y,
     IS_TOUCHING,
     ISLANDS_KNOWN,
+    LEVEL,
     LIMITS,
     LOCATED,
     MEETING,
     MET_IN_FLIGHT,
     MIN_EXTENT,
+    MOST_LEVEL,
     MOST_LOCATED,
     NEW_STATIC,
     NX,
@@ -194,13 +196,14 @@ def known_gap(manifold: Array, flags: Integers) -> float:
 def note_sinking(i: int, j: int, gap: float, control: Control, bodies: Bodies) -> None:
     """Note the first two bodies whose overlap is deep where it grows: nothing holds them apart.
 
-    It is asked as a step begins: between its parts an impact may press bodies together for a while.
-    Thin bodies know their side, however deep they are.
+    It is asked as a step begins, and between its shortest parts: between longer ones an impact may
+    press bodies together for a while. Thin bodies know their side, however deep they are.
     """
     least = min(bodies.properties[i, MIN_EXTENT], bodies.properties[j, MIN_EXTENT])
     wide = min(bodies.properties[i, BOUNDING_RADIUS], bodies.properties[j, BOUNDING_RADIUS])
     sunk = (gap < -SUNK * least) & (least > THINNEST * wide)
-    if sunk and control.counts[SUNK_A] + control.counts[TICK] == 0:
+    asked = control.counts[TICK] == 0 or control.counts[LEVEL] == MOST_LEVEL
+    if sunk and asked and control.counts[SUNK_A] == 0:
         control.counts[SUNK_A], control.counts[SUNK_B] = i + 1, j + 1
         control.counts[LIMITS] += 1
 
