@@ -6,25 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.collide import collide
-from tamias2d.engine.tables import (
-    AXIS_CACHE,
-    CAPSULE,
-    DISC,
-    FEATURE,
-    GAP,
-    HALF_PLANE,
-    MANIFOLD,
-    NORMAL_IMPULSE,
-    POINT,
-    POINT_COUNT,
-    POLYGON,
-    PX,
-    PY,
-    SHAPE_INRADIUS,
-    Contacts,
-    Shapes,
-)
+from tamias2d.engine.tables import Contacts, Shapes
 
 Array = Any
 
@@ -40,8 +24,8 @@ class Outline:
     @property
     def kind(self) -> int:
         if self.plane:
-            return HALF_PLANE
-        return {1: DISC, 2: CAPSULE}.get(len(self.vertices), POLYGON)
+            return tb.HALF_PLANE
+        return {1: tb.DISC, 2: tb.CAPSULE}.get(len(self.vertices), tb.POLYGON)
 
     def rows(self) -> Array:
         if self.plane:
@@ -104,7 +88,7 @@ def shape_arrays(outlines: Sequence[Outline]) -> Shapes:
     rows = [outline.rows() for outline in outlines]
     counts = np.array([len(each) for each in rows], np.int32)
     material = np.zeros((len(rows), 4))
-    material[:, SHAPE_INRADIUS] = [outline.inradius() for outline in outlines]
+    material[:, tb.SHAPE_INRADIUS] = [outline.inradius() for outline in outlines]
     vertices = np.vstack(rows)
     return Shapes(
         slot=np.arange(len(rows), dtype=np.uint32),
@@ -124,7 +108,7 @@ def contact_arrays(pairs: Array) -> Contacts:
     """Contacts of pairs (k, 2) of shapes, before their first step."""
     rows = np.zeros((len(pairs), 4), np.uint32)
     rows[:, :2] = pairs
-    return Contacts(rows, np.zeros((len(rows), MANIFOLD)), np.zeros((len(rows), 6), np.int32))
+    return Contacts(rows, np.zeros((len(rows), tb.MANIFOLD)), np.zeros((len(rows), 6), np.int32))
 
 
 class Contact:
@@ -147,12 +131,12 @@ class Contact:
     @property
     def cached_axis(self) -> Array:
         """The relative pose that was seen when an axis was cached, and how far it holds."""
-        return self.manifold[AXIS_CACHE : AXIS_CACHE + 4]
+        return self.manifold[tb.AXIS_CACHE : tb.AXIS_CACHE + 4]
 
     @property
     def impulses(self) -> Array:
         """Normal and tangent impulse of both points, which may be written."""
-        return self.manifold.reshape(2, POINT)[:, NORMAL_IMPULSE : NORMAL_IMPULSE + 2]
+        return self.manifold.reshape(2, tb.POINT)[:, tb.NORMAL_IMPULSE : tb.NORMAL_IMPULSE + 2]
 
     @property
     def normal(self) -> Array:
@@ -160,19 +144,19 @@ class Contact:
 
     @property
     def count(self) -> int:
-        return int(self.contacts.flags[0, POINT_COUNT])
+        return int(self.contacts.flags[0, tb.POINT_COUNT])
 
     @property
     def points(self) -> Array:
-        return self.manifold.reshape(2, POINT)[: self.count, PX : PY + 1]
+        return self.manifold.reshape(2, tb.POINT)[: self.count, tb.PX : tb.PY + 1]
 
     @property
     def gaps(self) -> Array:
-        return self.manifold[GAP : GAP + 2 * POINT : POINT][: self.count]
+        return self.manifold[tb.GAP : tb.GAP + 2 * tb.POINT : tb.POINT][: self.count]
 
     @property
     def features(self) -> list[int]:
-        return list(self.contacts.flags[0, FEATURE : FEATURE + self.count])
+        return list(self.contacts.flags[0, tb.FEATURE : tb.FEATURE + self.count])
 
 
 def separation(a: Outline, b: Outline, delta: Array) -> float:

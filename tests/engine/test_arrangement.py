@@ -3,15 +3,7 @@
 import numpy as np
 import pytest
 
-from tamias2d.engine.tables import (
-    ARRANGED,
-    BUFFER,
-    CONTACTS,
-    ISLANDS_KNOWN,
-    LIST_HOLDS,
-    SLOT_A,
-    SLOT_B,
-)
+from tamias2d.engine import tables as tb
 from tamias2d.scene import catalogue
 from tamias2d.simulator import Simulator
 from tests.engine.scenes import poured
@@ -23,9 +15,9 @@ def test_contacts_stay_arranged_as_they_would_be_anew(name: str) -> None:
     kept, anew = Simulator(catalogue.load(name)), Simulator(catalogue.load(name))
     stayed = 0
     for _ in range(90):
-        stayed += int(kept._engine.world.touching.counts[ARRANGED])
+        stayed += int(kept._engine.world.touching.counts[tb.ARRANGED])
         forgetful = anew._engine.world.touching.counts
-        forgetful[ARRANGED] = forgetful[ISLANDS_KNOWN] = 0
+        forgetful[tb.ARRANGED] = forgetful[tb.ISLANDS_KNOWN] = 0
         kept.step()
         anew.step()
     assert kept.digest() == anew.digest()
@@ -36,7 +28,7 @@ def listed(sim: Simulator) -> list[tuple[int, int]]:
     """The bodies of all contacts on the list."""
     world = sim._engine.world
     counts = world.broad_phase.counts
-    slots = world.buffers.pairs[counts[BUFFER], : counts[CONTACTS], SLOT_A : SLOT_B + 1]
+    slots = world.buffers.pairs[counts[tb.BUFFER], : counts[tb.CONTACTS], tb.SLOT_A : tb.SLOT_B + 1]
     pairs = world.state.body_of_slot[slots]
     return [(int(min(pair)), int(max(pair))) for pair in pairs]
 
@@ -47,7 +39,7 @@ def test_bodies_that_overlap_are_on_the_list_however_it_was_made(seed: int) -> N
     sim = Simulator(scene)
     lists = set()
     for _ in range(120):
-        before = sim._engine.world.broad_phase.counts[CONTACTS]
+        before = sim._engine.world.broad_phase.counts[tb.CONTACTS]
         sim.step()
         pairs = listed(sim)
         lists.add((int(before), len(pairs)))
@@ -64,7 +56,7 @@ def test_an_updated_list_leads_where_a_new_one_does(seed: int) -> None:
     """Only the order of contacts may differ, and with it rounding and the order of solving."""
     updated, rebuilt = Simulator(crowd(20, seed=seed)), Simulator(crowd(20, seed=seed))
     for _ in range(15):
-        rebuilt._engine.world.broad_phase.counts[LIST_HOLDS] = 0
+        rebuilt._engine.world.broad_phase.counts[tb.LIST_HOLDS] = 0
         updated.step()
         rebuilt.step()
         assert np.abs(updated.position - rebuilt.position).max() < 1e-2

@@ -6,21 +6,10 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.cholesky import factor, substitute
 from tamias2d.engine.direct.matrix import assemble_matrix
-from tamias2d.engine.tables import (
-    CHANGE,
-    DIAGONAL,
-    E_NODE_A,
-    E_NODE_B,
-    FILL,
-    I_NODE,
-    OFF_DIAGONAL,
-    PIVOT_COUNT,
-    PIVOT_FIRST,
-    TREES,
-    Direct,
-)
+from tamias2d.engine.tables import Direct
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array
 from tests.engine.scenes import ground, plain, tower
@@ -128,7 +117,7 @@ def test_islands_that_meet_in_flight_keep_their_momentum_and_gain_no_energy() ->
     solved = 0
     for _ in range(60):
         sim.step()
-        solved += sim._engine.world.direct.counts[TREES]
+        solved += sim._engine.world.direct.counts[tb.TREES]
         # a sum of products of a few numbers of size 1 to 100
         np.testing.assert_allclose(mass @ sim.velocity, momentum, atol=1e-12)
         assert energy() <= last * (1 + 1e-12)
@@ -139,18 +128,18 @@ def test_islands_that_meet_in_flight_keep_their_momentum_and_gain_no_energy() ->
 def dense_matrix(direct: Direct) -> Array:
     """The matrix of the first island as it was assembled, which is not factored yet."""
     sparse, factors = direct.sparse, direct.factors
-    size = int(sparse[1, I_NODE])
+    size = int(sparse[1, tb.I_NODE])
     dense = np.zeros((size, 3, size, 3))
     lower = np.tril_indices(3)
     for node in range(size):
         block = np.zeros((3, 3))
-        block[lower] = factors[node, DIAGONAL : DIAGONAL + 6]
+        block[lower] = factors[node, tb.DIAGONAL : tb.DIAGONAL + 6]
         dense[node, :, node] = block + block.T - np.diag(np.diag(block))
     for pivot in range(size):
-        start = sparse[pivot, PIVOT_FIRST]
-        for edge in sparse[start : start + sparse[pivot, PIVOT_COUNT], FILL]:
-            a, b = sparse[edge, E_NODE_A], sparse[edge, E_NODE_B]
-            block = factors[edge, OFF_DIAGONAL : OFF_DIAGONAL + 9].reshape(3, 3)
+        start = sparse[pivot, tb.PIVOT_FIRST]
+        for edge in sparse[start : start + sparse[pivot, tb.PIVOT_COUNT], tb.FILL]:
+            a, b = sparse[edge, tb.E_NODE_A], sparse[edge, tb.E_NODE_B]
+            block = factors[edge, tb.OFF_DIAGONAL : tb.OFF_DIAGONAL + 9].reshape(3, 3)
             dense[b, :, a], dense[a, :, b] = block, block.T
     return dense.reshape(3 * size, 3 * size)
 
@@ -168,15 +157,15 @@ def test_the_factors_solve_what_a_dense_matrix_solves() -> None:
     sim.step()
     world = sim._engine.world
     direct = world.direct
-    assert direct.counts[TREES] == 1
+    assert direct.counts[tb.TREES] == 1
     assemble_matrix(0, world.constraints, direct)
     dense = dense_matrix(direct)
     size = len(places)
     assert dense.shape == (3 * size, 3 * size)
     truth = np.random.default_rng(1).normal(size=3 * size)
-    direct.factors[:size, CHANGE : CHANGE + 3] = (dense @ truth).reshape(size, 3)
+    direct.factors[:size, tb.CHANGE : tb.CHANGE + 3] = (dense @ truth).reshape(size, 3)
     assert factor(0, direct.sparse, direct.factors)
     substitute(0, direct.sparse, direct.factors)
     # in the sense of the matrix: what it hardly sees is not determined any better
-    error = direct.factors[:size, CHANGE : CHANGE + 3].ravel() - truth
+    error = direct.factors[:size, tb.CHANGE : tb.CHANGE + 3].ravel() - truth
     assert np.abs(dense @ error).max() < 1e-13 * np.abs(dense).max() * np.abs(truth).max()

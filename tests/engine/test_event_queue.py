@@ -3,22 +3,13 @@
 import numpy as np
 from hypothesis import given, strategies as st
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.event_queue import (
     build_tournament,
     list_contacts_by_body,
     update_event,
 )
-from tamias2d.engine.tables import (
-    CONTACT_OF_BODY,
-    CONTACTS,
-    FIRST_OF_BODY,
-    SLOT_A,
-    SLOT_B,
-    TOURNAMENT,
-    WINNER,
-    Contacts,
-    Events,
-)
+from tamias2d.engine.tables import Contacts, Events
 from tamias2d.engine.world import Capacities, allocated
 
 TIMES = st.sampled_from([0.0, 0.25, 0.5, 1.0, 2.0])
@@ -30,11 +21,11 @@ def test_the_first_of_the_soonest_events_wins_after_each_change(
 ) -> None:
     times, queue = np.array(start), np.zeros((3, 4 * len(start)), np.int32)
     build_tournament(len(times), times, queue)
-    assert queue[TOURNAMENT, WINNER] == np.argmin(times)
+    assert queue[tb.TOURNAMENT, tb.WINNER] == np.argmin(times)
     for event, time in changes:
         times[event % len(times)] = time
         update_event(event % len(times), len(times), times, queue)
-        assert queue[TOURNAMENT, WINNER] == np.argmin(times)
+        assert queue[tb.TOURNAMENT, tb.WINNER] == np.argmin(times)
 
 
 @given(st.integers(2, 12), st.data())
@@ -43,14 +34,16 @@ def test_each_body_has_its_contacts_in_their_order(bodies: int, data: st.DataObj
     drawn = data.draw(st.lists(st.tuples(one, one).filter(lambda p: p[0] != p[1]), max_size=30))
     pairs = np.zeros((len(drawn), 4), np.uint32)
     for p, both in enumerate(drawn):
-        pairs[p, SLOT_A], pairs[p, SLOT_B] = both
+        pairs[p, tb.SLOT_A], pairs[p, tb.SLOT_B] = both
     broad_phase = allocated(Capacities()).broad_phase
-    broad_phase.counts[CONTACTS] = len(drawn)
+    broad_phase.counts[tb.CONTACTS] = len(drawn)
     contacts = Contacts(pairs, np.zeros((len(drawn), 0)), np.zeros((len(drawn), 0), np.int32))
     queue = np.zeros((3, 4 * (bodies + len(pairs))), np.int32)
     none = np.zeros((0, 0))
     events = Events(np.zeros(0), queue, none, np.zeros(0, np.int32), none, queue, none, none)
     list_contacts_by_body(broad_phase, contacts, events, bodies)
     for i in range(bodies):
-        listed = queue[CONTACT_OF_BODY, queue[FIRST_OF_BODY, i] : queue[FIRST_OF_BODY, i + 1]]
+        listed = queue[
+            tb.CONTACT_OF_BODY, queue[tb.FIRST_OF_BODY, i] : queue[tb.FIRST_OF_BODY, i + 1]
+        ]
         assert listed.tolist() == [p for p, both in enumerate(drawn) if i in both]

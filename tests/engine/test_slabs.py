@@ -6,26 +6,9 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine import substeps
+from tamias2d.engine import substeps, tables as tb
 from tamias2d.engine.solver import slabs
-from tamias2d.engine.tables import (
-    ACTIVE,
-    BLOCKS,
-    BODY_A,
-    BODY_B,
-    BOUNCING,
-    DYNAMIC,
-    S_BLOCK,
-    S_BODY,
-    S_CONTACT,
-    S_TREE,
-    SLABS,
-    SUBSTEPS,
-    TOUCHING,
-    TREES,
-    Contacts,
-    World,
-)
+from tamias2d.engine.tables import Contacts, World
 from tamias2d.kernels.lanes import LANES
 from tests.engine.scenes import heap, plain
 
@@ -44,28 +27,30 @@ def test_contacts_are_within_a_slab_or_with_the_next_one(*, upright: bool) -> No
     sim.step()
     world = sim._engine.world
     touching, constraints = world.touching, world.constraints
-    count, number = int(touching.counts[TOUCHING]), int(constraints.counts[SLABS])
+    count, number = int(touching.counts[tb.TOUCHING]), int(constraints.counts[tb.SLABS])
     table = constraints.slabs[: number + 1]
     assert number > 3
     assert (np.diff(table, axis=0) >= 0).all()
     assert table[0].tolist() == [0, 0, 0, 0]
-    total = [*constraints.counts[[BLOCKS, ACTIVE]], world.direct.counts[TREES]]
-    assert table[-1][[S_CONTACT, S_BLOCK, S_BODY, S_TREE]].tolist() == [count, *total]
+    total = [*constraints.counts[[tb.BLOCKS, tb.ACTIVE]], world.direct.counts[tb.TREES]]
+    assert table[-1][[tb.S_CONTACT, tb.S_BLOCK, tb.S_BODY, tb.S_TREE]].tolist() == [count, *total]
     lanes = set()
     for k in range(count):
         block, lane = divmod(int(touching.lane[k]), LANES)
         lanes.add((block, lane))
         bodies = [int(touching.body_a[k]), int(touching.body_b[k])]
-        assert constraints.lanes[block, [BODY_A + lane, BODY_B + lane]].tolist() == bodies
-        own = sorted(constraints.slab_of_body[i] for i in bodies if world.bodies.kind[i] == DYNAMIC)
-        q = int(np.searchsorted(table[:, S_BLOCK], block, side="right")) - 1
+        assert constraints.lanes[block, [tb.BODY_A + lane, tb.BODY_B + lane]].tolist() == bodies
+        own = sorted(
+            constraints.slab_of_body[i] for i in bodies if world.bodies.kind[i] == tb.DYNAMIC
+        )
+        q = int(np.searchsorted(table[:, tb.S_BLOCK], block, side="right")) - 1
         assert own[0] == q
         assert own[-1] <= q + 1
     assert len(lanes) == count
-    active = touching.active_by_slab[: constraints.counts[ACTIVE]].astype(np.int64)
+    active = touching.active_by_slab[: constraints.counts[tb.ACTIVE]].astype(np.int64)
     assert sorted(set(active.tolist())) == sorted(active.tolist())
     for q in range(number):
-        own = active[table[q, S_BODY] : table[q + 1, S_BODY]]
+        own = active[table[q, tb.S_BODY] : table[q + 1, tb.S_BODY]]
         assert (constraints.slab_of_body[own] == q).all()
 
 
@@ -77,11 +62,11 @@ def all_at_once(take_stage: Stage) -> Stage:
             return
         constraints = world.constraints
         counts, table = constraints.counts.copy(), np.zeros_like(constraints.slabs)
-        table[1] = constraints.slabs[counts[SLABS]]
-        counts[SLABS] = 1
+        table[1] = constraints.slabs[counts[tb.SLABS]]
+        counts[tb.SLABS] = 1
         one = constraints._replace(counts=counts, slabs=table)
         take_stage(stage, 0, substep, world._replace(constraints=one), contacts)
-        constraints.counts[BOUNCING] = counts[BOUNCING]
+        constraints.counts[tb.BOUNCING] = counts[tb.BOUNCING]
 
     return take_all
 
@@ -98,13 +83,13 @@ def test_turns_give_the_bits_of_one_stage_after_the_other(
     bounced = 0
     for _ in range(12):
         turns.step()
-        bounced += turns._engine.world.constraints.counts[BOUNCING]
+        bounced += turns._engine.world.constraints.counts[tb.BOUNCING]
     monkeypatch.setattr(substeps, "take_stage", all_at_once(substeps.take_stage))
     for _ in range(12):
         stages.step()
     one, other = turns._engine.world, stages._engine.world
-    least = 2 * one.control.counts[SUBSTEPS] if bounces else 3
-    assert one.constraints.counts[SLABS] > least
+    least = 2 * one.control.counts[tb.SUBSTEPS] if bounces else 3
+    assert one.constraints.counts[tb.SLABS] > least
     assert (bounced > 0) == bounces
     assert one.state.pose.tobytes() == other.state.pose.tobytes()
     assert one.buffers.manifolds.tobytes() == other.buffers.manifolds.tobytes()
@@ -118,4 +103,4 @@ def test_where_a_body_moves_that_cannot_be_pushed_there_is_one_slab() -> None:
     )  # fmt: skip
     sim = plain(scene)
     sim.step()
-    assert sim._engine.world.constraints.counts[SLABS] == 1
+    assert sim._engine.world.constraints.counts[tb.SLABS] == 1

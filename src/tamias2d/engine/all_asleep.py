@@ -6,25 +6,8 @@ of pairs does not hold, and the next step looks at each of them.
 Cost: of a call, a pass through what users see; of a step, nothing.
 """
 
-from tamias2d.engine.tables import (
-    ALL_ASLEEP,
-    AWAKE,
-    CHUNK_LANES,
-    GRAVITY_X,
-    GRAVITY_Y,
-    LIST_HOLDS,
-    LOADS_ASLEEP,
-    POSES_ASLEEP,
-    SLEEPING,
-    SPRINGS,
-    STEPS_LEFT,
-    STEPS_SINCE,
-    STEPS_TAKEN,
-    VELOCITIES_ASLEEP,
-    Chunks,
-    Islands,
-    World,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Chunks, Islands, World
 
 
 def note_all_asleep(world: World) -> bool:
@@ -35,25 +18,25 @@ def note_all_asleep(world: World) -> bool:
     """
     control, chunks = world.control, world.chunks
     counts = control.counts
-    slept = world.islands.counts[SLEEPING] > 0 and world.springs.counts[SPRINGS] == 0
+    slept = world.islands.counts[tb.SLEEPING] > 0 and world.springs.counts[tb.SPRINGS] == 0
     slept = slept and nobody_awake(world.islands)
     if slept:
         for g in range(len(chunks.course)):
             row = chunks.asleep[g]
-            for n in range(CHUNK_LANES):
-                row[POSES_ASLEEP + n] = chunks.poses[g, n]
-                row[VELOCITIES_ASLEEP + n] = chunks.velocities[g, n]
-                row[LOADS_ASLEEP + n] = chunks.loads[g, n]
+            for n in range(tb.CHUNK_LANES):
+                row[tb.POSES_ASLEEP + n] = chunks.poses[g, n]
+                row[tb.VELOCITIES_ASLEEP + n] = chunks.velocities[g, n]
+                row[tb.LOADS_ASLEEP + n] = chunks.loads[g, n]
         gravity = chunks.asleep[len(chunks.course)]
-        gravity[0], gravity[1] = control.settings[GRAVITY_X], control.settings[GRAVITY_Y]
-    counts[ALL_ASLEEP] = 1 if slept else 0
+        gravity[0], gravity[1] = control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y]
+    counts[tb.ALL_ASLEEP] = 1 if slept else 0
     return bool(slept)
 
 
 def nobody_awake(islands: Islands) -> bool:
     """Return whether no body was awake in a step, and none that is not dynamic was new or moved."""
     i, size = 0, len(islands.links)
-    while i < size and islands.links[i, AWAKE] == 0:
+    while i < size and islands.links[i, tb.AWAKE] == 0:
         i += 1
     return i == size
 
@@ -63,14 +46,14 @@ def still_asleep(world: World) -> bool:
 
     The list of pairs holds no longer where bodies came, went or got another material.
     """
-    if world.control.counts[ALL_ASLEEP] == 0 or world.broad_phase.counts[LIST_HOLDS] == 0:
+    if world.control.counts[tb.ALL_ASLEEP] == 0 or world.broad_phase.counts[tb.LIST_HOLDS] == 0:
         return False
     control, chunks = world.control, world.chunks
     settings, gravity = control.settings, chunks.asleep[len(chunks.course)]
-    same = gravity[0] == settings[GRAVITY_X] and gravity[1] == settings[GRAVITY_Y]
+    same = gravity[0] == settings[tb.GRAVITY_X] and gravity[1] == settings[tb.GRAVITY_Y]
     for g in range(len(chunks.course)):
         same = same and changed_lanes(g, chunks) == 0
-    world.control.counts[ALL_ASLEEP] = 1 if same else 0
+    world.control.counts[tb.ALL_ASLEEP] = 1 if same else 0
     return bool(same)
 
 
@@ -83,16 +66,16 @@ def changed_lanes(g: int, chunks: Chunks) -> int:
         chunks.loads[g],
     )
     changed = 0
-    for n in range(CHUNK_LANES):
-        changed += 1 if poses[n] != row[POSES_ASLEEP + n] else 0
-        changed += 1 if velocities[n] != row[VELOCITIES_ASLEEP + n] else 0
-        changed += 1 if loads[n] != row[LOADS_ASLEEP + n] else 0
+    for n in range(tb.CHUNK_LANES):
+        changed += 1 if poses[n] != row[tb.POSES_ASLEEP + n] else 0
+        changed += 1 if velocities[n] != row[tb.VELOCITIES_ASLEEP + n] else 0
+        changed += 1 if loads[n] != row[tb.LOADS_ASLEEP + n] else 0
     return changed
 
 
 def skip_steps(world: World) -> None:
     """Count the steps that are left of a call as taken."""
     counts = world.control.counts
-    counts[STEPS_TAKEN] += counts[STEPS_LEFT]
-    world.broad_phase.counts[STEPS_SINCE] += counts[STEPS_LEFT]
-    counts[STEPS_LEFT] = 0
+    counts[tb.STEPS_TAKEN] += counts[tb.STEPS_LEFT]
+    world.broad_phase.counts[tb.STEPS_SINCE] += counts[tb.STEPS_LEFT]
+    counts[tb.STEPS_LEFT] = 0

@@ -12,32 +12,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.batch import UNSTATED, Batch
 from tamias2d.engine.propagators import Propagators
 from tamias2d.engine.shape_rows import ShapeRow, numbers_of, shape_rows
 from tamias2d.engine.store import Store
-from tamias2d.engine.tables import (
-    ABSENT,
-    ALL_ASLEEP,
-    BOUNDING_RADIUS,
-    BUFFER,
-    CONTACTS,
-    CORE_RADIUS,
-    FIRST_RUN,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    MIN_EXTENT,
-    POINT_COUNT,
-    PROPAGATOR,
-    RANK,
-    SHAPE_OF_RANK,
-    SLEEP_ID,
-    SLOT_A,
-    SLOT_B,
-    SLOW_STEPS,
-    X,
-    Y,
-)
 from tamias2d.state import Array, IntArray
 
 STRIP = 4.0  # median bounding radii of bodies: the width of a strip of the canonical order
@@ -54,7 +33,7 @@ class BodyPool:
         state, shapes = store.world.state, store.world.shapes
         self._shapes = int(np.count_nonzero(shapes.vertex_count))  # rows ever taken
         self._vertices = int(shapes.vertex_count.sum())
-        absent = np.flatnonzero(state.kind[: store.size] == ABSENT)
+        absent = np.flatnonzero(state.kind[: store.size] == tb.ABSENT)
         self._free: list[int] = absent[::-1].tolist()
         self._free_shapes: dict[int, list[int]] = {}  # by their number of vertices
         self._free_rows(np.flatnonzero(state.body_of_shape[: self._shapes] == self._idle))
@@ -74,8 +53,8 @@ class BodyPool:
             batch.motion,
             batch.load,
         )
-        state.properties[rows, INVERSE_MASS] = 1 / batch.mass
-        state.properties[rows, INVERSE_INERTIA] = 1 / batch.inertia
+        state.properties[rows, tb.INVERSE_MASS] = 1 / batch.mass
+        state.properties[rows, tb.INVERSE_INERTIA] = 1 / batch.inertia
         state.kind[rows] = batch.kind
         self._propagators.assign(rows, batch.drag_rates)
         self._add_shapes(batch, rows)
@@ -84,7 +63,7 @@ class BodyPool:
 
     def remove(self, rows: IntArray) -> None:
         """Take bodies out; their rows are free once the pool is settled, all others stay."""
-        self.store.world.state.kind[rows] = ABSENT
+        self.store.world.state.kind[rows] = tb.ABSENT
         self._leaving = np.concatenate((self._leaving, rows))
         for row in rows.tolist():
             self._new.pop(row, None)
@@ -127,16 +106,16 @@ class BodyPool:
         canonical = self.store.world.broad_phase.canonical
         rest = np.ones(canonical.shape[1], dtype=bool)
         rest[self._order] = False
-        canonical[SHAPE_OF_RANK] = np.concatenate((self._order, np.flatnonzero(rest)))
-        canonical[RANK, canonical[SHAPE_OF_RANK]] = np.arange(len(rest))
+        canonical[tb.SHAPE_OF_RANK] = np.concatenate((self._order, np.flatnonzero(rest)))
+        canonical[tb.RANK, canonical[tb.SHAPE_OF_RANK]] = np.arange(len(rest))
 
     def wake(self, rows: NDArray[np.integer]) -> None:
         """Wake bodies that sleep, with their islands."""
         links = self.store.world.islands.links
-        asleep = links[self.store.world.state.slot_of_body[rows], SLEEP_ID]
-        woken = np.isin(links[:, SLEEP_ID], asleep[asleep > 0])
-        links[woken, SLEEP_ID] = links[woken, SLOW_STEPS] = 0
-        self.store.world.control.counts[ALL_ASLEEP] = 0
+        asleep = links[self.store.world.state.slot_of_body[rows], tb.SLEEP_ID]
+        woken = np.isin(links[:, tb.SLEEP_ID], asleep[asleep > 0])
+        links[woken, tb.SLEEP_ID] = links[woken, tb.SLOW_STEPS] = 0
+        self.store.world.control.counts[tb.ALL_ASLEEP] = 0
 
     # -- rows
 
@@ -208,10 +187,10 @@ class BodyPool:
         properties = self.store.world.state.properties
         reach = np.array([part.bounding_radius for part in found])
         bounded = np.isfinite(reach)
-        np.maximum.at(properties[:, BOUNDING_RADIUS], owner[bounded], reach[bounded])
-        properties[rows, MIN_EXTENT] = np.inf
-        np.minimum.at(properties[:, MIN_EXTENT], owner, [part.min_extent for part in found])
-        np.maximum.at(properties[:, CORE_RADIUS], owner, [part.core_radius for part in found])
+        np.maximum.at(properties[:, tb.BOUNDING_RADIUS], owner[bounded], reach[bounded])
+        properties[rows, tb.MIN_EXTENT] = np.inf
+        np.minimum.at(properties[:, tb.MIN_EXTENT], owner, [part.min_extent for part in found])
+        np.maximum.at(properties[:, tb.CORE_RADIUS], owner, [part.core_radius for part in found])
 
     def _shapes_of(self, row: int) -> list[int]:
         found: list[int] = np.flatnonzero(self.store.world.state.body_of_shape == row).tolist()
@@ -247,21 +226,21 @@ class BodyPool:
     def _owners(self) -> IntArray:
         """Return the bodies (k, 2) of all contacts on the list."""
         world = self.store.world
-        side, size = world.broad_phase.counts[[BUFFER, CONTACTS]]
-        slots = world.buffers.pairs[side, :size, SLOT_A : SLOT_B + 1]
+        side, size = world.broad_phase.counts[[tb.BUFFER, tb.CONTACTS]]
+        slots = world.buffers.pairs[side, :size, tb.SLOT_A : tb.SLOT_B + 1]
         return world.state.body_of_slot[slots].astype(np.int64)
 
     def _drop(self, left: NDArray[np.bool_] | np.bool_) -> None:
         """Take contacts (k,) out of the list, and wake their bodies."""
         counts, buffers = self.store.world.broad_phase.counts, self.store.world.buffers
-        side, size = counts[BUFFER], counts[CONTACTS]
-        points = buffers.flags[side, :size, POINT_COUNT] > 0
+        side, size = counts[tb.BUFFER], counts[tb.CONTACTS]
+        points = buffers.flags[side, :size, tb.POINT_COUNT] > 0
         self.wake(self._owners()[left & points].ravel())
         kept = np.flatnonzero(~left)
         for values in (buffers.pairs, buffers.manifolds, buffers.flags):
             values[side, : len(kept)] = values[side, kept]
-        counts[FIRST_RUN] = np.count_nonzero(kept < counts[FIRST_RUN])
-        counts[CONTACTS] = len(kept)
+        counts[tb.FIRST_RUN] = np.count_nonzero(kept < counts[tb.FIRST_RUN])
+        counts[tb.CONTACTS] = len(kept)
 
     def _drop_pairs(self, rows: IntArray) -> None:
         """Take the pairs of bodies out of the list, and their overrides; wake the other bodies."""
@@ -307,8 +286,8 @@ class BodyPool:
             state.pose[rows],
             state.velocity[rows],
             state.load[rows],
-            properties[:, :PROPAGATOR],
-            world.bodies.propagators[properties[:, PROPAGATOR].astype(np.int64)],
+            properties[:, : tb.PROPAGATOR],
+            world.bodies.propagators[properties[:, tb.PROPAGATOR].astype(np.int64)],
             np.concatenate((shapes.material, np.zeros((1, shapes.material.shape[1]))))[first[rows]],
             np.concatenate((shapes.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]],
         )
@@ -316,7 +295,7 @@ class BodyPool:
         return [
             state.kind[rows],
             self._strips(rows),
-            state.pose[rows, Y],
+            state.pose[rows, tb.Y],
             *columns,
             self._forms(),
         ]
@@ -327,7 +306,7 @@ class BodyPool:
         Bodies that are near each other are so in the order, too, and thus in memory.
         """
         state = self.store.world.state
-        return strips(state.pose[rows, X], state.properties[rows, BOUNDING_RADIUS])
+        return strips(state.pose[rows, tb.X], state.properties[rows, tb.BOUNDING_RADIUS])
 
     def _forms(self) -> IntArray:
         """Return a number for the form of each new body, in the order of the forms themselves."""

@@ -10,29 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.store import Store
-from tamias2d.engine.tables import (
-    BUFFER,
-    CONTACTS,
-    FINEST,
-    GAP,
-    IS_TOUCHING,
-    NX,
-    NY,
-    PART_PUSH_X,
-    PART_PUSH_Y,
-    POINT,
-    POINT_COUNT,
-    PUSH,
-    PX,
-    PY,
-    SLOT_A,
-    SLOT_B,
-    TOTAL_IMPULSE,
-    TOUCHES,
-    WAS_TOUCHING,
-    WORLD_POINT,
-)
 from tamias2d.read_only import read_only
 from tamias2d.state import Array, IntArray
 
@@ -81,29 +60,31 @@ class Touching:
 def contact_report(store: Store) -> Touching:
     """Return what touched in the last step."""
     state, buffers, counts = store.world.state, store.world.buffers, store.world.broad_phase.counts
-    side, size = int(counts[BUFFER]), int(counts[CONTACTS])
-    rows = np.flatnonzero(buffers.flags[side, :size, TOUCHES])
+    side, size = int(counts[tb.BUFFER]), int(counts[tb.CONTACTS])
+    rows = np.flatnonzero(buffers.flags[side, :size, tb.TOUCHES])
     if len(rows) == 0:
         return _NOTHING
     flags, found = buffers.flags[side, rows].astype(np.int64), buffers.manifolds[side, rows]
-    bodies = state.body_of_slot[buffers.pairs[side, rows, SLOT_A : SLOT_B + 1]].astype(np.int64)
+    bodies = state.body_of_slot[buffers.pairs[side, rows, tb.SLOT_A : tb.SLOT_B + 1]].astype(
+        np.int64
+    )
     code = bodies.min(axis=1) * len(state.pose) + bodies.max(axis=1)
-    bits = flags[:, TOUCHES]
-    now, before = (np.unique(code[bits & bit != 0]) for bit in (IS_TOUCHING, WAS_TOUCHING))
-    count = flags[:, POINT_COUNT]
-    split = store.world.control.counts[FINEST] > 0
+    bits = flags[:, tb.TOUCHES]
+    now, before = (np.unique(code[bits & bit != 0]) for bit in (tb.IS_TOUCHING, tb.WAS_TOUCHING))
+    count = flags[:, tb.POINT_COUNT]
+    split = store.world.control.counts[tb.FINEST] > 0
     normal, impulse = _impulses(found, count, split=split)
-    pair, number = np.nonzero((impulse > 0.0) & (bits & IS_TOUCHING != 0)[:, None])
+    pair, number = np.nonzero((impulse > 0.0) & (bits & tb.IS_TOUCHING != 0)[:, None])
     pushed = _Points(pair, number, impulse[pair, number])
-    sensed = np.setdiff1d(np.flatnonzero(bits & IS_TOUCHING), pushed.pair)
+    sensed = np.setdiff1d(np.flatnonzero(bits & tb.IS_TOUCHING), pushed.pair)
     points = _Points(
         np.concatenate((pushed.pair, sensed)),
         np.concatenate((pushed.number, np.zeros_like(sensed))),
         np.concatenate((pushed.impulse, np.zeros(len(sensed)))),
     )
-    normal[sensed] = found[sensed, NX : NY + 1]
-    found[sensed, WORLD_POINT : WORLD_POINT + 2] = (
-        state.pose[bodies[sensed, 0], :2] + found[sensed, PX : PY + 1]
+    normal[sensed] = found[sensed, tb.NX : tb.NY + 1]
+    found[sensed, tb.WORLD_POINT : tb.WORLD_POINT + 2] = (
+        state.pose[bodies[sensed, 0], :2] + found[sensed, tb.PX : tb.PY + 1]
     )
     begun = _strongest(points, code, np.setdiff1d(now, before))
     ended = np.flatnonzero(np.isin(code, np.setdiff1d(before, now)))
@@ -120,12 +101,12 @@ def _impulses(touch: Array, count: IntArray, *, split: bool) -> tuple[Array, Arr
 
     In flight and over the parts of a step they pushed each other as one, by a sum of vectors.
     """
-    totals = touch[:, [TOTAL_IMPULSE, TOTAL_IMPULSE + POINT]]
-    push = touch[:, PUSH : PUSH + 2] if split else touch[:, [PART_PUSH_X, PART_PUSH_Y]]
+    totals = touch[:, [tb.TOTAL_IMPULSE, tb.TOTAL_IMPULSE + tb.POINT]]
+    push = touch[:, tb.PUSH : tb.PUSH + 2] if split else touch[:, [tb.PART_PUSH_X, tb.PART_PUSH_Y]]
     as_one = split | (count == 0)
     size = np.hypot(push[:, 0], push[:, 1])
     along = push / np.where(size > 0.0, size, 1.0)[:, None]
-    normal = np.where(as_one[:, None], along, touch[:, NX : NY + 1])
+    normal = np.where(as_one[:, None], along, touch[:, tb.NX : tb.NY + 1])
     second = np.where(count == 2, totals[:, 1], 0.0)
     first = np.where(as_one, size, totals[:, 0])
     return normal, np.column_stack((first, np.where(as_one, 0.0, second)))
@@ -151,9 +132,9 @@ def _contacts(
     pair, number, impulse = points
     row = touch[pair]
     at = np.arange(len(pair))
-    place = WORLD_POINT + POINT * number
+    place = tb.WORLD_POINT + tb.POINT * number
     point = np.column_stack((row[at, place], row[at, place + 1]))
-    separation = np.where(count[pair] == 0, 0.0, row[at, GAP + POINT * number])
+    separation = np.where(count[pair] == 0, 0.0, row[at, tb.GAP + tb.POINT * number])
     return contacts_of((bodies[pair], point, normal[pair], impulse, separation))
 
 

@@ -8,6 +8,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.batch import Batch
 from tamias2d.engine.body_pool import BodyPool
 from tamias2d.engine.contact_report import Touching, contact_report
@@ -19,67 +20,17 @@ from tamias2d.engine.query_tree import QueryTree
 from tamias2d.engine.springs.rows import SpringRow, set_springs
 from tamias2d.engine.steps_per_call import StepsPerCall
 from tamias2d.engine.store import Store
-from tamias2d.engine.tables import (
-    ABSENT,
-    ALL_ASLEEP,
-    AT_START,
-    BOUNDING_RADIUS,
-    CLEAR,
-    CONTACTS,
-    DONE,
-    DYNAMIC,
-    FINEST,
-    FIRST_RUN,
-    FRICTION,
-    GRAVITY_X,
-    GRAVITY_Y,
-    HORIZON,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    JOINTS,
-    JOINTS_APART,
-    JOINTS_TURNED,
-    LEAST_LEVEL,
-    LIMITS,
-    LIST_HOLDS,
-    MORE_BLOCKS,
-    MORE_CANDIDATES,
-    MORE_CONTACTS,
-    MORE_SPARSE,
-    N_LOSES,
-    N_MEMBER,
-    NETWORKS,
-    NEXT_LEVEL,
-    OUTWEIGHED,
-    OVERFLOWED,
-    RESTITUTION,
-    RETAKEN,
-    ROWS_NEEDED,
-    SLEEP_ID,
-    SLEEP_STEPS,
-    SPRINGS,
-    STAGE,
-    STEPS_LEFT,
-    STEPS_SINCE,
-    STEPS_TAKEN,
-    SUBSTEPS,
-    SUNK_A,
-    SUNK_B,
-    TICK,
-    TIME_STEP,
-    UNSOLVED,
-    World,
-)
+from tamias2d.engine.tables import World
 from tamias2d.engine.validity import Invalid, first_invalid, overflowed
 from tamias2d.engine.world import Capacities
 from tamias2d.state import Array
 
 # what gets longer, and how many rows more than half as many again as are needed
 _TOO_SHORT = {
-    MORE_CANDIDATES: (("candidates", "contacts"), 32),
-    MORE_CONTACTS: (("contacts",), 32),
-    MORE_BLOCKS: (("blocks",), 8),
-    MORE_SPARSE: (("sparse",), 32),
+    tb.MORE_CANDIDATES: (("candidates", "contacts"), 32),
+    tb.MORE_CONTACTS: (("contacts",), 32),
+    tb.MORE_BLOCKS: (("blocks",), 8),
+    tb.MORE_SPARSE: (("sparse",), 32),
 }
 
 
@@ -101,9 +52,9 @@ class Engine(Store):
         """Start without bodies; steps of `time_step`, s, are plain Python unless compiled."""
         super().__init__(Capacities(), compiled=compiled)
         control = self.world.control
-        control.settings[GRAVITY_X : GRAVITY_Y + 1] = gravity
-        control.settings[TIME_STEP], control.counts[SUBSTEPS] = time_step, substeps
-        self.world.broad_phase.counts[HORIZON] = 4
+        control.settings[tb.GRAVITY_X : tb.GRAVITY_Y + 1] = gravity
+        control.settings[tb.TIME_STEP], control.counts[tb.SUBSTEPS] = time_step, substeps
+        self.world.broad_phase.counts[tb.HORIZON] = 4
         self.begin(np.zeros(0, dtype=np.int64))
 
     def begin(self, rank: NDArray[np.int64]) -> None:
@@ -123,7 +74,7 @@ class Engine(Store):
     @property
     def gravity(self) -> Array:
         """The acceleration of all bodies, m/s^2: a view (2,)."""
-        return self.world.control.settings[GRAVITY_X : GRAVITY_Y + 1]
+        return self.world.control.settings[tb.GRAVITY_X : tb.GRAVITY_Y + 1]
 
     @property
     def pose(self) -> Array:
@@ -148,18 +99,18 @@ class Engine(Store):
     @property
     def inverse_mass(self) -> Array:
         """1/kg, 0 for a body that nothing pushes: a view (n,)."""
-        return self.world.state.properties[: self.size, INVERSE_MASS]
+        return self.world.state.properties[: self.size, tb.INVERSE_MASS]
 
     @property
     def inverse_inertia(self) -> Array:
         """1/(kg m^2), 0 for a body that nothing turns: a view (n,)."""
-        return self.world.state.properties[: self.size, INVERSE_INERTIA]
+        return self.world.state.properties[: self.size, tb.INVERSE_INERTIA]
 
     @property
     def asleep(self) -> NDArray[np.bool_]:
         """Which bodies sleep: a new array (n,)."""
         slots = self.world.state.slot_of_body[: self.size]
-        return np.greater(self.world.islands.links[slots, SLEEP_ID], 0)
+        return np.greater(self.world.islands.links[slots, tb.SLEEP_ID], 0)
 
     @property
     def rank(self) -> NDArray[np.int64]:
@@ -169,51 +120,51 @@ class Engine(Store):
     @property
     def steps(self) -> int:
         """How many steps were taken since the start."""
-        return int(self.world.control.counts[STEPS_TAKEN])
+        return int(self.world.control.counts[tb.STEPS_TAKEN])
 
     @property
     def parts(self) -> int:
         """In how many parts the last step was taken where it was finest."""
-        return 1 << int(self.world.control.counts[FINEST])
+        return 1 << int(self.world.control.counts[tb.FINEST])
 
     @property
     def largest_radius(self) -> float:
         """How far the largest body that moves freely reaches from its centre, m; 0 for none."""
-        free = self.kind == DYNAMIC
-        reach = self.world.state.properties[: self.size, BOUNDING_RADIUS][free]
+        free = self.kind == tb.DYNAMIC
+        reach = self.world.state.properties[: self.size, tb.BOUNDING_RADIUS][free]
         return float(reach.max(initial=0.0))
 
     @property
     def lossy_springs(self) -> int:
         """The row of a body whose springs could not be solved in some step, or -1."""
         springs = self.world.springs
-        for n in range(int(springs.counts[NETWORKS])):
-            if springs.networks[n, N_LOSES] > 0:
-                return int(springs.body[springs.networks[n, N_MEMBER]])
+        for n in range(int(springs.counts[tb.NETWORKS])):
+            if springs.networks[n, tb.N_LOSES] > 0:
+                return int(springs.body[springs.networks[n, tb.N_MEMBER]])
         return -1
 
     @property
     def joints_fail(self) -> bool:
         """Whether a joint was more than slightly apart, or turned too far, since it was asked."""
         counts = self.world.joints.counts
-        return bool(counts[JOINTS_APART] or counts[JOINTS_TURNED])
+        return bool(counts[tb.JOINTS_APART] or counts[tb.JOINTS_TURNED])
 
     @property
     def limits(self) -> int:
         """How many of the next two are known."""
-        return self.world.control.counts.item(LIMITS)  # asked for in each step
+        return self.world.control.counts.item(tb.LIMITS)  # asked for in each step
 
     @property
     def sunk(self) -> tuple[int, int] | None:
         """The rows of the first two bodies that sank into each other, or None."""
         counts, row = self.world.control.counts, self.world.state.body_of_slot
-        first, second = int(counts[SUNK_A]), int(counts[SUNK_B])
+        first, second = int(counts[tb.SUNK_A]), int(counts[tb.SUNK_B])
         return (int(row[first - 1]), int(row[second - 1])) if first else None
 
     @property
     def outweighed(self) -> int:
         """The row of a body among masses too different to be solved, or -1."""
-        slot = int(self.world.control.counts[OUTWEIGHED])
+        slot = int(self.world.control.counts[tb.OUTWEIGHED])
         return int(self.world.state.body_of_slot[slot - 1]) if slot else -1
 
     def open_corner(self) -> tuple[int, int, int] | None:
@@ -265,20 +216,20 @@ class Engine(Store):
 
     def sleep_after(self, steps: int) -> None:
         """Let islands fall asleep that have been slow for so many steps; 0 for never."""
-        self.world.islands.counts[SLEEP_STEPS] = steps
+        self.world.islands.counts[tb.SLEEP_STEPS] = steps
 
     @property
     def sleeps(self) -> bool:
         """Whether islands fall asleep."""
-        return bool(self.world.islands.counts[SLEEP_STEPS])
+        return bool(self.world.islands.counts[tb.SLEEP_STEPS])
 
     def start_over(self) -> None:
         """Forget all steps, where the arrays hold what they did before the first one."""
         control, bodies = self.world.control, self.world.bodies
-        substeps = control.counts[SUBSTEPS]
+        substeps = control.counts[tb.SUBSTEPS]
         control.counts[:], control.progress[:] = 0, 0.0
-        control.counts[SUBSTEPS] = substeps
-        self.world.direct.counts[UNSOLVED] = 0
+        control.counts[tb.SUBSTEPS] = substeps
+        self.world.direct.counts[tb.UNSOLVED] = 0
         bodies.propagators[:] = bodies.propagators_of_level[0]
         self.forget_steps()
 
@@ -299,9 +250,9 @@ class Engine(Store):
         Shapes are (m,), (m, 2), -1 where not stated, and (m, 4): category, mask, group, sensor.
         """
         owner = self.world.state.body_of_shape.astype(np.int64)
-        there = np.flatnonzero(self.world.state.kind[owner] != ABSENT)
+        there = np.flatnonzero(self.world.state.kind[owner] != tb.ABSENT)
         shapes = self.world.shapes
-        stated = shapes.material[there, FRICTION : RESTITUTION + 1]
+        stated = shapes.material[there, tb.FRICTION : tb.RESTITUTION + 1]
         return owner[there], stated, shapes.filters[there]
 
     # -- steps
@@ -324,10 +275,10 @@ class Engine(Store):
         try:
             if count == 1 and not self._alone:  # what is called most takes the shortest way
                 status = (self._take or self._prepared())(1)
-                if status == DONE:
+                if status == tb.DONE:
                     return None
                 status = self._continued(status)
-                return None if status in (DONE, CLEAR) else self._refused(status)
+                return None if status in (tb.DONE, tb.CLEAR) else self._refused(status)
             while count > 0:
                 if self._alone and not self._connected:
                     asked = min(count, self._ballistic_steps_per_call.most)
@@ -339,14 +290,14 @@ class Engine(Store):
                 if timed:
                     self._steps_per_call.begin()
                 status = self._solved_steps(asked)
-                taken = asked - int(self.world.control.counts[STEPS_LEFT])
+                taken = asked - int(self.world.control.counts[tb.STEPS_LEFT])
                 if timed:
                     self._steps_per_call.end(taken)
-                if status not in (DONE, CLEAR):
+                if status not in (tb.DONE, tb.CLEAR):
                     return self._refused(status)
                 count -= taken
         except BaseException:  # Ctrl-C, or no memory
-            if self.world.control.counts[STAGE] != AT_START:
+            if self.world.control.counts[tb.STAGE] != tb.AT_START:
                 self._forget_contacts()
             raise
         return None
@@ -354,23 +305,23 @@ class Engine(Store):
     def _skipped(self, count: int) -> bool:
         """Count some steps as taken if all bodies sleep through them."""
         control, broad_phase = self.world.control.counts, self.world.broad_phase.counts
-        asleep = bool(control[ALL_ASLEEP] and broad_phase[LIST_HOLDS])
+        asleep = bool(control[tb.ALL_ASLEEP] and broad_phase[tb.LIST_HOLDS])
         if asleep:
-            control[STEPS_TAKEN] += count
-            broad_phase[STEPS_SINCE] += count
+            control[tb.STEPS_TAKEN] += count
+            broad_phase[tb.STEPS_SINCE] += count
         return asleep
 
     @property
     def _connected(self) -> bool:
         """Whether springs or joints connect bodies, which do not go ballistically then."""
         world = self.world
-        return bool(world.springs.counts[SPRINGS] or world.joints.counts[JOINTS])
+        return bool(world.springs.counts[tb.SPRINGS] or world.joints.counts[tb.JOINTS])
 
     @property
     def _entries(self) -> SimpleNamespace:
         """The compiled functions, found when a step is taken: joints have to be known by then."""
         if self._library is None:
-            jointed = self.world.joints.counts[JOINTS] > 0
+            jointed = self.world.joints.counts[tb.JOINTS] > 0
             self._library = functions(JOINTED if jointed else CONTACT, compiled=self.compiled)
         return self._library
 
@@ -385,7 +336,7 @@ class Engine(Store):
         if timed:
             self._ballistic_steps_per_call.end(taken)
         if taken:
-            self.world.control.counts[FINEST] = 0
+            self.world.control.counts[tb.FINEST] = 0
         return taken
 
     def _solved_steps(self, count: int) -> int:
@@ -397,10 +348,10 @@ class Engine(Store):
         """Go on with steps that ended somehow, as long as an array is too short for them."""
         while status in _TOO_SHORT:
             counts, (names, more) = self.world.control.counts, _TOO_SHORT[status]
-            rows = int(counts[ROWS_NEEDED]) * 3 // 2 + more
+            rows = int(counts[tb.ROWS_NEEDED]) * 3 // 2 + more
             self.resize(**{name: max(rows, getattr(self.capacities, name)) for name in names})
-            status = self._prepared()(int(counts[STEPS_LEFT]))
-        self._alone = status == CLEAR
+            status = self._prepared()(int(counts[tb.STEPS_LEFT]))
+        self._alone = status == tb.CLEAR
         return status
 
     def _prepared(self) -> _Take:
@@ -411,7 +362,7 @@ class Engine(Store):
 
     def _refused(self, status: int) -> Invalid:
         """Return why a step was not taken, or not by all bodies."""
-        if status != OVERFLOWED:
+        if status != tb.OVERFLOWED:
             return first_invalid(self)
         invalid = overflowed(self)
         self._forget_contacts()
@@ -421,10 +372,10 @@ class Engine(Store):
         """Give up a step, and forget all that is known of contacts."""
         world = self.world
         counts = world.control.counts
-        counts[STAGE] = AT_START
-        counts[TICK] = counts[RETAKEN] = counts[LEAST_LEVEL] = 0
+        counts[tb.STAGE] = tb.AT_START
+        counts[tb.TICK] = counts[tb.RETAKEN] = counts[tb.LEAST_LEVEL] = 0
         broad_phase = world.broad_phase.counts
-        broad_phase[NEXT_LEVEL] = broad_phase[CONTACTS] = broad_phase[FIRST_RUN] = 0
+        broad_phase[tb.NEXT_LEVEL] = broad_phase[tb.CONTACTS] = broad_phase[tb.FIRST_RUN] = 0
         for values in (
             *(world.bodies.motion, world.bodies.moved, world.broad_phase.left),
             *(world.buffers.flags, world.buffers.manifolds, world.touching.counts),
@@ -443,6 +394,6 @@ def _overflowing(step: Callable[..., int]) -> Callable[..., int]:
         try:
             return step(world, count)
         except (ValueError, OverflowError, ZeroDivisionError):
-            return OVERFLOWED  # Python makes no whole number of NaN; compiled code goes on
+            return tb.OVERFLOWED  # Python makes no whole number of NaN; compiled code goes on
 
     return take

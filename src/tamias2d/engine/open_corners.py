@@ -12,18 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.engine.tables import (
-    BOUNDING_RADIUS,
-    DYNAMIC,
-    HALF_PLANE,
-    MIN_EXTENT,
-    PIECE,
-    SENSOR,
-    THIN_CAPSULE,
-    THIN_POLYGON,
-    BodyState,
-    Shapes,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import BodyState, Shapes
 from tamias2d.state import Array
 
 YIELDS = 2.0**-8  # of how far a body reaches: walls that overlap by more hold it
@@ -42,19 +32,19 @@ class OpenCorners:
         """Return the rows of two walls that only just meet, and of a thin body; or None."""
         if not len(state.body_of_slot):
             return None
-        thin = (shapes.kind == THIN_CAPSULE) | (shapes.kind == THIN_POLYGON)
+        thin = (shapes.kind == tb.THIN_CAPSULE) | (shapes.kind == tb.THIN_POLYGON)
         if not thin.any():
             return None
         row = state.body_of_slot[shapes.slot].astype(np.int64)
-        free = state.kind[row] == DYNAMIC
-        wide, half = state.properties[row, BOUNDING_RADIUS], state.properties[row, MIN_EXTENT]
+        free = state.kind[row] == tb.DYNAMIC
+        wide, half = state.properties[row, tb.BOUNDING_RADIUS], state.properties[row, tb.MIN_EXTENT]
         reach = np.where(free & (half < SLENDER * wide), wide, 0.0)
         if not reach.any() or not (thin & ~free).any():
             return None
         solid = (shapes.vertex_count > 0) & (
-            shapes.filters[:, SENSOR] == 0
+            shapes.filters[:, tb.SENSOR] == 0
         )  # removed ones have none
-        walls = np.flatnonzero(~free & (shapes.kind < PIECE) & solid)
+        walls = np.flatnonzero(~free & (shapes.kind < tb.PIECE) & solid)
         asked = walls.tobytes() + reach.max().tobytes()
         if asked != self._asked:
             self._asked, self._found = asked, None
@@ -94,7 +84,7 @@ def _placed(k: int, row: int, thin: bool, state: BodyState, shapes: Shapes) -> _
     x, y, turn = state.pose[row]
     turned = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
     sides = vertices[:, 2:] @ turned
-    if shapes.kind[k] == HALF_PLANE:
+    if shapes.kind[k] == tb.HALF_PLANE:
         return _Wall(vertices[0, 0] * sides + (x, y), sides, np.zeros((0, 2)), math.inf)
     corners = vertices[:, :2] @ turned + (x, y)
     length = corners[np.hypot(*(corners - corners[0]).T).argmax()] - corners[0]

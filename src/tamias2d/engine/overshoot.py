@@ -5,6 +5,7 @@ meet. Where an impact lets a body turn fast, other corners come up, and the norm
 part is taken again as shorter ones. Cost: the gap of each contact whose bodies turn far, twice.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.events import (
     closing_at_points,
     manifold_at,
@@ -14,18 +15,7 @@ from tamias2d.engine.continuous.events import (
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.touching import smallest_gap
 from tamias2d.engine.parts import OF_ALL
-from tamias2d.engine.tables import (
-    CONTACTS,
-    DANGLE,
-    LEVEL,
-    POINT_COUNT,
-    START_NOTED,
-    TOUCHING,
-    Bodies,
-    Contacts,
-    Shapes,
-    World,
-)
+from tamias2d.engine.tables import Bodies, Contacts, Shapes, World
 
 TURNED_FAR = 0.05  # rad, that bodies in contact turn in a part
 DEEPER = 0.02  # of the smaller radius: how much an overlap may grow
@@ -36,13 +26,13 @@ def overshoots(world: World, contacts: Contacts) -> bool:
     """Return whether contacts get deep in a part that may be taken again in shorter ones."""
     control, bodies, shapes = world.control, world.bodies, world.shapes
     touching, events = world.touching, world.events
-    if control.counts[START_NOTED] == 0 or control.counts[LEVEL] >= FINEST_LEVEL:
+    if control.counts[tb.START_NOTED] == 0 or control.counts[tb.LEVEL] >= FINEST_LEVEL:
         return False
     found = 0
-    for k in range(touching.counts[TOUCHING]):
+    for k in range(touching.counts[tb.TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-        gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, POINT_COUNT])
+        gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, tb.POINT_COUNT])
         reach = smaller_radius(s, t, shapes.material)
         deepest = min(gap, 0.0) - DEEPER * reach
         turns = turn_of(s, i, bodies, shapes) + turn_of(t, j, bodies, shapes) > TURNED_FAR
@@ -52,9 +42,9 @@ def overshoots(world: World, contacts: Contacts) -> bool:
             turn_shape_to(s, i, 0.0, bodies, shapes)
             turn_shape_to(t, j, 0.0, bodies, shapes)
             found += 1 if gap < deepest else 0
-    return found > world.broad_phase.counts[CONTACTS] // OF_ALL
+    return found > world.broad_phase.counts[tb.CONTACTS] // OF_ALL
 
 
 def turn_of(s: int, i: int, bodies: Bodies, shapes: Shapes) -> float:
     """Return by which angle the body of a shape turns in a part, rad; 0 for a disc."""
-    return abs(bodies.motion[i, DANGLE]) if shapes.vertex_count[s] > 1 else 0.0
+    return abs(bodies.motion[i, tb.DANGLE]) if shapes.vertex_count[s] > 1 else 0.0

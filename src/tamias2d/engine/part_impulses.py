@@ -5,28 +5,8 @@ told one impulse, the sum of all as vectors. That of a part stands by itself unt
 a part may be taken again.
 """
 
-from tamias2d.engine.tables import (
-    HAD_MET_IN_FLIGHT,
-    IMPACT_NORMAL,
-    IS_TOUCHING,
-    MET_IN_FLIGHT,
-    NX,
-    NY,
-    PART_PUSH_X,
-    PART_PUSH_Y,
-    POINT,
-    PUSH,
-    PX,
-    PY,
-    SENSES,
-    TOUCHES,
-    WAS_TOUCHING,
-    WORLD_POINT,
-    Contacts,
-    Integers,
-    X,
-    Y,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Contacts, Integers
 from tamias2d.state import Array
 
 
@@ -38,18 +18,18 @@ def forget_impulses(count: int, contacts: Contacts) -> None:
 
 def forget_impulses_of(manifold: Array) -> None:
     """Let the impulses of a contact add up from zero."""
-    manifold[PART_PUSH_X] = manifold[PART_PUSH_Y] = 0.0
-    manifold[PUSH] = manifold[PUSH + 1] = 0.0
+    manifold[tb.PART_PUSH_X] = manifold[tb.PART_PUSH_Y] = 0.0
+    manifold[tb.PUSH] = manifold[tb.PUSH + 1] = 0.0
 
 
 def add_up_impulses(count: int, contacts: Contacts) -> None:
     """Add the impulses of the part that ends to those of the parts before, in their directions."""
     for p in range(count):
         manifold = contacts.manifolds[p]
-        if contacts.flags[p, TOUCHES] & IS_TOUCHING:
-            manifold[PUSH] += manifold[PART_PUSH_X]
-            manifold[PUSH + 1] += manifold[PART_PUSH_Y]
-            manifold[PART_PUSH_X] = manifold[PART_PUSH_Y] = 0.0
+        if contacts.flags[p, tb.TOUCHES] & tb.IS_TOUCHING:
+            manifold[tb.PUSH] += manifold[tb.PART_PUSH_X]
+            manifold[tb.PUSH + 1] += manifold[tb.PART_PUSH_Y]
+            manifold[tb.PART_PUSH_X] = manifold[tb.PART_PUSH_Y] = 0.0
 
 
 def forget_impulses_of_part(first: bool, count: int, contacts: Contacts) -> None:
@@ -59,11 +39,11 @@ def forget_impulses_of_part(first: bool, count: int, contacts: Contacts) -> None
     """
     for p in range(count):
         manifold, flags = contacts.manifolds[p], contacts.flags[p]
-        manifold[PART_PUSH_X] = manifold[PART_PUSH_Y] = 0.0
+        manifold[tb.PART_PUSH_X] = manifold[tb.PART_PUSH_Y] = 0.0
         if first:
-            flags[TOUCHES] &= WAS_TOUCHING + HAD_MET_IN_FLIGHT
-        elif flags[SENSES] == 0 and manifold[PUSH] == 0.0 and manifold[PUSH + 1] == 0.0:
-            flags[TOUCHES] &= WAS_TOUCHING + MET_IN_FLIGHT + HAD_MET_IN_FLIGHT
+            flags[tb.TOUCHES] &= tb.WAS_TOUCHING + tb.HAD_MET_IN_FLIGHT
+        elif flags[tb.SENSES] == 0 and manifold[tb.PUSH] == 0.0 and manifold[tb.PUSH + 1] == 0.0:
+            flags[tb.TOUCHES] &= tb.WAS_TOUCHING + tb.MET_IN_FLIGHT + tb.HAD_MET_IN_FLIGHT
 
 
 def store_impulse_of_part(
@@ -73,13 +53,16 @@ def store_impulse_of_part(
 
     Where a pair was pushed is told of its last push.
     """
-    to = POINT * n
-    if flags[TOUCHES] & IS_TOUCHING == 0:
+    to = tb.POINT * n
+    if flags[tb.TOUCHES] & tb.IS_TOUCHING == 0:
         forget_impulses_of(manifold)
-    manifold[PART_PUSH_X] += total * manifold[NX]
-    manifold[PART_PUSH_Y] += total * manifold[NY]
+    manifold[tb.PART_PUSH_X] += total * manifold[tb.NX]
+    manifold[tb.PART_PUSH_Y] += total * manifold[tb.NY]
     if total > 0.0:
-        flags[TOUCHES] |= IS_TOUCHING
-        manifold[IMPACT_NORMAL], manifold[IMPACT_NORMAL + 1] = manifold[NX], manifold[NY]
-        manifold[WORLD_POINT] = pose[X] + manifold[PX + to]
-        manifold[WORLD_POINT + 1] = pose[Y] + manifold[PY + to]
+        flags[tb.TOUCHES] |= tb.IS_TOUCHING
+        manifold[tb.IMPACT_NORMAL], manifold[tb.IMPACT_NORMAL + 1] = (
+            manifold[tb.NX],
+            manifold[tb.NY],
+        )
+        manifold[tb.WORLD_POINT] = pose[tb.X] + manifold[tb.PX + to]
+        manifold[tb.WORLD_POINT + 1] = pose[tb.Y] + manifold[tb.PY + to]

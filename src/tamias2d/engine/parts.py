@@ -7,6 +7,7 @@ is a power of a half of the step; one that is longer than the last begins at a m
 length. Cost of choosing: a pass over contacts, and the gap of those that are fast.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.broad_phase.pairs import TOO_CROWDED
 from tamias2d.engine.continuous.events import (
@@ -17,40 +18,7 @@ from tamias2d.engine.continuous.events import (
 )
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.part_impulses import add_up_impulses, forget_impulses, forget_impulses_of_part
-from tamias2d.engine.tables import (
-    AT_START,
-    CONTACTS,
-    CORE_RADIUS,
-    DX,
-    FINEST,
-    FRAME_MOVES,
-    GOES_FAR,
-    LEAST_LEVEL,
-    LEVEL,
-    LIST_HOLDS,
-    MEETING,
-    MOST_LEVEL,
-    NEXT_LEVEL,
-    PART_SUBSTEPS,
-    PART_TIME,
-    RETAKEN,
-    SENSES,
-    SLOT_A,
-    SLOT_B,
-    SPIN,
-    STAGE,
-    START_NOTED,
-    SUBSTEPS,
-    TICK,
-    TIME_STEP,
-    UNMOVED,
-    VX,
-    VY,
-    Bodies,
-    Contacts,
-    Control,
-    World,
-)
+from tamias2d.engine.tables import Bodies, Contacts, Control, World
 from tamias2d.generated.continuous_collision import motion_bound
 
 FEW, OF_ALL = 3, 64  # pairs that are left to continuous collision: so many, or one of so many
@@ -62,9 +30,9 @@ def begin_part(world: World) -> None:
     """Give the part that begins its length, which `shorten_part` may reduce."""
     control, broad_phase = world.control, world.broad_phase
     counts = control.counts
-    if counts[TICK] + counts[RETAKEN] == 0:
-        counts[FINEST] = 0
-    set_level(broad_phase.counts[NEXT_LEVEL], world)
+    if counts[tb.TICK] + counts[tb.RETAKEN] == 0:
+        counts[tb.FINEST] = 0
+    set_level(broad_phase.counts[tb.NEXT_LEVEL], world)
 
 
 def end_part(world: World) -> bool:
@@ -74,28 +42,30 @@ def end_part(world: World) -> bool:
     """
     control, bodies, broad_phase = world.control, world.bodies, world.broad_phase
     counts = control.counts
-    level = counts[LEVEL]
-    counts[TICK] += 1 << (MOST_LEVEL - level)
-    longer = level > counts[LEAST_LEVEL] and counts[TICK] % (1 << (MOST_LEVEL - level + 1)) == 0
-    broad_phase.counts[NEXT_LEVEL] = level - 1 if longer else level
-    counts[RETAKEN], counts[FINEST] = 0, max(counts[FINEST], level)
+    level = counts[tb.LEVEL]
+    counts[tb.TICK] += 1 << (tb.MOST_LEVEL - level)
+    longer = (
+        level > counts[tb.LEAST_LEVEL] and counts[tb.TICK] % (1 << (tb.MOST_LEVEL - level + 1)) == 0
+    )
+    broad_phase.counts[tb.NEXT_LEVEL] = level - 1 if longer else level
+    counts[tb.RETAKEN], counts[tb.FINEST] = 0, max(counts[tb.FINEST], level)
     contacts = current_contacts(broad_phase, world.buffers)
-    add_up_impulses(broad_phase.counts[CONTACTS] if counts[FINEST] > 0 else 0, contacts)
-    if counts[TICK] == 1 << MOST_LEVEL:
-        counts[TICK] = counts[LEAST_LEVEL] = 0
+    add_up_impulses(broad_phase.counts[tb.CONTACTS] if counts[tb.FINEST] > 0 else 0, contacts)
+    if counts[tb.TICK] == 1 << tb.MOST_LEVEL:
+        counts[tb.TICK] = counts[tb.LEAST_LEVEL] = 0
         set_level(0, world)
         return True
     for i in range(len(bodies.pose)):
         for n in range(3):
-            bodies.pose[i, n] += bodies.motion[i, DX + n]
-            bodies.motion[i, DX + n] = 0.0
+            bodies.pose[i, n] += bodies.motion[i, tb.DX + n]
+            bodies.motion[i, tb.DX + n] = 0.0
     return False
 
 
 def is_last_part(control: Control) -> bool:
     """Return whether the step ends with this part."""
     counts = control.counts
-    return counts[TICK] + (1 << (MOST_LEVEL - counts[LEVEL])) == 1 << MOST_LEVEL
+    return counts[tb.TICK] + (1 << (tb.MOST_LEVEL - counts[tb.LEVEL])) == 1 << tb.MOST_LEVEL
 
 
 def note_start(world: World) -> None:
@@ -105,8 +75,8 @@ def note_start(world: World) -> None:
     """
     control, bodies, touching = world.control, world.bodies, world.touching
     counts = control.counts
-    noted = counts[GOES_FAR] == 1 or touching.counts[MEETING] > 0
-    counts[START_NOTED] = 1 if noted else 0
+    noted = counts[tb.GOES_FAR] == 1 or touching.counts[tb.MEETING] > 0
+    counts[tb.START_NOTED] = 1 if noted else 0
     for i in range(len(bodies.pose) if noted else 0):
         for n in range(3):
             bodies.start[i, n], bodies.start[i, 3 + n] = bodies.pose[i, n], bodies.motion[i, n]
@@ -117,30 +87,30 @@ def retake_part(world: World, contacts: Contacts) -> None:
     control, bodies, broad_phase = world.control, world.bodies, world.broad_phase
     counts = control.counts
     for i in range(len(bodies.pose)):
-        bodies.moved[i] = UNMOVED
+        bodies.moved[i] = tb.UNMOVED
         for n in range(3):
             bodies.pose[i, n], bodies.motion[i, n] = bodies.start[i, n], bodies.start[i, 3 + n]
-            bodies.motion[i, DX + n] = 0.0
-    forget_impulses_of_part(counts[TICK] == 0, broad_phase.counts[CONTACTS], contacts)
-    broad_phase.counts[NEXT_LEVEL] = counts[LEAST_LEVEL] = counts[LEVEL] + 1
-    counts[RETAKEN], counts[STAGE] = 1, AT_START
+            bodies.motion[i, tb.DX + n] = 0.0
+    forget_impulses_of_part(counts[tb.TICK] == 0, broad_phase.counts[tb.CONTACTS], contacts)
+    broad_phase.counts[tb.NEXT_LEVEL] = counts[tb.LEAST_LEVEL] = counts[tb.LEVEL] + 1
+    counts[tb.RETAKEN], counts[tb.STAGE] = 1, tb.AT_START
 
 
 def set_level(level: int, world: World) -> None:
     """Let the part that begins be a power of a half of the step."""
     control, bodies, broad_phase = world.control, world.bodies, world.broad_phase
     counts = control.counts
-    control.progress[PART_TIME] = control.settings[TIME_STEP] / (1 << level)
-    counts[PART_SUBSTEPS] = part_substeps(counts[SUBSTEPS], level)
-    if counts[LEVEL] == level:
+    control.progress[tb.PART_TIME] = control.settings[tb.TIME_STEP] / (1 << level)
+    counts[tb.PART_SUBSTEPS] = part_substeps(counts[tb.SUBSTEPS], level)
+    if counts[tb.LEVEL] == level:
         return
-    counts[LEVEL] = level
+    counts[tb.LEVEL] = level
     for k in range(len(bodies.propagators)):
         for n in range(bodies.propagators.shape[1]):
             bodies.propagators[k, n] = bodies.propagators_of_level[level, k, n]
-    crowded = broad_phase.counts[CONTACTS] > TOO_CROWDED * len(world.shapes.slot)
-    if broad_phase.frame[FRAME_MOVES] != 0.0 or crowded:
-        broad_phase.counts[LIST_HOLDS] = 0
+    crowded = broad_phase.counts[tb.CONTACTS] > TOO_CROWDED * len(world.shapes.slot)
+    if broad_phase.frame[tb.FRAME_MOVES] != 0.0 or crowded:
+        broad_phase.counts[tb.LIST_HOLDS] = 0
 
 
 def part_substeps(substeps: int, level: int) -> int:
@@ -152,18 +122,18 @@ def shorten_part(world: World, contacts: Contacts) -> None:
     """Make a part so short that only few pairs go farther in it than they are held back from."""
     control, broad_phase = world.control, world.broad_phase
     counts, wanted = control.counts, control.wanted
-    level = counts[LEVEL]
-    if counts[GOES_FAR] == 0 and level == 0:
+    level = counts[tb.LEVEL]
+    if counts[tb.GOES_FAR] == 0 and level == 0:
         return
     find_wanted_levels(world, contacts)
-    longer, highest = 0, MOST_LEVEL
-    few = max(FEW, broad_phase.counts[CONTACTS] // OF_ALL)
+    longer, highest = 0, tb.MOST_LEVEL
+    few = max(FEW, broad_phase.counts[tb.CONTACTS] // OF_ALL)
     while highest > level and longer + wanted[highest] <= few << max(highest - CHEAP, 0):
         longer += wanted[highest]
         highest -= 1
     set_level(highest, world)
-    if highest > 0 and counts[TICK] == 0:
-        forget_impulses(broad_phase.counts[CONTACTS], contacts)
+    if highest > 0 and counts[tb.TICK] == 0:
+        forget_impulses(broad_phase.counts[tb.CONTACTS], contacts)
 
 
 def find_wanted_levels(world: World, contacts: Contacts) -> None:
@@ -172,20 +142,20 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
     Pairs for which the shortest part is too long want none.
     """
     control, bodies, shapes = world.control, world.bodies, world.shapes
-    wanted, level = control.wanted, control.counts[LEVEL]
+    wanted, level = control.wanted, control.counts[tb.LEVEL]
     for k in range(len(wanted)):
         wanted[k] = 0
-    for p in range(world.broad_phase.counts[CONTACTS]):
+    for p in range(world.broad_phase.counts[tb.CONTACTS]):
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-        i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-        far = motion_of_pair(i, j, control.progress[PART_TIME], bodies)
+        i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
+        far = motion_of_pair(i, j, control.progress[tb.PART_TIME], bodies)
         reach = smaller_radius(s, t, shapes.material)
         deep = max(LIMIT * allowed_depth(i, j, reach, bodies.properties), THIN * reach)
-        if far > deep and contacts.flags[p, SENSES] == 0:
+        if far > deep and contacts.flags[p, tb.SENSES] == 0:
             held = held_normal(contacts.manifolds[p], contacts.flags[p])
             gap = manifold_at(s, t, 0.0, held, bodies, shapes, world.events)
             k = level
-            while k < MOST_LEVEL and far > deep and far > gap:
+            while k < tb.MOST_LEVEL and far > deep and far > gap:
                 k += 1
                 far *= 0.5
             wanted[k] += 1 if far <= max(deep, gap) else 0
@@ -194,6 +164,11 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
 def motion_of_pair(i: int, j: int, time: float, bodies: Bodies) -> float:
     """Return how far two bodies may come together in a time, m."""
     motion, properties = bodies.motion, bodies.properties
-    by_x, by_y = time * (motion[j, VX] - motion[i, VX]), time * (motion[j, VY] - motion[i, VY])
-    of_i = motion_bound((0.0, 0.0), time * motion[i, SPIN], properties[i, CORE_RADIUS])
-    return of_i + motion_bound((by_x, by_y), time * motion[j, SPIN], properties[j, CORE_RADIUS])
+    by_x, by_y = (
+        time * (motion[j, tb.VX] - motion[i, tb.VX]),
+        time * (motion[j, tb.VY] - motion[i, tb.VY]),
+    )
+    of_i = motion_bound((0.0, 0.0), time * motion[i, tb.SPIN], properties[i, tb.CORE_RADIUS])
+    return of_i + motion_bound(
+        (by_x, by_y), time * motion[j, tb.SPIN], properties[j, tb.CORE_RADIUS]
+    )

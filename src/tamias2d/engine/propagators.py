@@ -5,14 +5,9 @@ from itertools import count
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.parts import part_substeps
 from tamias2d.engine.store import Store
-from tamias2d.engine.tables import (
-    MOST_LEVEL,
-    PROPAGATOR,
-    SUBSTEPS,
-    TIME_STEP,
-)
 from tamias2d.generated import drag
 from tamias2d.state import Array, IntArray
 
@@ -39,17 +34,19 @@ class Propagators:
             self._set(np.concatenate((known, np.array(new))))
         places = np.array([self._row[rate] for rate in wanted])
         properties = self._store.world.state.properties
-        properties[rows, PROPAGATOR] = places[which.ravel()] if len(rows) else 0
+        properties[rows, tb.PROPAGATOR] = places[which.ravel()] if len(rows) else 0
 
     def forget_unused(self) -> None:
         """Give up the rows that no body uses, where these are most."""
         state, bodies = self._store.world.state, self._store.world.bodies
         used, which = np.unique(
-            state.properties[:, PROPAGATOR].astype(np.int64), return_inverse=True
+            state.properties[:, tb.PROPAGATOR].astype(np.int64), return_inverse=True
         )
         if len(self._row) > 2 * len(used):
-            state.properties[:, PROPAGATOR] = which.ravel()
-            bodies.properties[state.slot_of_body, PROPAGATOR] = state.properties[:, PROPAGATOR]
+            state.properties[:, tb.PROPAGATOR] = which.ravel()
+            bodies.properties[state.slot_of_body, tb.PROPAGATOR] = state.properties[
+                :, tb.PROPAGATOR
+            ]
             self._set(state.drag_rates[used])
             self._note_rows()
 
@@ -59,9 +56,9 @@ class Propagators:
         world = self._store.world
         world.state.drag_rates[:] = rates
         settings, counts = world.control.settings, world.control.counts
-        levels = range(MOST_LEVEL + 1)
-        times = settings[TIME_STEP] / 2.0 ** np.array(levels)
-        substeps = [part_substeps(int(counts[SUBSTEPS]), level) for level in levels]
+        levels = range(tb.MOST_LEVEL + 1)
+        times = settings[tb.TIME_STEP] / 2.0 ** np.array(levels)
+        substeps = [part_substeps(int(counts[tb.SUBSTEPS]), level) for level in levels]
         world.bodies.propagators_of_level[:] = propagators(rates, times, np.array(substeps))
         world.bodies.propagators[:] = world.bodies.propagators_of_level[0]
 

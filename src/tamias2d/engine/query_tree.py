@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.menu import QUERY, functions
 from tamias2d.engine.store import Store
-from tamias2d.engine.tables import RANK
 from tamias2d.kernels.groups import addresses
 from tamias2d.state import Array, IntArray
 
@@ -48,7 +48,7 @@ class QueryTree:
         total = self._library.shapes_in_box(
             self._argument, *low.tolist(), *high.tolist(), mask, found
         )
-        shapes = found[:total][np.argsort(world.broad_phase.canonical[RANK, found[:total]])]
+        shapes = found[:total][np.argsort(world.broad_phase.canonical[tb.RANK, found[:total]])]
         rows = world.state.body_of_shape[shapes].tolist()
         return np.array(list(dict.fromkeys(rows)), dtype=np.int64)
 

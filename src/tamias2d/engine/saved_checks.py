@@ -10,30 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.axis_cache import SIDES, STATES, TURNS
-from tamias2d.engine.tables import (
-    ABSENT,
-    CACHED_AXIS,
-    CAPSULE,
-    CHUNK,
-    CONTACTS,
-    DISC,
-    DYNAMIC,
-    FIRST_RUN,
-    HALF_PLANE,
-    HORIZON,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    LIST_HOLDS,
-    PIECE,
-    RESTITUTION,
-    SENSES,
-    SENSOR,
-    SLOT_A,
-    SLOT_B,
-    THIN_CAPSULE,
-    Saved,
-)
+from tamias2d.engine.tables import Saved
 from tamias2d.engine.world import Capacities, SavedField, saved_fields
 from tamias2d.state import IntArray
 
@@ -86,7 +65,7 @@ def _capacities(arrays: Arrays) -> Capacities:
     for axis, name in _ROWS.items():
         require(name in arrays and arrays[name].ndim > 0, name, "is missing")
         rows[axis] = len(arrays[name])
-    fits = rows["slots"] > 0 and rows["slots"] % CHUNK == 0 and rows["propagators"] > 0
+    fits = rows["slots"] > 0 and rows["slots"] % tb.CHUNK == 0 and rows["propagators"] > 0
     require(fits, "state.pose", "has no rows of an engine")
     require(max(rows.values()) < 2**31, "shapes.kind", "has more rows than an engine")
     return Capacities(**rows)
@@ -122,11 +101,13 @@ def _check_bodies(arrays: Arrays) -> None:
     slots = arrays["state.slot_of_body"]
     name = "state.slot_of_body"
     require(np.bincount(slots, minlength=len(slots)) == 1, name, "gives two bodies one slot")
-    require(slots[-1] == len(slots) - 1 and kind[-1] == ABSENT, name, "the last one must be idle")
+    require(
+        slots[-1] == len(slots) - 1 and kind[-1] == tb.ABSENT, name, "the last one must be idle"
+    )
     if rank is None or rank.dtype != np.int64 or rank.ndim != 1 or len(rank) >= len(kind):
         raise UnfitError("rank: must be int64, one for each body")
     require(slots[: len(rank)] < len(rank), name, "bodies must have the first slots")
-    present = kind != ABSENT
+    present = kind != tb.ABSENT
     require(~present[len(rank) :], "state.kind", "has more bodies than there are ranks")
     require((rank >= 0) == present[: len(rank)], "rank", "must be given to bodies alone")
     there = rank[rank >= 0]
@@ -135,12 +116,12 @@ def _check_bodies(arrays: Arrays) -> None:
     require(len(np.unique(there)) == len(there), "rank", "must differ")
     properties = arrays["state.properties"]
     require(properties[~present] == 0.0, "state.properties", "must be 0 where there is no body")
-    inverse = properties[:, [INVERSE_MASS, INVERSE_INERTIA]]
+    inverse = properties[:, [tb.INVERSE_MASS, tb.INVERSE_INERTIA]]
     require(np.isfinite(inverse), "state.properties", "masses must be numbers")
     require(properties >= 0.0, "state.properties", "must not be negative")
-    moves = (inverse[:, 0] > 0.0) == (kind == DYNAMIC)
+    moves = (inverse[:, 0] > 0.0) == (kind == tb.DYNAMIC)
     require(moves, "state.properties", "bodies that move must have masses, and no others")
-    turns = (inverse[:, 1] == 0.0) | (kind == DYNAMIC)
+    turns = (inverse[:, 1] == 0.0) | (kind == tb.DYNAMIC)
     require(turns, "state.properties", "bodies that do not move must have no inertia")
     require(arrays["state.drag_rates"] >= 0.0, "state.drag_rates", "must not be negative")
 
@@ -152,20 +133,20 @@ def _check_shapes(arrays: Arrays) -> None:
     name = "shapes.vertex_count"
     taken = count > 0
     require(taken[:-1] >= taken[1:], name, "rows that were never taken must come last")
-    lines = (kind == CAPSULE) | (kind == THIN_CAPSULE) | (kind >= PIECE)
-    least = np.select([lines, (kind == DISC) | (kind == HALF_PLANE)], [2, 1], 3)
+    lines = (kind == tb.CAPSULE) | (kind == tb.THIN_CAPSULE) | (kind >= tb.PIECE)
+    least = np.select([lines, (kind == tb.DISC) | (kind == tb.HALF_PLANE)], [2, 1], 3)
     most = np.where(least == 3, 2**31, least)
     require(~taken | ((count >= least) & (count <= most)), name, "must fit the kinds of shapes")
     require(first + count <= len(arrays["shapes.local_vertices"]), name, "there are no such rows")
     require(count.sum() <= len(arrays["shapes.local_vertices"]), name, "is too large in all")
     owner, idle = arrays["state.body_of_shape"], len(arrays["state.kind"]) - 1
-    there = arrays["state.kind"][owner] != ABSENT
+    there = arrays["state.kind"][owner] != tb.ABSENT
     require(there | (owner == idle), "state.body_of_shape", "names a body that is absent")
     require(taken | (owner == idle), "state.body_of_shape", "a body has a shape without vertices")
     require(arrays["shapes.radius"] >= 0.0, "shapes.radius", "must not be negative")
-    stated = arrays["shapes.material"][:, : RESTITUTION + 1]
+    stated = arrays["shapes.material"][:, : tb.RESTITUTION + 1]
     require(stated >= -1.0, "shapes.material", "must not be negative")
-    restitution = arrays["shapes.material"][:, RESTITUTION]
+    restitution = arrays["shapes.material"][:, tb.RESTITUTION]
     require(restitution <= 1.0, "shapes.material", "restitution must be at most 1")
     overrides = arrays["shapes.pair_overrides"]
     require(overrides[:, 0] < overrides[:, 1], "shapes.pair_overrides", "lower shapes come first")
@@ -188,36 +169,40 @@ def _canonical(arrays: Arrays) -> IntArray:
 
 def _check_contacts(arrays: Arrays, order: IntArray) -> None:
     counts, pairs = arrays["broad_phase.counts"], arrays["contacts.pairs"]
-    fits = counts[FIRST_RUN] <= counts[CONTACTS] <= len(pairs)
+    fits = counts[tb.FIRST_RUN] <= counts[tb.CONTACTS] <= len(pairs)
     require(fits, "broad_phase.counts", "a run is longer than the list")
-    pairs, flags = (arrays[f"contacts.{name}"][: counts[CONTACTS]] for name in ("pairs", "flags"))
-    fits = 1 <= counts[HORIZON] <= 2**20 and counts[LIST_HOLDS] <= 1
+    pairs, flags = (
+        arrays[f"contacts.{name}"][: counts[tb.CONTACTS]] for name in ("pairs", "flags")
+    )
+    fits = 1 <= counts[tb.HORIZON] <= 2**20 and counts[tb.LIST_HOLDS] <= 1
     require(fits, "broad_phase.counts", "must be those of a list of pairs")
     require(len(order) > 0 or len(pairs) == 0, "contacts.pairs", "there are no shapes")
     name, shapes = "contacts.pairs", pairs[:, :2].astype(np.int64)
     body = arrays["state.body_of_shape"][shapes]
     slots = arrays["state.slot_of_body"][body]
-    require(pairs[:, SLOT_A : SLOT_B + 1] == slots, name, "must have the slots of their bodies")
+    require(
+        pairs[:, tb.SLOT_A : tb.SLOT_B + 1] == slots, name, "must have the slots of their bodies"
+    )
     require(body[:, 0] != body[:, 1], name, "must be of two bodies")
-    moving = (arrays["state.kind"][body] == DYNAMIC).any(axis=1)
+    moving = (arrays["state.kind"][body] == tb.DYNAMIC).any(axis=1)
     require(moving, name, "one of the bodies must move")
     ranks = order[shapes]
     require((ranks >= 0).all() and (ranks[:, 0] < ranks[:, 1]).all(), name, "must be by rank")
     code = ranks[:, 0] * len(order) + ranks[:, 1]
     require(len(np.unique(code)) == len(code), name, "must differ")
-    for run in (code[: counts[FIRST_RUN]], code[counts[FIRST_RUN] :]):
+    for run in (code[: counts[tb.FIRST_RUN]], code[counts[tb.FIRST_RUN] :]):
         require(np.diff(run) > 0, name, "must be in canonical order")
     kinds = arrays["shapes.kind"][shapes]
-    require((kinds != HALF_PLANE).any(axis=1), name, "two half-planes never meet")
-    sides = flags[:, CACHED_AXIS].astype(np.int64) // (STATES * TURNS)
+    require((kinds != tb.HALF_PLANE).any(axis=1), name, "two half-planes never meet")
+    sides = flags[:, tb.CACHED_AXIS].astype(np.int64) // (STATES * TURNS)
     known = np.column_stack((sides % SIDES, sides // SIDES)) < arrays["shapes.vertex_count"][shapes]
     require(known, "contacts.flags", "names a side that a shape has not")
-    sensors = (arrays["shapes.filters"][shapes, SENSOR] > 0).any(axis=1)
-    require(sensors == flags[:, SENSES], "contacts.flags", "must say which shapes are sensors")
+    sensors = (arrays["shapes.filters"][shapes, tb.SENSOR] > 0).any(axis=1)
+    require(sensors == flags[:, tb.SENSES], "contacts.flags", "must say which shapes are sensors")
 
 
 def _check_tree(arrays: Arrays) -> None:
-    if arrays["broad_phase.counts"][LIST_HOLDS] == 0:
+    if arrays["broad_phase.counts"][tb.LIST_HOLDS] == 0:
         return
     leaves = leaves_of(arrays["shapes.kind"], arrays["state.kind"], arrays["state.body_of_shape"])
     places = np.sort(arrays["tree.leaf_of_shape"][leaves])
@@ -226,4 +211,4 @@ def _check_tree(arrays: Arrays) -> None:
 
 def leaves_of(kind: NDArray[Any], body_kind: NDArray[Any], owner: NDArray[Any]) -> IntArray:
     """Return the shapes that are leaves of the tree: the bounded ones of bodies."""
-    return np.flatnonzero((kind != HALF_PLANE) & (body_kind[owner] != ABSENT))
+    return np.flatnonzero((kind != tb.HALF_PLANE) & (body_kind[owner] != tb.ABSENT))

@@ -10,23 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.saved_checks import check_saved, leaves_of
-from tamias2d.engine.tables import (
-    ARRANGED,
-    BUFFER,
-    CONTACTS,
-    FIRST_RUN,
-    ISLANDS_KNOWN,
-    LEAF,
-    LEAVES,
-    LIST_HOLDS,
-    RANK,
-    STEPS_TAKEN,
-    TIME_STEP,
-    Contacts,
-    World,
-)
+from tamias2d.engine.tables import Contacts, World
 from tamias2d.engine.world import named_arrays, saved_fields
 
 Arrays = Mapping[str, NDArray[Any]]
@@ -35,14 +22,14 @@ Arrays = Mapping[str, NDArray[Any]]
 def saved_arrays(engine: Engine) -> dict[str, NDArray[Any]]:
     """Return copies of the state of an engine that has settled, by names such as 'state.pose'."""
     own, counts = named_arrays(engine.world), engine.world.broad_phase.counts
-    side, size = int(counts[BUFFER]), int(counts[CONTACTS])
+    side, size = int(counts[tb.BUFFER]), int(counts[tb.CONTACTS])
     own |= {f"contacts.{name}": own[f"buffers.{name}"][side] for name in Contacts._fields}
     found = {field.name: own[field.name].copy() for field in saved_fields()}
     for name in ("contacts.pairs", "contacts.manifolds", "contacts.flags"):
         found[name][size:] = 0
     found["broad_phase.candidates"][...] = 0
-    found["touching.counts"][[ARRANGED, ISLANDS_KNOWN]] = 0
-    found["broad_phase.counts"][[BUFFER, CONTACTS]] = 0, size
+    found["touching.counts"][[tb.ARRANGED, tb.ISLANDS_KNOWN]] = 0
+    found["broad_phase.counts"][[tb.BUFFER, tb.CONTACTS]] = 0, size
     return {**found, "rank": engine.rank.copy()}
 
 
@@ -60,11 +47,11 @@ def restored_engine(
     engine = Engine(gravity=(0.0, 0.0), time_step=time_step, substeps=substeps, compiled=compiled)
     engine.resize(**vars(capacities))
     _fill(engine.world, arrays)
-    engine.world.control.settings[TIME_STEP] = time_step
-    engine.world.control.counts[STEPS_TAKEN] = steps
+    engine.world.control.settings[tb.TIME_STEP] = time_step
+    engine.world.control.counts[tb.STEPS_TAKEN] = steps
     engine.size = len(arrays["rank"])
     engine.begin(arrays["rank"].copy())
-    if engine.world.broad_phase.counts[LIST_HOLDS]:
+    if engine.world.broad_phase.counts[tb.LIST_HOLDS]:
         _derive_list(engine.world)
     return engine
 
@@ -96,7 +83,7 @@ def _derive(world: World, arrays: Arrays) -> None:
     state.body_of_slot[slots] = np.arange(len(slots))
     bodies.properties[slots], bodies.kind[slots] = state.properties, state.kind
     world.shapes.slot[:] = np.minimum(slots[state.body_of_shape], len(arrays["rank"]))
-    world.touching.counts[[ARRANGED, ISLANDS_KNOWN]] = counts[BUFFER] = 0
+    world.touching.counts[[tb.ARRANGED, tb.ISLANDS_KNOWN]] = counts[tb.BUFFER] = 0
     for name in Contacts._fields:
         getattr(world.buffers, name)[0] = arrays[f"contacts.{name}"]
 
@@ -105,9 +92,9 @@ def _derive_list(world: World) -> None:
     """Fill what is known of a list of pairs that holds."""
     leaf, shapes, state = world.tree.leaf_of_shape, world.shapes, world.state
     leaves = leaves_of(shapes.kind, state.kind, state.body_of_shape)
-    world.tree.morton[LEAF, leaf[leaves]] = leaves
-    world.tree.counts[LEAVES] = len(leaves)
+    world.tree.morton[tb.LEAF, leaf[leaves]] = leaves
+    world.tree.counts[tb.LEAVES] = len(leaves)
     broad_phase = world.broad_phase
-    firsts = world.buffers.pairs[0, : broad_phase.counts[FIRST_RUN], 0]
+    firsts = world.buffers.pairs[0, : broad_phase.counts[tb.FIRST_RUN], 0]
     ranks = np.arange(len(broad_phase.first_of_rank))
-    broad_phase.first_of_rank[:] = np.searchsorted(broad_phase.canonical[RANK, firsts], ranks)
+    broad_phase.first_of_rank[:] = np.searchsorted(broad_phase.canonical[tb.RANK, firsts], ranks)

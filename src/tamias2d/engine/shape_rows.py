@@ -6,17 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.engine.tables import (
-    CAPSULE,
-    DISC,
-    HALF_PLANE,
-    ONE_SIDED_PIECE,
-    PIECE,
-    POLYGON,
-    THIN_CAPSULE,
-    THIN_POLYGON,
-    THINNEST,
-)
+from tamias2d.engine import tables as tb
 from tamias2d.scene import Chain, HalfPlane
 from tamias2d.scene.compound import Shape, pieces_of
 from tamias2d.scene.rules import Vector
@@ -50,7 +40,7 @@ def shape_rows(shape: Shape | None) -> tuple[ShapeRow, ...]:
         return ()
     if isinstance(shape, HalfPlane):
         side = np.array([[shape.offset, 0.0, *shape.normal]])
-        return (ShapeRow(HALF_PLANE, 0.0, side, 0.0, math.inf, math.inf, -math.inf),)
+        return (ShapeRow(tb.HALF_PLANE, 0.0, side, 0.0, math.inf, math.inf, -math.inf),)
     if isinstance(shape, Chain):
         return _chain(shape)
     return tuple(_bounded(part.core, part.shape.rounding) for part in pieces_of(shape))
@@ -69,7 +59,7 @@ def _bounded(core: Sequence[Vector], radius: float) -> ShapeRow:
     inradius = float((vertices[:, :2] * vertices[:, 2:]).sum(axis=1).min())
     widths = np.ptp(across, axis=1)
     length = 2.0 * radius + math.hypot(*np.ptp(vertices[:, :2], axis=0))
-    thin = 2.0 * radius + float(widths.min()) < THINNEST * length
+    thin = 2.0 * radius + float(widths.min()) < tb.THINNEST * length
     return ShapeRow(
         kind=_kind(len(core), thin),
         radius=radius,
@@ -83,10 +73,10 @@ def _bounded(core: Sequence[Vector], radius: float) -> ShapeRow:
 
 def _kind(corners: int, thin: bool) -> int:
     if corners == 1:
-        return DISC
+        return tb.DISC
     if corners == 2:
-        return THIN_CAPSULE if thin else CAPSULE
-    return THIN_POLYGON if thin else POLYGON
+        return tb.THIN_CAPSULE if thin else tb.CAPSULE
+    return tb.THIN_POLYGON if thin else tb.POLYGON
 
 
 def _chain(chain: Chain) -> tuple[ShapeRow, ...]:
@@ -95,7 +85,7 @@ def _chain(chain: Chain) -> tuple[ShapeRow, ...]:
     Behind a piece that is solid from one side nothing is too thin to push a body back.
     """
     far = chain.bounding_radius
-    kind, extent = (ONE_SIDED_PIECE, math.inf) if chain.one_sided else (PIECE, 0.0)
+    kind, extent = (tb.ONE_SIDED_PIECE, math.inf) if chain.one_sided else (tb.PIECE, 0.0)
     corners = chain.corners
     return tuple(
         ShapeRow(kind, 0.0, _with_normals(core), far, far, extent, -math.inf, (*start, *end))

@@ -11,43 +11,9 @@ that supports it was moved.
 Cost: a pass over bodies and one over contacts in each step, where sleeping is wanted.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.islands import find_islands
 from tamias2d.engine.tables import (
-    ABSENT,
-    AWAKE,
-    BOUNDING_RADIUS,
-    CONTACTS,
-    DANGLE,
-    DX,
-    DY,
-    DYNAMIC,
-    FORCE_GAIN,
-    GRAVITY_X,
-    GRAVITY_Y,
-    HAD_MET_IN_FLIGHT,
-    I_NODE,
-    ISLAND_SLOW_STEPS,
-    JOINED_SLOT,
-    MECHANISMS,
-    PART_TIME,
-    POINT_COUNT,
-    REST_GRAVITY,
-    REST_LOAD,
-    REST_POSE,
-    ROOT,
-    SLEEP_ID,
-    SLEEP_STEPS,
-    SLEEPING,
-    SLOT_A,
-    SLOT_B,
-    SLOW_STEPS,
-    SPIN,
-    SUPPORT_KIND,
-    TOUCHES,
-    TOUCHING,
-    VX,
-    VY,
-    WAS_TOUCHING,
     Bodies,
     BroadPhase,
     Contacts,
@@ -74,56 +40,56 @@ def update_sleep(
     """Wake islands that were changed since the last step, and count the bodies that sleep on."""
     links, rest = islands.links, islands.rest
     for i in range(len(bodies.kind)):
-        if links[i, SLEEP_ID] > 0 and state_changed(
+        if links[i, tb.SLEEP_ID] > 0 and state_changed(
             control.settings, bodies.pose[i], bodies.motion[i], bodies.load[i], rest[i]
         ):
-            wake_island(links[i, SLEEP_ID], links)
+            wake_island(links[i, tb.SLEEP_ID], links)
     for i in range(len(bodies.kind)):
-        if bodies.kind[i] == DYNAMIC:
-            links[i, AWAKE] = 1 if links[i, SLEEP_ID] == 0 else 0
+        if bodies.kind[i] == tb.DYNAMIC:
+            links[i, tb.AWAKE] = 1 if links[i, tb.SLEEP_ID] == 0 else 0
         else:
             note_support(bodies.kind[i], bodies.pose[i], bodies.motion[i], links[i], rest[i])
-    for p in range(broad_phase.counts[CONTACTS]):
-        if contacts.flags[p, POINT_COUNT] > 0:
-            wake_pair(contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B], links)
+    for p in range(broad_phase.counts[tb.CONTACTS]):
+        if contacts.flags[p, tb.POINT_COUNT] > 0:
+            wake_pair(contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B], links)
     count_sleeping(bodies, islands)
 
 
 def state_changed(settings: Array, pose: Array, motion: Array, load: Array, rest: Array) -> bool:
     """Return whether a body that sleeps is not as it was when it fell asleep."""
-    changed = (rest[REST_GRAVITY] != settings[GRAVITY_X]) | (
-        rest[REST_GRAVITY + 1] != settings[GRAVITY_Y]
+    changed = (rest[tb.REST_GRAVITY] != settings[tb.GRAVITY_X]) | (
+        rest[tb.REST_GRAVITY + 1] != settings[tb.GRAVITY_Y]
     )
     for n in range(3):
-        changed = changed | (pose[n] != rest[REST_POSE + n]) | (motion[n] != 0.0)
-        changed = changed | (load[n] != rest[REST_LOAD + n])
+        changed = changed | (pose[n] != rest[tb.REST_POSE + n]) | (motion[n] != 0.0)
+        changed = changed | (load[n] != rest[tb.REST_LOAD + n])
     return bool(changed)
 
 
 def note_support(kind: int, pose: Array, motion: Array, links: Integers, rest: Array) -> None:
     """Note whether a body that is not dynamic wakes others: it is new, was moved, or moves."""
-    active = links[SLOW_STEPS] == 0
+    active = links[tb.SLOW_STEPS] == 0
     for n in range(3):
-        active = active | (pose[n] != rest[REST_POSE + n]) | (motion[n] != 0.0)
-        rest[REST_POSE + n] = pose[n]
-    links[AWAKE] = 1 if active and kind != ABSENT else 0
-    links[SLOW_STEPS] = 1 if kind != ABSENT else 0
+        active = active | (pose[n] != rest[tb.REST_POSE + n]) | (motion[n] != 0.0)
+        rest[tb.REST_POSE + n] = pose[n]
+    links[tb.AWAKE] = 1 if active and kind != tb.ABSENT else 0
+    links[tb.SLOW_STEPS] = 1 if kind != tb.ABSENT else 0
 
 
 def wake_touched(contacts: Contacts, touching: Touching, islands: Islands) -> bool:
     """Wake islands that are touched by a body that may wake them; return whether any was."""
     woken = False
-    for k in range(touching.counts[TOUCHING]):
+    for k in range(touching.counts[tb.TOUCHING]):
         pair = contacts.pairs[touching.contact[k]]
-        woken = wake_pair(pair[SLOT_A], pair[SLOT_B], islands.links) or woken
+        woken = wake_pair(pair[tb.SLOT_A], pair[tb.SLOT_B], islands.links) or woken
     return woken
 
 
 def wake_pair(i: int, j: int, links: Integers) -> bool:
     """Wake the one of two bodies that may not wake others, if the other may and it sleeps."""
-    if links[i, AWAKE] == links[j, AWAKE]:
+    if links[i, tb.AWAKE] == links[j, tb.AWAKE]:
         return False
-    sleep_id = max(links[i, SLEEP_ID], links[j, SLEEP_ID])
+    sleep_id = max(links[i, tb.SLEEP_ID], links[j, tb.SLEEP_ID])
     wake_island(sleep_id, links)
     return bool(sleep_id > 0)
 
@@ -133,34 +99,34 @@ def wake_island(sleep_id: int, links: Integers) -> None:
     if sleep_id == 0:
         return
     for i in range(len(links)):
-        if links[i, SLEEP_ID] == sleep_id:
-            links[i, SLEEP_ID], links[i, SLOW_STEPS], links[i, AWAKE] = 0, 0, 1
+        if links[i, tb.SLEEP_ID] == sleep_id:
+            links[i, tb.SLEEP_ID], links[i, tb.SLOW_STEPS], links[i, tb.AWAKE] = 0, 0, 1
 
 
 def count_sleeping(bodies: Bodies, islands: Islands) -> None:
     """Count the bodies that sleep."""
     asleep = 0
     for i in range(len(bodies.kind)):
-        asleep += islands.links[i, SLEEP_ID] > 0
-    islands.counts[SLEEPING] = asleep
+        asleep += islands.links[i, tb.SLEEP_ID] > 0
+    islands.counts[tb.SLEEPING] = asleep
 
 
 def hold_sleeping(bodies: Bodies, islands: Islands) -> None:
     """Hold bodies that sleep in place: they are marked as moved already."""
     for i in range(len(bodies.kind)):
-        if islands.links[i, SLEEP_ID] > 0:
+        if islands.links[i, tb.SLEEP_ID] > 0:
             bodies.moved[i] = 1
             for n in range(3):
-                bodies.motion[i, DX + n] = bodies.flight[i, FORCE_GAIN + n] = 0.0
+                bodies.motion[i, tb.DX + n] = bodies.flight[i, tb.FORCE_GAIN + n] = 0.0
 
 
 def keep_touching_flags(broad_phase: BroadPhase, contacts: Contacts, islands: Islands) -> None:
     """Let contacts of sleeping bodies touch on if they did, so that none ends or begins."""
     links, pairs = islands.links, contacts.pairs
-    for p in range(broad_phase.counts[CONTACTS]):
-        if links[pairs[p, SLOT_A], AWAKE] + links[pairs[p, SLOT_B], AWAKE] == 0:
-            before = contacts.flags[p, TOUCHES] & (WAS_TOUCHING + HAD_MET_IN_FLIGHT)
-            contacts.flags[p, TOUCHES] |= before >> 1
+    for p in range(broad_phase.counts[tb.CONTACTS]):
+        if links[pairs[p, tb.SLOT_A], tb.AWAKE] + links[pairs[p, tb.SLOT_B], tb.AWAKE] == 0:
+            before = contacts.flags[p, tb.TOUCHES] & (tb.WAS_TOUCHING + tb.HAD_MET_IN_FLIGHT)
+            contacts.flags[p, tb.TOUCHES] |= before >> 1
 
 
 def note_support_kinds(
@@ -170,78 +136,80 @@ def note_support_kinds(
     find_islands(bodies, touching, islands, joints)
     links = islands.links
     for i in range(len(bodies.kind)):
-        links[i, SUPPORT_KIND] = NO_SUPPORT
+        links[i, tb.SUPPORT_KIND] = NO_SUPPORT
     note_joined_support(islands, joints)
-    for k in range(touching.counts[TOUCHING]):
+    for k in range(touching.counts[tb.TOUCHING]):
         pair = contacts.pairs[touching.contact[k]]
-        i, j = pair[SLOT_A], pair[SLOT_B]
-        in_motion = (bodies.kind[i] != DYNAMIC and links[i, AWAKE] == 1) or (
-            bodies.kind[j] != DYNAMIC and links[j, AWAKE] == 1
+        i, j = pair[tb.SLOT_A], pair[tb.SLOT_B]
+        in_motion = (bodies.kind[i] != tb.DYNAMIC and links[i, tb.AWAKE] == 1) or (
+            bodies.kind[j] != tb.DYNAMIC and links[j, tb.AWAKE] == 1
         )
         support = SUPPORTED_IN_MOTION if in_motion else SUPPORTED_AT_REST
-        links[i, SUPPORT_KIND] = max(links[i, SUPPORT_KIND], support)
-        links[j, SUPPORT_KIND] = max(links[j, SUPPORT_KIND], support)
+        links[i, tb.SUPPORT_KIND] = max(links[i, tb.SUPPORT_KIND], support)
+        links[j, tb.SUPPORT_KIND] = max(links[j, tb.SUPPORT_KIND], support)
 
 
 def note_joined_support(islands: Islands, joints: Joints) -> None:
     """Note that bodies which joints hold are supported by what these hold besides."""
-    for n in range(joints.counts[MECHANISMS]):
-        for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
-            links = islands.links[joints.members[m, JOINED_SLOT]]
-            links[SUPPORT_KIND] = max(links[SUPPORT_KIND], SUPPORTED_AT_REST)
+    for n in range(joints.counts[tb.MECHANISMS]):
+        for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+            links = islands.links[joints.members[m, tb.JOINED_SLOT]]
+            links[tb.SUPPORT_KIND] = max(links[tb.SUPPORT_KIND], SUPPORTED_AT_REST)
 
 
 def fall_asleep(control: Control, bodies: Bodies, islands: Islands) -> None:
     """Let islands fall asleep whose bodies have all been slow for long enough."""
-    links, sleep_steps = islands.links, islands.counts[SLEEP_STEPS]
+    links, sleep_steps = islands.links, islands.counts[tb.SLEEP_STEPS]
     for i in range(len(bodies.kind)):
-        links[i, ISLAND_SLOW_STEPS] = sleep_steps
+        links[i, tb.ISLAND_SLOW_STEPS] = sleep_steps
     for i in range(len(bodies.kind)):
-        if bodies.kind[i] == DYNAMIC and links[i, SLEEP_ID] == 0:
-            root = links[i, ROOT]
+        if bodies.kind[i] == tb.DYNAMIC and links[i, tb.SLEEP_ID] == 0:
+            root = links[i, tb.ROOT]
             count_slow_step(i, control, bodies, links)
-            links[root, ISLAND_SLOW_STEPS] = min(
-                links[root, ISLAND_SLOW_STEPS], links[i, SLOW_STEPS]
+            links[root, tb.ISLAND_SLOW_STEPS] = min(
+                links[root, tb.ISLAND_SLOW_STEPS], links[i, tb.SLOW_STEPS]
             )
     for i in range(len(bodies.kind)):
-        root = links[i, ROOT]
+        root = links[i, tb.ROOT]
         if (
-            bodies.kind[i] == DYNAMIC
-            and links[i, SLEEP_ID] == 0
-            and links[root, ISLAND_SLOW_STEPS] >= sleep_steps
+            bodies.kind[i] == tb.DYNAMIC
+            and links[i, tb.SLEEP_ID] == 0
+            and links[root, tb.ISLAND_SLOW_STEPS] >= sleep_steps
         ):
-            links[i, SLEEP_ID] = root + 1
+            links[i, tb.SLEEP_ID] = root + 1
             note_rest(i, control, bodies, islands.rest[i])
 
 
 def count_slow_step(i: int, control: Control, bodies: Bodies, links: Integers) -> None:
     """Count for how many steps a body has been slow."""
-    support, radius = links[i, SUPPORT_KIND], bodies.properties[i, BOUNDING_RADIUS]
+    support, radius = links[i, tb.SUPPORT_KIND], bodies.properties[i, tb.BOUNDING_RADIUS]
     limit = sleep_speed_squared(control.settings, radius) if support == SUPPORTED_AT_REST else 0.0
-    slow = is_slow(control.progress[PART_TIME], limit, bodies.motion[i], radius)
-    links[i, SLOW_STEPS] = (
-        links[i, SLOW_STEPS] + 1 if slow and support != SUPPORTED_IN_MOTION else 0
+    slow = is_slow(control.progress[tb.PART_TIME], limit, bodies.motion[i], radius)
+    links[i, tb.SLOW_STEPS] = (
+        links[i, tb.SLOW_STEPS] + 1 if slow and support != SUPPORTED_IN_MOTION else 0
     )
 
 
 def note_rest(i: int, control: Control, bodies: Bodies, rest: Array) -> None:
     """Stop a body that falls asleep, and note its state; its pose is that at the step's end."""
     pose, motion, load = bodies.pose[i], bodies.motion[i], bodies.load[i]
-    rest[REST_GRAVITY] = control.settings[GRAVITY_X]
-    rest[REST_GRAVITY + 1] = control.settings[GRAVITY_Y]
+    rest[tb.REST_GRAVITY] = control.settings[tb.GRAVITY_X]
+    rest[tb.REST_GRAVITY + 1] = control.settings[tb.GRAVITY_Y]
     for n in range(3):
         motion[n] = 0.0
-        rest[REST_POSE + n] = pose[n] + motion[DX + n]
-        rest[REST_LOAD + n] = load[n]
+        rest[tb.REST_POSE + n] = pose[n] + motion[tb.DX + n]
+        rest[tb.REST_LOAD + n] = load[n]
 
 
 def sleep_speed_squared(settings: Array, radius: float) -> float:
     """Return the square of the velocity, m/s, below which a body with contacts is slow."""
-    gravity = abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y])
+    gravity = abs(settings[tb.GRAVITY_X]) + abs(settings[tb.GRAVITY_Y])
     return quiet_square(SLEEP_SPEED, radius, gravity if gravity > 0.0 else radius)
 
 
 def is_slow(time_step: float, limit: float, motion: Array, radius: float) -> bool:
     """Return whether a body is slow, and has been in this step (DD50); the limit in (m/s)^2."""
-    velocity, shift = (motion[VX], motion[VY]), (motion[DX], motion[DY])
-    return bool(quiet(velocity, motion[SPIN], shift, motion[DANGLE], radius, limit, time_step))
+    velocity, shift = (motion[tb.VX], motion[tb.VY]), (motion[tb.DX], motion[tb.DY])
+    return bool(
+        quiet(velocity, motion[tb.SPIN], shift, motion[tb.DANGLE], radius, limit, time_step)
+    )

@@ -1,18 +1,7 @@
 """The state that users see and set, brought to the slots of the engine and back."""
 
-from tamias2d.engine.tables import (
-    ANGLE,
-    BOUNDING_RADIUS,
-    DX,
-    GRAVITY_X,
-    GRAVITY_Y,
-    STATIC,
-    Bodies,
-    BodyState,
-    Control,
-    X,
-    Y,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Bodies, BodyState, Control
 
 LARGEST = 2.0**256
 """The fourth root of the largest float64, 1.2e77: products of four such numbers are finite."""
@@ -25,7 +14,11 @@ def gather_state(control: Control, state: BodyState, bodies: Bodies) -> bool:
 
     Numbers are finite and not too large, and static bodies stand still.
     """
-    bad = 0 if abs(control.settings[GRAVITY_X]) + abs(control.settings[GRAVITY_Y]) <= LARGEST else 1
+    bad = (
+        0
+        if abs(control.settings[tb.GRAVITY_X]) + abs(control.settings[tb.GRAVITY_Y]) <= LARGEST
+        else 1
+    )
     for i in range(len(state.body_of_slot)):
         k = state.body_of_slot[i]
         at, speed, by = state.pose[k], state.velocity[k], state.load[k]
@@ -33,10 +26,14 @@ def gather_state(control: Control, state: BodyState, bodies: Bodies) -> bool:
             bodies.pose[i, n], bodies.motion[i, n], bodies.load[i, n] = at[n], speed[n], by[n]
         fast = abs(speed[0]) + abs(speed[1]) + abs(speed[2])
         bad += 0 if fast + (abs(by[0]) + abs(by[1]) + abs(by[2])) <= LARGEST else 1
-        radius = bodies.properties[i, BOUNDING_RADIUS]
+        radius = bodies.properties[i, tb.BOUNDING_RADIUS]
         most = RESOLVED * radius if radius > 0.0 else LARGEST
-        bad += 0 if (abs(at[X]) + abs(at[Y]) <= most) & (at[ANGLE] - at[ANGLE] == 0.0) else 1
-        bad += 1 if (fast > 0.0) & (bodies.kind[i] == STATIC) else 0
+        bad += (
+            0
+            if (abs(at[tb.X]) + abs(at[tb.Y]) <= most) & (at[tb.ANGLE] - at[tb.ANGLE] == 0.0)
+            else 1
+        )
+        bad += 1 if (fast > 0.0) & (bodies.kind[i] == tb.STATIC) else 0
     return bad == 0
 
 
@@ -50,8 +47,8 @@ def scatter_state(state: BodyState, bodies: Bodies) -> bool:
         k = state.body_of_slot[i]
         total = 0.0
         for n in range(3):
-            to = bodies.pose[i, n] + bodies.motion[i, DX + n]
-            bodies.pose[i, n], bodies.motion[i, DX + n] = to, 0.0
+            to = bodies.pose[i, n] + bodies.motion[i, tb.DX + n]
+            bodies.pose[i, n], bodies.motion[i, tb.DX + n] = to, 0.0
             total += to + bodies.motion[i, n]
         if total - total == 0.0:
             for n in range(3):

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.engine.tables import CHUNK, LIST_HOLDS, Integers
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Integers
 from tamias2d.engine.world import (
     Capacities,
     allocated,
@@ -82,7 +83,9 @@ class Store:
         if self.size + count < self.capacities.slots:
             return
         idle = self.capacities.slots - 1
-        slots = max(self.size + count, self.capacities.slots * 3 // 2) // CHUNK * CHUNK + CHUNK
+        slots = (
+            max(self.size + count, self.capacities.slots * 3 // 2) // tb.CHUNK * tb.CHUNK + tb.CHUNK
+        )
         self.resize(slots=slots)
         state = self.world.state
         state.slot_of_body[idle:] = state.body_of_slot[idle:] = np.arange(idle, slots)
@@ -133,7 +136,7 @@ class Store:
 
     def forget_pairs(self) -> None:
         """Look for pairs anew at the next step."""
-        self.world.broad_phase.counts[LIST_HOLDS] = 0
+        self.world.broad_phase.counts[tb.LIST_HOLDS] = 0
         self.revision += 1
         self.forget_addresses()
 

@@ -4,6 +4,7 @@ Bodies carry what contacts have done to them, so that a substep visits each cont
 step once more as it begins. Source: Macklin et al. (2019), substeps; Catto (2024), soft step.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.solve import prepare_trees, solve_trees
 from tamias2d.engine.islands import update_islands
 from tamias2d.engine.joints.stages import (
@@ -34,37 +35,7 @@ from tamias2d.engine.solver.lanes import (
 from tamias2d.engine.solver.prefetch import prefetch_blocks, prefetch_manifolds
 from tamias2d.engine.solver.prepare import fill_blocks, prepare_blocks
 from tamias2d.engine.springs.substep import apply_springs, begin_springs, end_springs
-from tamias2d.engine.tables import (
-    ACTIVE,
-    BLOCKS,
-    BOUNCING,
-    FREE_ISLANDS,
-    GRAVITY_X,
-    GRAVITY_Y,
-    IMPACTS,
-    IMPULSE_RATIO,
-    LANES_FILLED,
-    LIMITS,
-    NETWORKS_TOUCHED,
-    OUTWEIGHED,
-    PART_SUBSTEPS,
-    PART_TIME,
-    PREFETCHED,
-    S_BLOCK,
-    S_BODY,
-    S_CONTACT,
-    S_TREE,
-    SLABS,
-    SUBSTEP,
-    SWEEPS,
-    TOUCHING,
-    UNSOLVED,
-    Constraints,
-    Contacts,
-    Control,
-    Direct,
-    World,
-)
+from tamias2d.engine.tables import Constraints, Contacts, Control, Direct, World
 from tamias2d.kernels.assembled import inlined
 
 FEW_BLOCKS = 32  # up to which impacts get more sweeps: no impulses of before are known for them
@@ -76,40 +47,40 @@ SLOWEST_IMPACT = 2.0  # velocities that gravity gives in a step: a slower impact
 def solve_contacts(world: World, contacts: Contacts) -> None:
     """Take the substeps of all bodies with contacts; then restitution, and the bound on energy."""
     control, constraints = world.control, world.constraints
-    if constraints.counts[ACTIVE] == 0:
+    if constraints.counts[tb.ACTIVE] == 0:
         return
-    substep = control.progress[PART_TIME] / control.counts[PART_SUBSTEPS]
-    before = control.settings[SUBSTEP]
-    control.progress[IMPULSE_RATIO] = substep / before if before > 0.0 else 1.0
-    control.settings[SUBSTEP] = substep
+    substep = control.progress[tb.PART_TIME] / control.counts[tb.PART_SUBSTEPS]
+    before = control.settings[tb.SUBSTEP]
+    control.progress[tb.IMPULSE_RATIO] = substep / before if before > 0.0 else 1.0
+    control.settings[tb.SUBSTEP] = substep
     for k in range(len(constraints.energy)):
         constraints.energy[k] = 0.0
-    sprung = world.springs.counts[NETWORKS_TOUCHED] > 0
+    sprung = world.springs.counts[tb.NETWORKS_TOUCHED] > 0
     if sprung:
         begin_springs(substep, world.bodies, world.springs)
-    more = world.touching.counts[IMPACTS] > 0 and constraints.counts[BLOCKS] <= FEW_BLOCKS
-    constraints.counts[SWEEPS] = MORE_SWEEPS if more else 1
-    number, last = constraints.counts[SLABS], 2 * control.counts[PART_SUBSTEPS]
+    more = world.touching.counts[tb.IMPACTS] > 0 and constraints.counts[tb.BLOCKS] <= FEW_BLOCKS
+    constraints.counts[tb.SWEEPS] = MORE_SWEEPS if more else 1
+    number, last = constraints.counts[tb.SLABS], 2 * control.counts[tb.PART_SUBSTEPS]
     for front in range(number + last):  # of two slabs the first is a stage ahead
         for stage in range(max(front - number + 1, 0), min(front, last) + 1):
             take_stage(stage, front - stage, substep, world, contacts)
     note_unsolved(control, world.direct)
-    constraints.counts[LANES_FILLED] = 1
-    looked_at = constraints.counts[BOUNCING] + constraints.counts[FREE_ISLANDS] > 0
+    constraints.counts[tb.LANES_FILLED] = 1
+    looked_at = constraints.counts[tb.BOUNCING] + constraints.counts[tb.FREE_ISLANDS] > 0
     if looked_at or makes_energy(constraints.energy):
         finish_step(world)
     if sprung:
         end_springs(world.bodies, world.springs)
-    if constraints.counts[BOUNCING] > 0:
-        last = world.touching.counts[TOUCHING]
+    if constraints.counts[tb.BOUNCING] > 0:
+        last = world.touching.counts[tb.TOUCHING]
         store_impulses(0, last, control, world.bodies, contacts, world.touching, constraints)
 
 
 def note_unsolved(control: Control, direct: Direct) -> None:
     """Note the first body of an island that was not solved, and whose masses are very different."""
-    if direct.counts[UNSOLVED] > 0 and control.counts[OUTWEIGHED] == 0:
-        control.counts[OUTWEIGHED] = direct.counts[UNSOLVED]
-        control.counts[LIMITS] += 1
+    if direct.counts[tb.UNSOLVED] > 0 and control.counts[tb.OUTWEIGHED] == 0:
+        control.counts[tb.OUTWEIGHED] = direct.counts[tb.UNSOLVED]
+        control.counts[tb.LIMITS] += 1
 
 
 def finish_step(world: World) -> None:
@@ -117,12 +88,12 @@ def finish_step(world: World) -> None:
     bodies, touching, constraints = world.bodies, world.touching, world.constraints
     islands = world.islands
     settings = world.control.settings
-    if constraints.counts[BOUNCING] > 0:
-        gravity = abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y])
-        slowest = SLOWEST_IMPACT * world.control.progress[PART_TIME] * gravity
+    if constraints.counts[tb.BOUNCING] > 0:
+        gravity = abs(settings[tb.GRAVITY_X]) + abs(settings[tb.GRAVITY_Y])
+        slowest = SLOWEST_IMPACT * world.control.progress[tb.PART_TIME] * gravity
         note_before_restitution(bodies, touching, constraints, islands)
         clear_restitution(constraints)
-        few = constraints.counts[BLOCKS] <= FEW_BLOCKS
+        few = constraints.counts[tb.BLOCKS] <= FEW_BLOCKS
         for visit in range(MOST_BOUNCES if few else BOUNCES):
             if apply_restitution(visit > 0, bodies, constraints, slowest):
                 break
@@ -143,15 +114,15 @@ def take_stage(stage: int, slab: int, substep: float, world: World, contacts: Co
         solve_slab(stage > 1, slab, substep, world)
     else:
         relax_slab(slab, substep, world)
-        if stage == 2 * world.control.counts[PART_SUBSTEPS]:
+        if stage == 2 * world.control.counts[tb.PART_SUBSTEPS]:
             end_slab(slab, world, contacts)
 
 
 def bodies_of_stage(slab: int, constraints: Constraints) -> tuple[int, int]:
     """Return the active bodies to take to a stage: the next slab's; of slab 0 its own, too."""
     slabs = constraints.slabs
-    first = slabs[slab + 1, S_BODY] if slab > 0 else 0
-    return first, slabs[min(slab + 2, constraints.counts[SLABS]), S_BODY]
+    first = slabs[slab + 1, tb.S_BODY] if slab > 0 else 0
+    return first, slabs[min(slab + 2, constraints.counts[tb.SLABS]), tb.S_BODY]
 
 
 @inlined
@@ -159,22 +130,24 @@ def begin_slab(slab: int, substep: float, world: World, contacts: Contacts) -> N
     """Prepare the constraints of a slab, and apply the impulses of before."""
     bodies, touching, constraints = world.bodies, world.touching, world.constraints
     slabs, blocks, lanes = constraints.slabs, constraints.blocks, constraints.lanes
-    contact, contact_end = slabs[slab, S_CONTACT], slabs[slab + 1, S_CONTACT]
-    block, block_end = slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK]
-    if constraints.counts[SLABS] > 1:
+    contact, contact_end = slabs[slab, tb.S_CONTACT], slabs[slab + 1, tb.S_CONTACT]
+    block, block_end = slabs[slab, tb.S_BLOCK], slabs[slab + 1, tb.S_BLOCK]
+    if constraints.counts[tb.SLABS] > 1:
         total = prefetch_manifolds(contact, contact_end, contacts, touching)
         total += prefetch_blocks(block, block_end, blocks, lanes)
-        constraints.scratch[PREFETCHED] = total
+        constraints.scratch[tb.PREFETCHED] = total
     first, last = bodies_of_stage(slab, constraints)
     begin_step(first, last, world.control, bodies, touching)
-    if constraints.counts[FREE_ISLANDS] > 0:
+    if constraints.counts[tb.FREE_ISLANDS] > 0:
         begin_moments(first, last, touching, world.islands)
-    if constraints.counts[LANES_FILLED] == 0:
+    if constraints.counts[tb.LANES_FILLED] == 0:
         clear_lanes(block, block_end, len(bodies.kind) - 1, blocks, lanes)
         fill_lanes(contact, contact_end, bodies, world.shapes, contacts, touching, constraints)
     fill_blocks(block, block_end, world.control, bodies, contacts, constraints)
     prepare_blocks(block, block_end, substep, blocks, lanes)
-    prepare_trees(slabs[slab, S_TREE], slabs[slab + 1, S_TREE], bodies, constraints, world.direct)
+    prepare_trees(
+        slabs[slab, tb.S_TREE], slabs[slab + 1, tb.S_TREE], bodies, constraints, world.direct
+    )
     warm_start(block, block_end, bodies, constraints)
     begin_joints(substep, world)
 
@@ -185,18 +158,20 @@ def solve_slab(again: bool, slab: int, substep: float, world: World) -> None:
     bodies, constraints = world.bodies, world.constraints
     slabs = constraints.slabs
     first, last = bodies_of_stage(slab, constraints)
-    if again and constraints.counts[FREE_ISLANDS] > 0:
+    if again and constraints.counts[tb.FREE_ISLANDS] > 0:
         add_moments(first, last, bodies, world.touching, world.islands)
     apply_forces(again, first, last, bodies, world.touching)
-    sprung = world.springs.counts[NETWORKS_TOUCHED] > 0
-    share = 1.0 / world.control.progress[PART_TIME]
+    sprung = world.springs.counts[tb.NETWORKS_TOUCHED] > 0
+    share = 1.0 / world.control.progress[tb.PART_TIME]
     if sprung:
         apply_springs(False, substep, share, bodies, world.springs)
     solve_joints(False, substep, world)
-    tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]
+    tree, tree_end = slabs[slab, tb.S_TREE], slabs[slab + 1, tb.S_TREE]
     solve_trees(False, tree, tree_end, substep, bodies, constraints, world.direct)
-    for _ in range(constraints.counts[SWEEPS]):
-        solve_soft(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)
+    for _ in range(constraints.counts[tb.SWEEPS]):
+        solve_soft(
+            slabs[slab, tb.S_BLOCK], slabs[slab + 1, tb.S_BLOCK], bodies, constraints, substep
+        )
     if sprung:
         apply_springs(True, substep, share, bodies, world.springs)
     solve_joints(True, substep, world)
@@ -208,14 +183,14 @@ def relax_slab(slab: int, substep: float, world: World) -> None:
     bodies, constraints = world.bodies, world.constraints
     slabs = constraints.slabs
     first, last = bodies_of_stage(slab, constraints)
-    if constraints.counts[FREE_ISLANDS] > 0:
+    if constraints.counts[tb.FREE_ISLANDS] > 0:
         add_moments_before(substep, first, last, bodies, world.touching, world.islands)
     integrate_positions(substep, first, last, bodies, world.touching)
     relax_joints(world)
-    tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]
+    tree, tree_end = slabs[slab, tb.S_TREE], slabs[slab + 1, tb.S_TREE]
     solve_trees(True, tree, tree_end, substep, bodies, constraints, world.direct)
-    block, block_end = slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK]
-    for left in range(constraints.counts[SWEEPS] - 1, -1, -1):
+    block, block_end = slabs[slab, tb.S_BLOCK], slabs[slab + 1, tb.S_BLOCK]
+    for left in range(constraints.counts[tb.SWEEPS] - 1, -1, -1):
         relax(block, block_end, bodies, constraints, substep, left == 0)
 
 
@@ -224,11 +199,11 @@ def end_slab(slab: int, world: World, contacts: Contacts) -> None:
     """Add up the energy of a slab, and store its impulses unless restitution changes them."""
     bodies, touching, constraints = world.bodies, world.touching, world.constraints
     slabs = constraints.slabs
-    first, last = slabs[slab, S_BODY], slabs[slab + 1, S_BODY]
+    first, last = slabs[slab, tb.S_BODY], slabs[slab + 1, tb.S_BODY]
     fit_touched(world)
     end_joints(world)
     sum_step_energy(first, last, world.control, bodies, touching, constraints.energy)
     look_at_touched(world)
-    if constraints.counts[BOUNCING] == 0:
-        first, last = slabs[slab, S_CONTACT], slabs[slab + 1, S_CONTACT]
+    if constraints.counts[tb.BOUNCING] == 0:
+        first, last = slabs[slab, tb.S_CONTACT], slabs[slab + 1, tb.S_CONTACT]
         store_impulses(first, last, world.control, bodies, contacts, touching, constraints)

@@ -3,7 +3,8 @@
 Allocation, growth, saving and the entries of compiled code follow from these declarations. Each
 column has a line with its name, unit and meaning; a new one is a new line. The groups by slot hold
 bodies in canonical order, so that bodies that are near in the world are near in memory; the last
-slot is an idle body, all zeros, for lanes of a block that have no contact.
+slot is an idle body, all zeros, for lanes of a block that have no contact. The engine imports the
+groups by their names, and this module as `tb` for all else: `pose[slot, tb.ANGLE]`.
 """
 
 from collections.abc import Mapping

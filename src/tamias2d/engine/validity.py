@@ -5,9 +5,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.state import LARGEST, RESOLVED
 from tamias2d.engine.store import Store
-from tamias2d.engine.tables import BOUNDING_RADIUS, DYNAMIC, STATIC
 from tamias2d.state import Array
 
 NOT_FINITE, TOO_LARGE, TOO_FAR, MOVES, OVERFLOWED = range(5)
@@ -52,14 +52,14 @@ def first_invalid(store: Store) -> Invalid:
         row = int(np.argmax(large))
         quantity = max(list(_COLUMNS)[2:], key=lambda q: np.abs(columns[q][row]).max())
         return Invalid(quantity, row, columns[quantity][row].tolist(), TOO_LARGE)
-    radius = state.properties[:size, BOUNDING_RADIUS]
+    radius = state.properties[:size, tb.BOUNDING_RADIUS]
     with np.errstate(over="ignore"):
         most = np.where(radius > 0.0, RESOLVED * radius, LARGEST)
     place = columns["position"]
     far = (np.abs(place) > most[:, None] / 2) & (np.abs(place).sum(axis=1) > most)[:, None]
     if (invalid := _first("position", place, far, TOO_FAR)) is not None:
         return invalid
-    moving = (speed > 0.0) & (state.kind[:size] == STATIC)[:, None]
+    moving = (speed > 0.0) & (state.kind[:size] == tb.STATIC)[:, None]
     if (invalid := _first("velocity", state.velocity[:size], moving, MOVES)) is not None:
         return invalid
     gravity = store.world.control.settings[:2]
@@ -75,7 +75,7 @@ def overflowed(store: Store) -> Invalid:
     with np.errstate(all="ignore"):
         total = np.abs(numbers[slots]).sum(axis=1)
     total[np.isnan(total)] = np.inf
-    total[world.state.kind[: store.size] != DYNAMIC] = -1.0
+    total[world.state.kind[: store.size] != tb.DYNAMIC] = -1.0
     row = int(np.argmax(total))
     return Invalid("velocity", row, world.state.velocity[row].tolist(), OVERFLOWED)
 

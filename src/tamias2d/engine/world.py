@@ -8,17 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.bvh import first_leaf_node
 from tamias2d.engine.memory import LINE, aligned_zeros
-from tamias2d.engine.tables import (
-    CHUNK,
-    CHUNK_LANES,
-    BodyState,
-    Contacts,
-    Saved,
-    Sized,
-    World,
-)
+from tamias2d.engine.tables import BodyState, Contacts, Saved, Sized, World
 from tamias2d.kernels.groups import array_type, fields_of, is_group
 
 
@@ -26,7 +19,7 @@ from tamias2d.kernels.groups import array_type, fields_of, is_group
 class Capacities:
     """Capacities: the lengths of the axes of all arrays follow from these numbers."""
 
-    slots: int = CHUNK  # one more than bodies, whole chunks
+    slots: int = tb.CHUNK  # one more than bodies, whole chunks
     shapes: int = 0
     vertices: int = 0
     propagators: int = 1
@@ -59,8 +52,8 @@ class Capacities:
             "pair_bodies": 2 * self.contacts + self.members + self.joined,
             "events": events,
             "queue": 4 * events,
-            "chunks": self.slots // CHUNK,
-            "streams": self.slots // CHUNK + 1,
+            "chunks": self.slots // tb.CHUNK,
+            "streams": self.slots // tb.CHUNK + 1,
         }
 
 
@@ -233,7 +226,7 @@ def _with_views(world: World) -> World:
     """Return the world with its chunks, which look at the state of the bodies."""
     state = world.state
     poses, velocities, loads = (
-        values.reshape(-1, CHUNK_LANES) for values in (state.pose, state.velocity, state.load)
+        values.reshape(-1, tb.CHUNK_LANES) for values in (state.pose, state.velocity, state.load)
     )
     chunks = world.chunks._replace(
         poses=poses, velocities=velocities, loads=loads, load_bits=loads.view(np.int64)

@@ -12,27 +12,10 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.saved_checks import require
-from tamias2d.engine.tables import (
-    ABSENT,
-    BOUNDING_RADIUS,
-    DYNAMIC,
-    J_APART,
-    J_SCALE,
-    J_SLIGHT,
-    J_STEP_TOTAL,
-    J_TURNED,
-    JOINTS_APART,
-    JOINTS_TURNED,
-    KEPT,
-    KINEMATIC,
-    LOWER_LIMIT,
-    MOTOR,
-    SPRING,
-    UPPER_LIMIT,
-)
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, MOST_ROWS
 from tamias2d.read_only import read_only
@@ -47,7 +30,7 @@ from tamias2d.simulator.told_only import REMEDIES
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
-_KEPT = slice(J_STEP_TOTAL, J_SCALE + 1)  # numbers of a joint that a step leaves to the next
+_KEPT = slice(tb.J_STEP_TOTAL, tb.J_SCALE + 1)  # numbers of a joint that a step leaves to the next
 _COUNT = _KEPT.stop - _KEPT.start
 STIFFEST = 2.0**29  # of a spring, times the squared step, over mass or inertia
 APART = 1e-3
@@ -161,7 +144,7 @@ class JointSet:
         units = np.array([_units(row) for _, row in rows]).reshape(-1, MOST_ROWS)
         self._are_lengths, self._sizes = units == "m", sizes[self._owner]
         size = np.where(self._are_lengths, self._sizes[:, None], 1.0)
-        slight = slice(J_SLIGHT, J_SLIGHT + MOST_ROWS)
+        slight = slice(tb.J_SLIGHT, tb.J_SLIGHT + MOST_ROWS)
         engine.world.joints.numbers[self._places, slight] = APART / math.sqrt(MOST_ROWS) * size
         if self._saved is not None and self._restored:
             engine.world.joints.numbers[self._places, _KEPT] = self._saved
@@ -177,18 +160,21 @@ class JointSet:
             for row in joint_rows(joint):
                 long = _units(row)[0] == "m"
                 inverse = (engine.inverse_mass if long else engine.inverse_inertia)[bodies]
-                if row.law == SPRING and row.numbers[2] * time_step**2 * inverse.max() > STIFFEST:
+                if (
+                    row.law == tb.SPRING
+                    and row.numbers[2] * time_step**2 * inverse.max() > STIFFEST
+                ):
                     return joint, row.numbers[2]
         return None
 
     def apart(self, engine: Engine) -> tuple[Joint, float] | None:
         """Return a joint that was far apart within the last steps, and by how much; or None."""
         counts, numbers = engine.world.joints.counts, engine.world.joints.numbers
-        if not counts[JOINTS_APART]:
+        if not counts[tb.JOINTS_APART]:
             return None
-        counts[JOINTS_APART] = 0
-        found = numbers[self._places, J_APART : J_APART + MOST_ROWS]
-        numbers[:, J_APART : J_APART + MOST_ROWS] = 0.0
+        counts[tb.JOINTS_APART] = 0
+        found = numbers[self._places, tb.J_APART : tb.J_APART + MOST_ROWS]
+        numbers[:, tb.J_APART : tb.J_APART + MOST_ROWS] = 0.0
         lengths = np.linalg.norm(np.where(self._are_lengths, found, 0.0), axis=1)
         angles = np.linalg.norm(np.where(self._are_lengths, 0.0, found), axis=1)
         shares = np.maximum(lengths / self._sizes, angles)
@@ -202,11 +188,11 @@ class JointSet:
     def turned(self, engine: Engine) -> Joint | None:
         """Return a joint that turned too far in a substep of the last steps; or None."""
         counts, numbers = engine.world.joints.counts, engine.world.joints.numbers
-        if not counts[JOINTS_TURNED]:
+        if not counts[tb.JOINTS_TURNED]:
             return None
-        counts[JOINTS_TURNED] = 0
-        worst = int(self._owner[np.argmax(numbers[self._places, J_TURNED])])
-        numbers[:, J_TURNED] = 0.0
+        counts[tb.JOINTS_TURNED] = 0
+        worst = int(self._owner[np.argmax(numbers[self._places, tb.J_TURNED])])
+        numbers[:, tb.J_TURNED] = 0.0
         return list(self._joints.values())[worst]
 
     def forget_report(self) -> None:
@@ -282,7 +268,11 @@ class JointSet:
             fits = len(set(held)) == len(held) and all(0 <= body < len(kind) for body in held)
             require(fits and np.isfinite(row.given).all(), name, "must be of bodies, and numbers")
             kinds = kind[held]
-            fits = bool((kinds == DYNAMIC).any()) and ABSENT not in kinds and KINEMATIC not in kinds
+            fits = (
+                bool((kinds == tb.DYNAMIC).any())
+                and tb.ABSENT not in kinds
+                and tb.KINEMATIC not in kinds
+            )
             require(fits, name, "must hold a body that moves")
         own = cls(joints)
         if joints:
@@ -334,20 +324,20 @@ def joint_rows(joint: Joint) -> list[JointRow]:
 def _governed(joint: Joint, freedom: Freedom) -> Iterable[JointRow]:
     limits, motor, spring = freedom.limits, freedom.motor, freedom.spring
     if limits and limits.lower is not None:
-        yield _row(joint.measured(freedom, limits.lower), LOWER_LIMIT)
+        yield _row(joint.measured(freedom, limits.lower), tb.LOWER_LIMIT)
     if limits and limits.upper is not None:
-        yield _row(joint.measured(freedom, limits.upper), UPPER_LIMIT)
+        yield _row(joint.measured(freedom, limits.upper), tb.UPPER_LIMIT)
     if motor:
         most = math.inf if motor.maximum is None else motor.maximum
-        yield _row(joint.measured(freedom, 0.0), MOTOR, (motor.speed, most, 0.0, 0.0))
+        yield _row(joint.measured(freedom, 0.0), tb.MOTOR, (motor.speed, most, 0.0, 0.0))
     if spring:
         rest = cast(float, spring.rest)
         numbers = (0.0, 0.0, spring.stiffness, spring.damping)
-        yield _row(joint.measured(freedom, rest), SPRING, numbers)
+        yield _row(joint.measured(freedom, rest), tb.SPRING, numbers)
 
 
 def _row(
-    joint: Joint, law: int = KEPT, numbers: tuple[float, float, float, float] = (0.0,) * 4
+    joint: Joint, law: int = tb.KEPT, numbers: tuple[float, float, float, float] = (0.0,) * 4
 ) -> JointRow:
     given = [joint.given[name] for name in joint.functions.parameters]
     parts = [x for value in given for x in (value if isinstance(value, tuple) else (value,))]
@@ -359,7 +349,7 @@ def _size(joint: Joint, engine: Engine) -> float:
     """Return how large a joint and the bodies that it holds are, m; infinite if they are points."""
     held = zip(joint.anchors, joint.ends, strict=True)
     lengths = [math.hypot(*anchor) for anchor, body in held if body is not None]
-    lengths += [float(engine.world.state.properties[k, BOUNDING_RADIUS]) for k in joint.bodies]
+    lengths += [float(engine.world.state.properties[k, tb.BOUNDING_RADIUS]) for k in joint.bodies]
     lengths += [value for value in (joint.given.get("joint_length"),) if isinstance(value, float)]
     return max(lengths) or math.inf
 
@@ -461,15 +451,15 @@ class Standing:
         x, y, turn = engine.pose[row].tolist()
         u, v, spin = engine.velocity[row].tolist()
         inverse = float(engine.inverse_inertia[row])
-        radius = float(engine.world.state.properties[row, BOUNDING_RADIUS])
+        radius = float(engine.world.state.properties[row, tb.BOUNDING_RADIUS])
         return _Standing(
             name=self._names.get(row, str(row)),
             position=(x, y),
             orientation=turn,
             velocity=(u, v),
             angular_velocity=spin,
-            dynamic=bool(engine.kind[row] == DYNAMIC),
-            kinematic=bool(engine.kind[row] == KINEMATIC),
+            dynamic=bool(engine.kind[row] == tb.DYNAMIC),
+            kinematic=bool(engine.kind[row] == tb.KINEMATIC),
             inertia=1 / inverse if inverse > 0 else np.inf,
             shape=_Shape(radius),
         )

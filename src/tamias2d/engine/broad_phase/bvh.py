@@ -5,7 +5,8 @@ holds the nodes 2k and 2k + 1. Cost: n log n to build, log n and the answers to 
 Source: Morton (1966).
 """
 
-from tamias2d.engine.tables import ABSENT, FAT, HALF_PLANE, KEY, LEAF, SHAPE_OF_RANK, Integers, Tree
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Integers, Tree
 from tamias2d.state import Array, Vector
 
 BUNCH = 4  # shapes under a node of the lowest level
@@ -23,16 +24,16 @@ def build_tree(
     shapes in canonical order.
     """
     order, leaf, keys, boxes = (
-        canonical[SHAPE_OF_RANK],
-        tree.morton[LEAF],
-        tree.morton[KEY],
+        canonical[tb.SHAPE_OF_RANK],
+        tree.morton[tb.LEAF],
+        tree.morton[tb.KEY],
         tree.boxes,
     )
     count = 0
     low_x, low_y, high_x, high_y = FAR, FAR, -FAR, -FAR
     for k in range(len(order)):
         s = order[k]
-        if shape_kind[s] != HALF_PLANE and kind[body[s]] != ABSENT:
+        if shape_kind[s] != tb.HALF_PLANE and kind[body[s]] != tb.ABSENT:
             x, y = box_centre(s, boxes)
             low_x, high_x = min(low_x, x), max(high_x, x)
             low_y, high_y = min(low_y, y), max(high_y, y)
@@ -51,8 +52,8 @@ def build_tree(
 
 def box_centre(s: int, boxes: Array) -> Vector:
     """Return the centre of the fat box of a shape."""
-    x = 0.5 * boxes[s, FAT] + 0.5 * boxes[s, FAT + 2]
-    y = 0.5 * boxes[s, FAT + 1] + 0.5 * boxes[s, FAT + 3]
+    x = 0.5 * boxes[s, tb.FAT] + 0.5 * boxes[s, tb.FAT + 2]
+    y = 0.5 * boxes[s, tb.FAT + 1] + 0.5 * boxes[s, tb.FAT + 3]
     return x, y
 
 
@@ -76,17 +77,17 @@ def radix_pass(count: int, shift: int, source: Integers, target: Integers, bins:
     for k in range(BINS):
         bins[k] = 0
     for k in range(count):
-        bins[(source[KEY, k] >> shift) & (BINS - 1)] += 1
+        bins[(source[tb.KEY, k] >> shift) & (BINS - 1)] += 1
     start = 0
     for k in range(BINS):
         size = bins[k]
         bins[k] = start
         start += size
     for k in range(count):
-        key = source[KEY, k]
+        key = source[tb.KEY, k]
         place = bins[(key >> shift) & (BINS - 1)]
         bins[(key >> shift) & (BINS - 1)] = place + 1
-        target[LEAF, place], target[KEY, place] = source[LEAF, k], key
+        target[tb.LEAF, place], target[tb.KEY, place] = source[tb.LEAF, k], key
 
 
 def first_leaf_node(count: int) -> int:
@@ -104,8 +105,8 @@ def fit_nodes(count: int, leaf: Integers, boxes: Array, nodes: Array) -> None:
         low_x, low_y, high_x, high_y = FAR, FAR, -FAR, -FAR
         for m in range(BUNCH * k, min(BUNCH * k + BUNCH, count)):
             s = leaf[m]
-            low_x, high_x = min(low_x, boxes[s, FAT]), max(high_x, boxes[s, FAT + 2])
-            low_y, high_y = min(low_y, boxes[s, FAT + 1]), max(high_y, boxes[s, FAT + 3])
+            low_x, high_x = min(low_x, boxes[s, tb.FAT]), max(high_x, boxes[s, tb.FAT + 2])
+            low_y, high_y = min(low_y, boxes[s, tb.FAT + 1]), max(high_y, boxes[s, tb.FAT + 3])
         nodes[first + k, 0], nodes[first + k, 1] = low_x, low_y
         nodes[first + k, 2], nodes[first + k, 3] = high_x, high_y
     for k in range(first - 1, 0, -1):

@@ -4,6 +4,7 @@ Pairs of leaves whose boxes overlap are found in the tree; circles and sides the
 Cost: n log n, and the pairs.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.bvh import BUNCH, build_tree, first_leaf_node
 from tamias2d.engine.broad_phase.fat_box import (
     circles_apart,
@@ -13,23 +14,7 @@ from tamias2d.engine.broad_phase.fat_box import (
     sides_apart,
 )
 from tamias2d.engine.broad_phase.node_filters import may_meet, note_node_filters
-from tamias2d.engine.tables import (
-    ABSENT,
-    CATEGORY,
-    DYNAMIC,
-    FAT,
-    GROUP,
-    HALF_PLANE,
-    LEAF,
-    LEAVES,
-    MASK,
-    RANK,
-    Bodies,
-    BroadPhase,
-    Integers,
-    Shapes,
-    Tree,
-)
+from tamias2d.engine.tables import Bodies, BroadPhase, Integers, Shapes, Tree
 from tamias2d.state import Array
 
 
@@ -39,12 +24,12 @@ def find_candidates(bodies: Bodies, shapes: Shapes, tree: Tree, broad_phase: Bro
     If there is no room for all of them, only their number is right.
     """
     leaves = build_tree(shapes.kind, shapes.slot, bodies.kind, broad_phase.canonical, tree)
-    tree.counts[LEAVES] = leaves
+    tree.counts[tb.LEAVES] = leaves
     for k in range(leaves):
-        s = tree.morton[LEAF, k]
+        s = tree.morton[tb.LEAF, k]
         tree.leaf_of_shape[s] = k
         for n in range(4):
-            tree.boxes[k, n] = tree.boxes[s, FAT + n]
+            tree.boxes[k, n] = tree.boxes[s, tb.FAT + n]
         note_centre(k, s, bodies, shapes, tree, broad_phase)
     filtered = note_node_filters(leaves, shapes.filters, tree)
     overlapping = find_leaf_pairs(leaves, filtered, tree, broad_phase.leaf_pairs)
@@ -55,7 +40,7 @@ def find_candidates(bodies: Bodies, shapes: Shapes, tree: Tree, broad_phase: Bro
         k, m = broad_phase.leaf_pairs[p, 0], broad_phase.leaf_pairs[p, 1]
         total = note_if_near(total, k, m, bodies, shapes, tree, broad_phase)
     for s in range(len(shapes.kind)):
-        if shapes.kind[s] == HALF_PLANE and bodies.kind[shapes.slot[s]] != ABSENT:
+        if shapes.kind[s] == tb.HALF_PLANE and bodies.kind[shapes.slot[s]] != tb.ABSENT:
             total = find_all_beside(total, s, bodies, shapes, tree, broad_phase)
     return total
 
@@ -114,7 +99,7 @@ def note_if_near(
     """Note two leaves as a candidate if their shapes may touch; return how many there are."""
     if circles_apart(tree.centres[k], tree.centres[m]):
         return total
-    s, t = tree.morton[LEAF, k], tree.morton[LEAF, m]
+    s, t = tree.morton[tb.LEAF, k], tree.morton[tb.LEAF, m]
     if may_collide(s, t, bodies, shapes) and not sides_apart(
         k, m, bodies, shapes, tree, broad_phase
     ):
@@ -128,8 +113,8 @@ def find_all_beside(
     """Note the leaves that reach into a half-plane; return how many candidates there are."""
     offset = half_plane_offset(s, shapes, broad_phase)
     side = shapes.world_vertices[shapes.first[s]]
-    for k in range(tree.counts[LEAVES]):
-        t = tree.morton[LEAF, k]
+    for k in range(tree.counts[tb.LEAVES]):
+        t = tree.morton[tb.LEAF, k]
         if reaches_half_plane(t, offset, side, tree.boxes) and may_collide(s, t, bodies, shapes):
             total = note_candidate(total, s, t, broad_phase)
     return total
@@ -138,20 +123,20 @@ def find_all_beside(
 def may_collide(s: int, t: int, bodies: Bodies, shapes: Shapes) -> bool:
     """Return whether two shapes may collide by their bodies and filters."""
     i, j, filters = shapes.slot[s], shapes.slot[t], shapes.filters
-    if i == j or max(bodies.kind[i], bodies.kind[j]) != DYNAMIC:
+    if i == j or max(bodies.kind[i], bodies.kind[j]) != tb.DYNAMIC:
         return False
-    group = filters[s, GROUP]
-    if group != 0 and group == filters[t, GROUP]:
+    group = filters[s, tb.GROUP]
+    if group != 0 and group == filters[t, tb.GROUP]:
         return bool(group > 0)
     return bool(
-        (filters[s, CATEGORY] & filters[t, MASK]) != 0
-        and (filters[t, CATEGORY] & filters[s, MASK]) != 0
+        (filters[s, tb.CATEGORY] & filters[t, tb.MASK]) != 0
+        and (filters[t, tb.CATEGORY] & filters[s, tb.MASK]) != 0
     )
 
 
 def note_candidate(total: int, s: int, t: int, broad_phase: BroadPhase) -> int:
     """Write a pair by its ranks, the lower one first, if there is room; count it in any case."""
-    rank, candidates = broad_phase.canonical[RANK], broad_phase.candidates
+    rank, candidates = broad_phase.canonical[tb.RANK], broad_phase.candidates
     if total < len(candidates):
         a, b = rank[s], rank[t]
         candidates[total, 0], candidates[total, 1] = min(a, b), max(a, b)

@@ -3,34 +3,8 @@
 Where all bodies fall together, none comes nearer to another, and the contact list holds for long.
 """
 
-from tamias2d.engine.tables import (
-    DECAY,
-    DYNAMIC,
-    FRAME_AX,
-    FRAME_AY,
-    FRAME_MOVES,
-    FRAME_PROPAGATOR,
-    FRAME_VX,
-    FRAME_VY,
-    FRAME_X,
-    FRAME_Y,
-    GAIN,
-    GRAVITY_X,
-    GRAVITY_Y,
-    INVERSE_MASS,
-    LIFT,
-    OUT_OF_BOUNDS,
-    PROPAGATOR,
-    STAGE,
-    TOUCHING,
-    VX,
-    VY,
-    WHOLE_STEP,
-    Bodies,
-    BroadPhase,
-    Control,
-    Touching,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Bodies, BroadPhase, Control, Touching
 from tamias2d.generated.definitions import (
     acceleration,
     coordinate_displacement,
@@ -38,7 +12,7 @@ from tamias2d.generated.definitions import (
     coordinate_velocity_later,
 )
 
-FRAME_COLUMNS = FRAME_PROPAGATOR + 3
+FRAME_COLUMNS = tb.FRAME_PROPAGATOR + 3
 
 
 def choose_frame(
@@ -51,36 +25,39 @@ def choose_frame(
     frame = broad_phase.frame
     for k in range(FRAME_COLUMNS):
         frame[k] = 0.0
-    if touching.counts[TOUCHING] > 0 or control.counts[STAGE] == OUT_OF_BOUNDS:
+    if touching.counts[tb.TOUCHING] > 0 or control.counts[tb.STAGE] == tb.OUT_OF_BOUNDS:
         return
-    gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     number = 0
     for i in range(len(bodies.kind)):
-        if bodies.kind[i] == DYNAMIC:
+        if bodies.kind[i] == tb.DYNAMIC:
             properties, load = bodies.properties[i], bodies.load[i]
-            by_x, by_y = acceleration(gravity, (load[0], load[1]), properties[INVERSE_MASS])
-            frame[FRAME_VX] += bodies.motion[i, VX]
-            frame[FRAME_VY] += bodies.motion[i, VY]
-            frame[FRAME_AX] += by_x
-            frame[FRAME_AY] += by_y
-            propagator = bodies.propagators[int(properties[PROPAGATOR])]
+            by_x, by_y = acceleration(gravity, (load[0], load[1]), properties[tb.INVERSE_MASS])
+            frame[tb.FRAME_VX] += bodies.motion[i, tb.VX]
+            frame[tb.FRAME_VY] += bodies.motion[i, tb.VY]
+            frame[tb.FRAME_AX] += by_x
+            frame[tb.FRAME_AY] += by_y
+            propagator = bodies.propagators[int(properties[tb.PROPAGATOR])]
             for k in range(3):
-                frame[FRAME_PROPAGATOR + k] += propagator[WHOLE_STEP + k]
+                frame[tb.FRAME_PROPAGATOR + k] += propagator[tb.WHOLE_STEP + k]
             number += 1
     if number > 0:
         for k in range(FRAME_COLUMNS):
             frame[k] /= number
-        frame[FRAME_MOVES] = 1.0
+        frame[tb.FRAME_MOVES] = 1.0
 
 
 def move_frame(broad_phase: BroadPhase) -> None:
     """Let the frame go on through a step (DD41)."""
     frame = broad_phase.frame
-    if frame[FRAME_MOVES] == 0.0:
+    if frame[tb.FRAME_MOVES] == 0.0:
         return
-    decay, gain = frame[FRAME_PROPAGATOR + DECAY], frame[FRAME_PROPAGATOR + GAIN]
-    lift = frame[FRAME_PROPAGATOR + LIFT]
-    for speed, by, at in ((FRAME_VX, FRAME_AX, FRAME_X), (FRAME_VY, FRAME_AY, FRAME_Y)):
+    decay, gain = frame[tb.FRAME_PROPAGATOR + tb.DECAY], frame[tb.FRAME_PROPAGATOR + tb.GAIN]
+    lift = frame[tb.FRAME_PROPAGATOR + tb.LIFT]
+    for speed, by, at in (
+        (tb.FRAME_VX, tb.FRAME_AX, tb.FRAME_X),
+        (tb.FRAME_VY, tb.FRAME_AY, tb.FRAME_Y),
+    ):
         frame[at] += coordinate_displacement(gain, lift, frame[speed], frame[by])
         frame[speed] = coordinate_velocity_later(
             decay, frame[speed], coordinate_velocity_gain(gain, frame[by])

@@ -5,39 +5,13 @@ rebuilt, and those added since. So no result depends on the order in which bodie
 found. The list stands in one of two buffers; a new one is made in the other. Cost: one merge.
 """
 
-from tamias2d.engine.tables import (
-    ARRANGED,
-    AXIS_CACHE,
-    BUFFER,
-    CACHED_AXIS,
-    CONTACTS,
-    FIRST_RUN,
-    ISLANDS_KNOWN,
-    KNOWN_SIDE,
-    LOCATED,
-    MANIFOLD,
-    MET_IN_FLIGHT,
-    POINT,
-    POINT_COUNT,
-    RANK,
-    SENSES,
-    SENSOR,
-    SHAPE_OF_RANK,
-    SLOT_A,
-    SLOT_B,
-    TOUCHES,
-    BroadPhase,
-    ContactBuffers,
-    Contacts,
-    Integers,
-    Shapes,
-    Touching,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import BroadPhase, ContactBuffers, Contacts, Integers, Shapes, Touching
 
 
 def current_contacts(broad_phase: BroadPhase, buffers: ContactBuffers) -> Contacts:
     """Return the contacts in use."""
-    return buffered(broad_phase.counts[BUFFER], buffers)
+    return buffered(broad_phase.counts[tb.BUFFER], buffers)
 
 
 def buffered(side: int, buffers: ContactBuffers) -> Contacts:
@@ -53,12 +27,12 @@ def replace_contacts(
     A contact that touched and is no candidate any more stays once, so that its end is reported.
     Returns how many contacts there are; if there is no room for them, the list is as it was.
     """
-    counts, rank = broad_phase.counts, broad_phase.canonical[RANK]
-    side = counts[BUFFER]
+    counts, rank = broad_phase.counts, broad_phase.canonical[tb.RANK]
+    side = counts[tb.BUFFER]
     contacts, following = buffered(side, buffers), buffered(1 - side, buffers)
     pairs = contacts.pairs
     size = 0
-    first, second = 0, counts[FIRST_RUN]  # heads of the two runs
+    first, second = 0, counts[tb.FIRST_RUN]  # heads of the two runs
     for p in range(total + 1):
         a, b = (
             (broad_phase.candidates[p, 0], broad_phase.candidates[p, 1])
@@ -67,15 +41,15 @@ def replace_contacts(
         )
         known = False
         while True:
-            from_first = first < counts[FIRST_RUN] and (
-                second == counts[CONTACTS] or not comes_before(second, first, rank, pairs)
+            from_first = first < counts[tb.FIRST_RUN] and (
+                second == counts[tb.CONTACTS] or not comes_before(second, first, rank, pairs)
             )
             old = first if from_first else second
-            if old == counts[CONTACTS] or is_after(old, a, b, rank, pairs):
+            if old == counts[tb.CONTACTS] or is_after(old, a, b, rank, pairs):
                 break
             first, second = (first + 1, second) if from_first else (first, second + 1)
             known = has_ranks(old, a, b, rank, pairs)
-            if known or contacts.flags[old, TOUCHES] != 0:
+            if known or contacts.flags[old, tb.TOUCHES] != 0:
                 if size < len(pairs):
                     copy_contact(old, in_parts, contacts, following, size)
                 size += 1
@@ -84,8 +58,8 @@ def replace_contacts(
                 begin_contact(a, b, shapes, broad_phase, following, size)
             size += 1
     if size <= len(pairs):
-        counts[BUFFER] = 1 - side
-        counts[CONTACTS] = counts[FIRST_RUN] = size
+        counts[tb.BUFFER] = 1 - side
+        counts[tb.CONTACTS] = counts[tb.FIRST_RUN] = size
         note_first_of_rank(rank, following.pairs, size, broad_phase.first_of_rank)
     return size
 
@@ -128,17 +102,17 @@ def add_contacts(
 
     Returns whether there was room for them.
     """
-    counts, rank = broad_phase.counts, broad_phase.canonical[RANK]
+    counts, rank = broad_phase.counts, broad_phase.canonical[tb.RANK]
     new = keep_new_candidates(total, broad_phase, contacts)
-    if counts[CONTACTS] + new > len(contacts.pairs):
+    if counts[tb.CONTACTS] + new > len(contacts.pairs):
         return False
     if new > 0:  # contacts get other places
-        touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
-    old, place = counts[CONTACTS] - 1, counts[CONTACTS] + new - 1
-    counts[CONTACTS] += new
+        touching.counts[tb.ARRANGED] = touching.counts[tb.ISLANDS_KNOWN] = 0
+    old, place = counts[tb.CONTACTS] - 1, counts[tb.CONTACTS] + new - 1
+    counts[tb.CONTACTS] += new
     while new > 0:  # from the end, so that each moves once
         a, b = broad_phase.candidates[new - 1, 0], broad_phase.candidates[new - 1, 1]
-        if old >= counts[FIRST_RUN] and is_after(old, a, b, rank, contacts.pairs):
+        if old >= counts[tb.FIRST_RUN] and is_after(old, a, b, rank, contacts.pairs):
             copy_contact(old, in_parts, contacts, contacts, place)
             old -= 1
         else:
@@ -150,16 +124,16 @@ def add_contacts(
 
 def keep_new_candidates(total: int, broad_phase: BroadPhase, contacts: Contacts) -> int:
     """Keep the sorted candidates that are not on the list; return how many."""
-    counts, rank = broad_phase.counts, broad_phase.canonical[RANK]
+    counts, rank = broad_phase.counts, broad_phase.canonical[tb.RANK]
     candidates, starts, pairs = broad_phase.candidates, broad_phase.first_of_rank, contacts.pairs
     new = 0
-    second = counts[FIRST_RUN]
+    second = counts[tb.FIRST_RUN]
     for p in range(total):
         a, b = candidates[p, 0], candidates[p, 1]
         known = False
         for k in range(starts[a], starts[a + 1]):
             known = known | (rank[pairs[k, 1]] == b)
-        while second < counts[CONTACTS] and not is_after(second, a, b, rank, pairs):
+        while second < counts[tb.CONTACTS] and not is_after(second, a, b, rank, pairs):
             known = known | has_ranks(second, a, b, rank, pairs)
             second += 1
         if not known:
@@ -178,39 +152,39 @@ def copy_contact(
     """
     for k in range(4):
         following.pairs[new, k] = contacts.pairs[old, k]
-    touches = contacts.flags[old, TOUCHES] + contacts.flags[old, LOCATED] != 0
-    points, known = contacts.flags[old, POINT_COUNT], contacts.flags[old, KNOWN_SIDE]
+    touches = contacts.flags[old, tb.TOUCHES] + contacts.flags[old, tb.LOCATED] != 0
+    points, known = contacts.flags[old, tb.POINT_COUNT], contacts.flags[old, tb.KNOWN_SIDE]
     if points > 0 or touches or known == 1:
-        met = in_parts or contacts.flags[old, TOUCHES] >= MET_IN_FLIGHT
-        for k in range(POINT if points == 1 and known == 0 and not met else MANIFOLD):
+        met = in_parts or contacts.flags[old, tb.TOUCHES] >= tb.MET_IN_FLIGHT
+        for k in range(tb.POINT if points == 1 and known == 0 and not met else tb.MANIFOLD):
             following.manifolds[new, k] = contacts.manifolds[old, k]
         for k in range(contacts.flags.shape[1]):
             following.flags[new, k] = contacts.flags[old, k]
     else:
         clear_flags(new, following.flags)
-        following.flags[new, SENSES] = contacts.flags[old, SENSES]
-        if contacts.flags[old, CACHED_AXIS] != 0:
+        following.flags[new, tb.SENSES] = contacts.flags[old, tb.SENSES]
+        if contacts.flags[old, tb.CACHED_AXIS] != 0:
             copy_axis(old, contacts, following, new)
 
 
 def copy_axis(old: int, contacts: Contacts, following: Contacts, new: int) -> None:
     """Copy the cached axis of a contact."""
     for k in range(2):
-        following.flags[new, CACHED_AXIS + k] = contacts.flags[old, CACHED_AXIS + k]
+        following.flags[new, tb.CACHED_AXIS + k] = contacts.flags[old, tb.CACHED_AXIS + k]
     for k in range(4):
-        following.manifolds[new, AXIS_CACHE + k] = contacts.manifolds[old, AXIS_CACHE + k]
+        following.manifolds[new, tb.AXIS_CACHE + k] = contacts.manifolds[old, tb.AXIS_CACHE + k]
 
 
 def begin_contact(
     a: int, b: int, shapes: Shapes, broad_phase: BroadPhase, contacts: Contacts, new: int
 ) -> None:
     """Begin a contact between the shapes of two ranks, which does not touch."""
-    pair, shape_of_rank = contacts.pairs[new], broad_phase.canonical[SHAPE_OF_RANK]
+    pair, shape_of_rank = contacts.pairs[new], broad_phase.canonical[tb.SHAPE_OF_RANK]
     pair[0], pair[1] = shape_of_rank[a], shape_of_rank[b]
-    pair[SLOT_A], pair[SLOT_B] = shapes.slot[pair[0]], shapes.slot[pair[1]]
+    pair[tb.SLOT_A], pair[tb.SLOT_B] = shapes.slot[pair[0]], shapes.slot[pair[1]]
     clear_flags(new, contacts.flags)
-    sensors = shapes.filters[pair[0], SENSOR] + shapes.filters[pair[1], SENSOR]
-    contacts.flags[new, SENSES] = 1 if sensors > 0 else 0
+    sensors = shapes.filters[pair[0], tb.SENSOR] + shapes.filters[pair[1], tb.SENSOR]
+    contacts.flags[new, tb.SENSES] = 1 if sensors > 0 else 0
 
 
 def clear_flags(p: int, flags: Integers) -> None:

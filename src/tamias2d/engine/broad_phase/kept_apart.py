@@ -1,15 +1,16 @@
 """Bodies that joints keep from touching: their pairs are no candidates for contacts."""
 
-from tamias2d.engine.tables import JOINTS, SHAPE_OF_RANK, BodyState, BroadPhase, Joints
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import BodyState, BroadPhase, Joints
 
 
 def without_kept_apart(
     total: int, state: BodyState, broad_phase: BroadPhase, joints: Joints
 ) -> int:
     """Leave out the candidates whose bodies joints keep apart; return how many there are left."""
-    if joints.counts[JOINTS] == 0 or total > len(broad_phase.candidates):
+    if joints.counts[tb.JOINTS] == 0 or total > len(broad_phase.candidates):
         return total
-    candidates, shape_of_rank = broad_phase.candidates, broad_phase.canonical[SHAPE_OF_RANK]
+    candidates, shape_of_rank = broad_phase.candidates, broad_phase.canonical[tb.SHAPE_OF_RANK]
     left = 0
     for p in range(total):
         a, b = candidates[p, 0], candidates[p, 1]

@@ -3,6 +3,7 @@
 It is made for as many steps ahead as has been worth while.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.candidates import find_candidates, sort_candidates
 from tamias2d.engine.broad_phase.comoving_frame import choose_frame
 from tamias2d.engine.broad_phase.contact_list import replace_contacts
@@ -10,26 +11,7 @@ from tamias2d.engine.broad_phase.fat_bounds import fatten_all_bounds
 from tamias2d.engine.broad_phase.fat_box import fatten_box
 from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.broad_phase.update import update_incrementally
-from tamias2d.engine.tables import (
-    ARRANGED,
-    CONTACTS,
-    DONE,
-    FRAME_MOVES,
-    HORIZON,
-    ISLANDS_KNOWN,
-    LEVEL,
-    LIST_HOLDS,
-    MORE_CANDIDATES,
-    MORE_CONTACTS,
-    OUT_OF_BOUNDS,
-    PART_TIME,
-    ROWS_NEEDED,
-    STAGE,
-    STEPS_SINCE,
-    UPDATED,
-    Integers,
-    World,
-)
+from tamias2d.engine.tables import Integers, World
 
 LONGEST_HORIZON = 64  # steps
 SHORTEST_HORIZON = 3  # steps, for a list that is crowded
@@ -45,17 +27,17 @@ def update_pairs(left: int, world: World) -> bool:
     """
     bodies, broad_phase = world.bodies, world.broad_phase
     counts = broad_phase.counts
-    in_flight = world.control.counts[STAGE] == OUT_OF_BOUNDS
-    many = left + counts[UPDATED] > MOST_UPDATED * len(bodies.kind)
-    moves = broad_phase.frame[FRAME_MOVES] != 0.0
-    if counts[LIST_HOLDS] == 0 or many or (moves and in_flight):
-        counts[LIST_HOLDS] = 0
+    in_flight = world.control.counts[tb.STAGE] == tb.OUT_OF_BOUNDS
+    many = left + counts[tb.UPDATED] > MOST_UPDATED * len(bodies.kind)
+    moves = broad_phase.frame[tb.FRAME_MOVES] != 0.0
+    if counts[tb.LIST_HOLDS] == 0 or many or (moves and in_flight):
+        counts[tb.LIST_HOLDS] = 0
         for i in range(len(broad_phase.left) if left > 0 else 0):
             broad_phase.left[i] = 0
         return False
     if left > 0:
-        counts[LIST_HOLDS] = 1 if update_incrementally(world) else 0
-    return bool(counts[LIST_HOLDS] == 1)
+        counts[tb.LIST_HOLDS] = 1 if update_incrementally(world) else 0
+    return bool(counts[tb.LIST_HOLDS] == 1)
 
 
 def rebuild_pairs(world: World) -> int:
@@ -66,27 +48,27 @@ def rebuild_pairs(world: World) -> int:
     choose_horizon(len(shapes.slot), counts)
     choose_frame(control, bodies, broad_phase, world.touching)
     total = find_ahead(world)
-    while total > TOO_CROWDED * len(shapes.slot) and counts[HORIZON] > 1:
-        counts[HORIZON] //= 2
+    while total > TOO_CROWDED * len(shapes.slot) and counts[tb.HORIZON] > 1:
+        counts[tb.HORIZON] //= 2
         total = find_ahead(world)
     total = without_kept_apart(total, world.state, broad_phase, world.joints)
     if total > len(broad_phase.candidates):
-        control.counts[ROWS_NEEDED] = total
-        return MORE_CANDIDATES
+        control.counts[tb.ROWS_NEEDED] = total
+        return tb.MORE_CANDIDATES
     sort_candidates(total, broad_phase)
-    size = replace_contacts(total, control.counts[LEVEL] > 0, shapes, broad_phase, world.buffers)
+    size = replace_contacts(total, control.counts[tb.LEVEL] > 0, shapes, broad_phase, world.buffers)
     if size > world.buffers.pairs.shape[1]:
-        control.counts[ROWS_NEEDED] = size
-        return MORE_CONTACTS
-    counts[LIST_HOLDS], counts[UPDATED] = 1, 0
-    world.touching.counts[ARRANGED] = world.touching.counts[ISLANDS_KNOWN] = 0
-    return DONE
+        control.counts[tb.ROWS_NEEDED] = size
+        return tb.MORE_CONTACTS
+    counts[tb.LIST_HOLDS], counts[tb.UPDATED] = 1, 0
+    world.touching.counts[tb.ARRANGED] = world.touching.counts[tb.ISLANDS_KNOWN] = 0
+    return tb.DONE
 
 
 def find_ahead(world: World) -> int:
     """Find the pairs that may meet within the horizon; return how many."""
     bodies, shapes, tree, broad_phase = world.bodies, world.shapes, world.tree, world.broad_phase
-    ahead = broad_phase.counts[HORIZON] * world.control.progress[PART_TIME]
+    ahead = broad_phase.counts[tb.HORIZON] * world.control.progress[tb.PART_TIME]
     fatten_all_bounds(bodies, broad_phase, ahead)
     for s in range(len(shapes.slot)):
         fatten_box(s, bodies, shapes, tree, broad_phase)
@@ -95,9 +77,9 @@ def find_ahead(world: World) -> int:
 
 def choose_horizon(shapes: int, counts: Integers) -> None:
     """Choose for how many steps the list is made, by how long the last one held."""
-    if counts[STEPS_SINCE] > 0:
-        if counts[CONTACTS] > CROWDED * shapes:
-            counts[HORIZON] = max(counts[HORIZON] // 2, SHORTEST_HORIZON)
-        elif 2 * counts[STEPS_SINCE] >= counts[HORIZON]:
-            counts[HORIZON] = min(2 * counts[HORIZON], LONGEST_HORIZON)
-        counts[STEPS_SINCE] = 0
+    if counts[tb.STEPS_SINCE] > 0:
+        if counts[tb.CONTACTS] > CROWDED * shapes:
+            counts[tb.HORIZON] = max(counts[tb.HORIZON] // 2, SHORTEST_HORIZON)
+        elif 2 * counts[tb.STEPS_SINCE] >= counts[tb.HORIZON]:
+            counts[tb.HORIZON] = min(2 * counts[tb.HORIZON], LONGEST_HORIZON)
+        counts[tb.STEPS_SINCE] = 0

@@ -1,7 +1,8 @@
 """Vertices of shapes in the axes of the world, which are turned only where that may change them."""
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.rotation import cosine_sine
-from tamias2d.engine.tables import ANGLE, HALF_PLANE, Bodies, Shapes
+from tamias2d.engine.tables import Bodies, Shapes
 from tamias2d.kernels.assembled import inlined
 
 
@@ -16,11 +17,11 @@ def turn_vertices(bodies: Bodies, shapes: Shapes, least: int) -> None:
 def turn_shape(s: int, bodies: Bodies, shapes: Shapes) -> None:
     """Turn the vertices of a shape, unless it is a half-plane or a disc around the centre."""
     local, world, first = shapes.local_vertices, shapes.world_vertices, shapes.first[s]
-    if shapes.kind[s] == HALF_PLANE or (
+    if shapes.kind[s] == tb.HALF_PLANE or (
         shapes.vertex_count[s] == 1 and local[first, 0] == 0.0 and local[first, 1] == 0.0
     ):
         return
-    c, d = cosine_sine(bodies.pose[shapes.slot[s], ANGLE])
+    c, d = cosine_sine(bodies.pose[shapes.slot[s], tb.ANGLE])
     for k in range(first, first + shapes.vertex_count[s]):
         x, y = local[k, 0], local[k, 1]
         world[k, 0], world[k, 1] = c * x - d * y, d * x + c * y

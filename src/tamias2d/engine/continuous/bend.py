@@ -1,21 +1,11 @@
 """The parabolas of two bodies through a step, on which their first impact is found (DD61)."""
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.conservative_advancement import MISSED
 from tamias2d.engine.continuous.events import manifold_at
 from tamias2d.engine.continuous.impact import normal_line
 from tamias2d.engine.continuous.impulse import speed_along
-from tamias2d.engine.tables import (
-    DX,
-    DYNAMIC,
-    FORCE_GAIN,
-    NX,
-    NY,
-    REDIRECTED,
-    SUPPORTED,
-    Bodies,
-    Events,
-    Shapes,
-)
+from tamias2d.engine.tables import Bodies, Events, Shapes
 from tamias2d.generated.continuous_collision import coordinate_bend, coordinate_rest_gain
 
 MOST_BENDS = 12  # of Newton's method
@@ -27,7 +17,10 @@ def is_first(i: int, j: int, bodies: Bodies) -> bool:
     """Return whether no impact and no contact has changed the paths of two bodies."""
     flight = bodies.flight
     return bool(
-        flight[i, REDIRECTED] + flight[i, SUPPORTED] + flight[j, REDIRECTED] + flight[j, SUPPORTED]
+        flight[i, tb.REDIRECTED]
+        + flight[i, tb.SUPPORTED]
+        + flight[j, tb.REDIRECTED]
+        + flight[j, tb.SUPPORTED]
         == 0.0
     )
 
@@ -42,7 +35,7 @@ def bend_paths(
     """
     i, j = shapes.slot[s], shapes.slot[t]
     near = manifold_at(s, t, chord, (0.0, 0.0), bodies, shapes, events)
-    side = (events.scratch[0, NX], events.scratch[0, NY])
+    side = (events.scratch[0, tb.NX], events.scratch[0, tb.NY])
     start_i = (bodies.pose[i, 0], bodies.pose[i, 1], bodies.pose[i, 2])
     start_j = (bodies.pose[j, 0], bodies.pose[j, 1], bodies.pose[j, 2])
     now, target = chord, CLOSER * near
@@ -79,14 +72,14 @@ def place_beside(
 ) -> None:
     """Let the line of a body lead through where it is on its parabola at a fraction of the step."""
     for n in range(3):
-        gain = bodies.flight[i, FORCE_GAIN + n] if bodies.kind[i] == DYNAMIC else 0.0
+        gain = bodies.flight[i, tb.FORCE_GAIN + n] if bodies.kind[i] == tb.DYNAMIC else 0.0
         bodies.pose[i, n] = start[n] + coordinate_bend(gain, time_step, now)
 
 
 def take_rest(i: int, now: float, time_step: float, bodies: Bodies) -> None:
     """Turn the line of a body into the chord of the rest of its parabola."""
     for n in range(3):
-        gain = bodies.flight[i, FORCE_GAIN + n] if bodies.kind[i] == DYNAMIC else 0.0
+        gain = bodies.flight[i, tb.FORCE_GAIN + n] if bodies.kind[i] == tb.DYNAMIC else 0.0
         more = coordinate_rest_gain(gain, time_step, now)
-        bodies.motion[i, DX + n] += more
+        bodies.motion[i, tb.DX + n] += more
         bodies.pose[i, n] -= now * more

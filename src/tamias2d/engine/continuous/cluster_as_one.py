@@ -6,10 +6,11 @@ their spins, unless only these can give it. Forces do other work on that way; wh
 what is too much is taken from the motion about the centre of mass (DD36).
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.two_as_one import ROUNDED, place_at_end
 from tamias2d.engine.solver.angular_momentum import as_one, can_turn, return_motion, suffices
 from tamias2d.engine.solver.energy import mass_and_inertia
-from tamias2d.engine.tables import FORCE_GAIN, SPIN, VX, VY, Bodies, Integers, X, Y
+from tamias2d.engine.tables import Bodies, Integers
 from tamias2d.generated.definitions import angular_momentum, kinetic_energy, momentum
 from tamias2d.generated.island_energy import (
     angular_velocity_damped,
@@ -35,7 +36,7 @@ def cluster_turning(
         begun = True
         mass, inertia = mass_and_inertia(k, bodies.properties)
         now, place = bodies.motion[k], place_at_end(k, origin, bodies)
-        own = angular_momentum(mass, place, (now[VX], now[VY]), inertia, now[SPIN])
+        own = angular_momentum(mass, place, (now[tb.VX], now[tb.VY]), inertia, now[tb.SPIN])
         whole, size = whole + own, size + abs(own)
         k = together[k]
     return whole, size
@@ -73,7 +74,7 @@ def take_energy_of_cluster_back(i: int, surplus: float, bodies: Bodies, together
     """Take a surplus from the energy of a cluster about its centre of mass, J, if there is one."""
     if not surplus > 0.0:
         return
-    origin = (bodies.pose[i, X], bodies.pose[i, Y])
+    origin = (bodies.pose[i, tb.X], bodies.pose[i, tb.Y])
     mass, _, along, _, _, energy = cluster_sums(i, True, origin, bodies, together)
     velocity = velocity_island(along, mass)
     least = kinetic_energy(mass, velocity, 0.0, 0.0)
@@ -84,8 +85,8 @@ def take_energy_of_cluster_back(i: int, surplus: float, bodies: Bodies, together
     while k != i or not begun:
         begun = True
         now = bodies.motion[k]
-        now[VX], now[VY] = velocity_damped((now[VX], now[VY]), velocity, share)
-        now[SPIN] = angular_velocity_damped(now[SPIN], 0.0, share)
+        now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), velocity, share)
+        now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], 0.0, share)
         k = together[k]
 
 
@@ -95,7 +96,7 @@ def is_pushed_as_one(i: int, bodies: Bodies, together: Integers) -> bool:
     same = True
     while k != i:
         for n in range(2):
-            same = same & (flight[k, FORCE_GAIN + n] == flight[i, FORCE_GAIN + n])
+            same = same & (flight[k, tb.FORCE_GAIN + n] == flight[i, tb.FORCE_GAIN + n])
         k = together[k]
     return bool(same)
 
@@ -115,12 +116,12 @@ def cluster_sums(
         own, inertia = mass_and_inertia(k, bodies.properties)
         inertia = inertia if turned else 0.0
         now, place = bodies.motion[k], place_at_end(k, origin, bodies)
-        velocity = (now[VX], now[VY])
+        velocity = (now[tb.VX], now[tb.VY])
         along, moment = momentum(own, velocity), mass_moment(own, place)
         mass, x, y = mass + own, x + moment[0], y + moment[1]
         by_x, by_y = by_x + along[0], by_y + along[1]
         about += inertia_origin(own, place, inertia)
-        turning += angular_momentum(own, place, velocity, inertia, now[SPIN])
-        energy += kinetic_energy(own, velocity, inertia, now[SPIN])
+        turning += angular_momentum(own, place, velocity, inertia, now[tb.SPIN])
+        energy += kinetic_energy(own, velocity, inertia, now[tb.SPIN])
         k = together[k]
     return mass, (x, y), (by_x, by_y), about, turning, energy

@@ -5,6 +5,7 @@ that is driven or stands, such as a wall, is carried along. Those that go togeth
 circles. Cost: linear in their number, for each that joins them.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.cluster_as_one import (
     cluster_turning,
     return_cluster_turning,
@@ -12,20 +13,7 @@ from tamias2d.engine.continuous.cluster_as_one import (
 )
 from tamias2d.engine.continuous.trajectory import redirect_path, relative_place
 from tamias2d.engine.continuous.work import take_energy_back, work_ahead
-from tamias2d.engine.tables import (
-    DANGLE,
-    DX,
-    DY,
-    DYNAMIC,
-    INVERSE_MASS,
-    PART_TIME,
-    REDIRECTED,
-    Bodies,
-    Control,
-    Integers,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Control, Integers
 from tamias2d.generated.continuous_collision import inward_share, shift_carried, shift_shared
 from tamias2d.state import Array, Vector
 
@@ -49,22 +37,22 @@ def join_or_carry(
         return join(i, j, now, control, bodies, together)
     if rank_i < rank_j:
         i, j = j, i
-    rank, wall = min(rank_i, rank_j), bodies.kind[i] != DYNAMIC
+    rank, wall = min(rank_i, rank_j), bodies.kind[i] != tb.DYNAMIC
     if rank >= (IMMOVABLE if wall else CARRIED_BY_WALL):
         return False
     by, turn = displacement_along(i, j, now, bodies)
     leave(j, together)
     redirect(j, now, by, turn, control, bodies)
     if wall:
-        bodies.flight[j, REDIRECTED] = max(rank + RISE_BY_WALL, CARRIED_BY_WALL)
+        bodies.flight[j, tb.REDIRECTED] = max(rank + RISE_BY_WALL, CARRIED_BY_WALL)
     else:
-        bodies.flight[j, REDIRECTED] = max(rank + RISE, CARRIED_BY_BODY)
+        bodies.flight[j, tb.REDIRECTED] = max(rank + RISE, CARRIED_BY_BODY)
     return True
 
 
 def carrier_rank(i: int, flight: Array, kind: Integers) -> float:
     """Return how near a body is to something immovable that carries it."""
-    return float(flight[i, REDIRECTED]) if kind[i] == DYNAMIC else IMMOVABLE
+    return float(flight[i, tb.REDIRECTED]) if kind[i] == tb.DYNAMIC else IMMOVABLE
 
 
 def is_carried(i: int, flight: Array, kind: Integers) -> bool:
@@ -74,7 +62,7 @@ def is_carried(i: int, flight: Array, kind: Integers) -> bool:
 
 def hold(i: int, now: float, control: Control, bodies: Bodies, together: Integers) -> None:
     """Let a body stay where it is for the rest of the step."""
-    if bodies.kind[i] == DYNAMIC:
+    if bodies.kind[i] == tb.DYNAMIC:
         leave(i, together)
         redirect(i, now, (0.0, 0.0), 0.0, control, bodies)
 
@@ -88,18 +76,18 @@ def join(i: int, j: int, now: float, control: Control, bodies: Bodies, together:
     mass_i = mass_j = 0.0
     k = i
     while k != i or mass_i == 0.0:
-        mass_i += 1.0 / bodies.properties[k, INVERSE_MASS]
+        mass_i += 1.0 / bodies.properties[k, tb.INVERSE_MASS]
         k = together[k]
         if k == j:
             return False
     k = j
     while k != j or mass_j == 0.0:
-        mass_j += 1.0 / bodies.properties[k, INVERSE_MASS]
+        mass_j += 1.0 / bodies.properties[k, tb.INVERSE_MASS]
         k = together[k]
-    way_i, way_j = (motion[i, DX], motion[i, DY]), (motion[j, DX], motion[j, DY])
+    way_i, way_j = (motion[i, tb.DX], motion[i, tb.DY]), (motion[j, tb.DX], motion[j, tb.DY])
     by = shift_shared(mass_i, way_i, mass_j, way_j)
     together[i], together[j] = together[j], together[i]
-    origin = (bodies.pose[i, X], bodies.pose[i, Y])
+    origin = (bodies.pose[i, tb.X], bodies.pose[i, tb.Y])
     before = cluster_turning(i, origin, bodies, together)
     undone = take_along(i, now, by, control, bodies)
     k = together[i]
@@ -113,7 +101,7 @@ def join(i: int, j: int, now: float, control: Control, bodies: Bodies, together:
 
 def take_along(i: int, now: float, by: Vector, control: Control, bodies: Bodies) -> float:
     """Let a body go the way that it shares, and not turn; return by how much forces do less, J."""
-    bodies.flight[i, REDIRECTED] = 1.0
+    bodies.flight[i, tb.REDIRECTED] = 1.0
     return change_way(i, now, by, 0.0, control, bodies)
 
 
@@ -131,9 +119,9 @@ def displacement_along(i: int, j: int, now: float, bodies: Bodies) -> tuple[Vect
     Along with a wall that turns it begins on the inside of its arc, and cuts that before the wall
     has turned by `MOST_ARC`: there both meet again.
     """
-    shift, turn = (bodies.motion[i, DX], bodies.motion[i, DY]), bodies.motion[i, DANGLE]
+    shift, turn = (bodies.motion[i, tb.DX], bodies.motion[i, tb.DY]), bodies.motion[i, tb.DANGLE]
     offset = relative_place(i, j, now, bodies.pose, bodies.motion)
-    inwards = inward_share(turn, now, MOST_ARC) if bodies.kind[i] != DYNAMIC else 0.0
+    inwards = inward_share(turn, now, MOST_ARC) if bodies.kind[i] != tb.DYNAMIC else 0.0
     return shift_carried(shift, turn, offset, inwards), turn
 
 
@@ -142,7 +130,7 @@ def redirect(i: int, now: float, to: Vector, turn: float, control: Control, bodi
 
     But what forces have given it for the part of its path that it does not go is taken back.
     """
-    time_step = control.progress[PART_TIME]
+    time_step = control.progress[tb.PART_TIME]
     undone = change_way(i, now, to, turn, control, bodies)
     support = (to[0] / time_step, to[1] / time_step)
     take_energy_back(i, undone, support, turn / time_step, bodies.motion, bodies.properties)
@@ -154,6 +142,6 @@ def change_way(
     """Give a body another displacement over a whole step; return by how much forces do less, J."""
     left = 1.0 - now
     before = work_ahead(i, left, control, bodies)
-    by = (to[0] - bodies.motion[i, DX], to[1] - bodies.motion[i, DY])
-    redirect_path(i, now, by, turn - bodies.motion[i, DANGLE], bodies.pose, bodies.motion)
+    by = (to[0] - bodies.motion[i, tb.DX], to[1] - bodies.motion[i, tb.DY])
+    redirect_path(i, now, by, turn - bodies.motion[i, tb.DANGLE], bodies.pose, bodies.motion)
     return before - work_ahead(i, left, control, bodies)

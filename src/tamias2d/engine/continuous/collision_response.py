@@ -4,6 +4,7 @@ Bodies that are on parabolas are put on them first; what a level seam stops goes
 share a moving body answer together.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.bend import bend_paths, is_first, put_on_parabola
 from tamias2d.engine.continuous.clusters import leave
 from tamias2d.engine.continuous.events import manifold_at
@@ -29,31 +30,7 @@ from tamias2d.engine.narrow_phase.core import core_of, is_thin
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.seams import extend_ground, goes_on, is_seam
-from tamias2d.engine.tables import (
-    DX,
-    DY,
-    DYNAMIC,
-    HALF_PLANE,
-    LEVEL,
-    LOCATED,
-    M_NORMAL,
-    MET_A,
-    MET_B,
-    MET_CONTACT,
-    MET_TURNED,
-    NX,
-    NY,
-    PART_TIME,
-    REDIRECTED,
-    STATIC,
-    Bodies,
-    Contacts,
-    Control,
-    Events,
-    Shapes,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes
 from tamias2d.generated.continuous_collision import position_later
 
 
@@ -72,14 +49,14 @@ def resolve_impact(
     """
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     sense = 1.0
-    if shapes.kind[t] == HALF_PLANE:
+    if shapes.kind[t] == tb.HALF_PLANE:
         s, t = t, s
         sense = -1.0
     i, j = shapes.slot[s], shapes.slot[t]
     held = held_normal(contacts.manifolds[p], contacts.flags[p])
-    time_step = control.progress[PART_TIME]
+    time_step = control.progress[tb.PART_TIME]
     count = gather_meetings(p, now, time_step, bodies, shapes, contacts, events)
-    bends = contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies)
+    bends = contacts.flags[p, tb.LOCATED] > 0 and is_first(i, j, bodies)
     if bends:
         now = bend_paths(s, t, now, time_step, bodies, shapes, events)
         if now > 1.0:
@@ -87,7 +64,7 @@ def resolve_impact(
         events.times[len(bodies.kind) + p] = now
         a, b = core_of(s, shapes), core_of(t, shapes)
         if is_thin(a, b) and held[0] == 0.0 and held[1] == 0.0:
-            held = (events.scratch[0, NX], events.scratch[0, NY])  # rounding hides the gap
+            held = (events.scratch[0, tb.NX], events.scratch[0, tb.NY])  # rounding hides the gap
     gap = manifold_at(s, t, now, held, bodies, shapes, events)
     if gap >= UNBOUNDED:  # it is beside a piece
         return 0
@@ -102,9 +79,9 @@ def resolve_impact(
     if impulse < 0.0:
         return 0
     if impulse > 0.0:
-        normal = (sense * manifold[NX], sense * manifold[NY])
+        normal = (sense * manifold[tb.NX], sense * manifold[tb.NY])
         place = place_on_path(i, now, contact_point(manifold), bodies)
-        in_parts = control.counts[LEVEL] > 0
+        in_parts = control.counts[tb.LEVEL] > 0
         record_impact(impulse, place, normal, in_parts, contacts.manifolds[p], contacts.flags[p])
     go_alone(i, bodies, events)
     go_alone(j, bodies, events)
@@ -122,10 +99,14 @@ def rebound_together(
     events: Events,
 ) -> int:
     """Let all pairs that are listed rebound; return how many, none where they do not approach."""
-    time_step = control.progress[PART_TIME]
+    time_step = control.progress[tb.PART_TIME]
     for k in range(1, count):
-        for i in (events.met[k, MET_A], events.met[k, MET_B]):
-            if bends and is_first_listed(i, k, events.met) and bodies.flight[i, REDIRECTED] == 0.0:
+        for i in (events.met[k, tb.MET_A], events.met[k, tb.MET_B]):
+            if (
+                bends
+                and is_first_listed(i, k, events.met)
+                and bodies.flight[i, tb.REDIRECTED] == 0.0
+            ):
                 put_on_parabola(i, now, time_step, bodies)
     for k in range(1, count):
         measure_meeting(k, now, bodies, shapes, contacts, events)
@@ -133,9 +114,9 @@ def rebound_together(
     if not rebound_at_points(count, now, time_step, bodies, events):
         return 0
     for k in range(count):
-        tell_impact(k, now, control.counts[LEVEL] > 0, bodies, contacts, events)
-        go_alone(events.met[k, MET_A], bodies, events)
-        go_alone(events.met[k, MET_B], bodies, events)
+        tell_impact(k, now, control.counts[tb.LEVEL] > 0, bodies, contacts, events)
+        go_alone(events.met[k, tb.MET_A], bodies, events)
+        go_alone(events.met[k, tb.MET_B], bodies, events)
     return count
 
 
@@ -146,31 +127,31 @@ def tell_impact(
     impulse, at = total_push(k, events)
     if impulse <= 0.0:
         return
-    q, one = events.met[k, MET_CONTACT], events.met_points[2 * k]
+    q, one = events.met[k, tb.MET_CONTACT], events.met_points[2 * k]
     row = one if is_point(one) else events.met_points[2 * k + 1]
-    sense = -1.0 if events.met[k, MET_TURNED] == 1 else 1.0
-    normal = (sense * row[M_NORMAL], sense * row[M_NORMAL + 1])
-    place = place_on_path(events.met[k, MET_A], now, at, bodies)
+    sense = -1.0 if events.met[k, tb.MET_TURNED] == 1 else 1.0
+    normal = (sense * row[tb.M_NORMAL], sense * row[tb.M_NORMAL + 1])
+    place = place_on_path(events.met[k, tb.MET_A], now, at, bodies)
     record_impact(impulse, place, normal, in_parts, contacts.manifolds[q], contacts.flags[q])
 
 
 def go_alone(i: int, bodies: Bodies, events: Events) -> None:
     """Note that an impact has redirected a body that moves freely, which goes on with no other."""
-    if bodies.kind[i] == DYNAMIC:
-        bodies.flight[i, REDIRECTED] = 1.0
+    if bodies.kind[i] == tb.DYNAMIC:
+        bodies.flight[i, tb.REDIRECTED] = 1.0
         leave(i, events.together)
 
 
 def meets_seam(s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, events: Events) -> bool:
     """Return whether a body meets a static shape where that joins its ground."""
     i, j, manifold = shapes.slot[s], shapes.slot[t], events.scratch[0]
-    if bodies.kind[i] != STATIC and bodies.kind[j] != STATIC:
+    if bodies.kind[i] != tb.STATIC and bodies.kind[j] != tb.STATIC:
         return False
     at, shift = bodies.pose[i], bodies.motion[i]
-    x, y = position_later((at[X], at[Y]), (shift[DX], shift[DY]), now)
+    x, y = position_later((at[tb.X], at[tb.Y]), (shift[tb.DX], shift[tb.DY]), now)
     by_x, by_y = contact_point(manifold)
-    place, normal = (x + by_x, y + by_y), (manifold[NX], manifold[NY])
-    if bodies.kind[i] != STATIC:
+    place, normal = (x + by_x, y + by_y), (manifold[tb.NX], manifold[tb.NY])
+    if bodies.kind[i] != tb.STATIC:
         s, t, normal = t, s, (-normal[0], -normal[1])
     straight = goes_on(s, t, place, normal, bodies.motion[shapes.slot[t]], shapes, events.ground)
     if not straight and is_seam(s, t, place, normal, bodies, shapes, events.ground):

@@ -8,6 +8,7 @@ simulation (1996).
 
 from math import sqrt
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED, Sweep, safe_advance
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.chain import BESIDE, FACING, has_end, is_piece, judge
@@ -15,7 +16,7 @@ from tamias2d.engine.narrow_phase.clip import TINY
 from tamias2d.engine.narrow_phase.collide import collide_cores
 from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
 from tamias2d.engine.rotation import cosine_sine
-from tamias2d.engine.tables import GAP, HALF_PLANE, NX, NY, POINT, Events, Shapes
+from tamias2d.engine.tables import Events, Shapes
 from tamias2d.generated.continuous_collision import (
     fraction_closest,
     half_interval,
@@ -44,9 +45,9 @@ def time_of_impact(
     manifold at that pose has the normal and the points. A pair that is as close already at the
     start meets when it has come as much closer, or close again after it was apart.
     """
-    if shapes.kind[t] != HALF_PLANE:
+    if shapes.kind[t] != tb.HALF_PLANE:
         return advance(s, t, path, held, shapes, events)
-    if shapes.kind[s] == HALF_PLANE:
+    if shapes.kind[s] == tb.HALF_PLANE:
         return MISSED
     reverse = RelativePath(-path.x, -path.y, -path.dx, -path.dy, path.turn_b, path.turn_a)
     return advance(t, s, reverse, held, shapes, events)
@@ -57,7 +58,7 @@ def advance(
 ) -> float:
     """Return the same where shape t is not a half-plane."""
     p, q, vertices = core_of(s, shapes), core_of(t, shapes), shapes.world_vertices
-    plane = p.kind == HALF_PLANE
+    plane = p.kind == tb.HALF_PLANE
     lever_a = 0.0 if plane else vertex_radius(p, vertices)
     a = Sweep(0, 0 if plane else p.vertex_count, path.turn_a, lever_a)
     b = Sweep(p.vertex_count, q.vertex_count, path.turn_b, vertex_radius(q, vertices))
@@ -84,10 +85,12 @@ def advance(
             stays, gap = measure_gap_of_piece(
                 s, t, placed_a, placed_b, (x, y), gap, held, manifold, rows, shapes
             )
-            if seen[0] * manifold[NX] + seen[1] * manifold[NY] < -FACING:  # it came past an end
+            if (
+                seen[0] * manifold[tb.NX] + seen[1] * manifold[tb.NY] < -FACING
+            ):  # it came past an end
                 stays, gap = False, UNBOUNDED
         elif piece:
-            seen = (manifold[NX], manifold[NY])
+            seen = (manifold[tb.NX], manifold[tb.NY])
         if at == 0.0 and gap <= near:
             if gap > 0.0 and is_thin(p, q) and not told:  # behind a gap of 0 is the other side
                 least = hair = 0.5 * gap
@@ -96,7 +99,7 @@ def advance(
         elif gap > near:
             least = hair = near
         if gap <= near and not (piece and told):
-            held = (manifold[NX], manifold[NY])
+            held = (manifold[tb.NX], manifold[tb.NY])
         elif gap > near and not kept:  # a shape may have come to the other side
             held, told = (0.0, 0.0), False
         if not (gap > least and (least == near or pose < MOST_CLOSE_POSES)):
@@ -118,8 +121,8 @@ def measure_gap(
     """Write the manifold of two cores, however far apart; return their gap, m."""
     _, second = collide_cores(manifold, a, b, x, y, UNBOUNDED, held, vertices)
     if second == 0:
-        manifold[GAP + POINT] = UNBOUNDED
-    return min(manifold[GAP], manifold[GAP + POINT])
+        manifold[tb.GAP + tb.POINT] = UNBOUNDED
+    return min(manifold[tb.GAP], manifold[tb.GAP + tb.POINT])
 
 
 def measure_gap_of_piece(
@@ -144,8 +147,8 @@ def measure_gap_of_piece(
     if verdict.first == 0 or verdict.first == BESIDE:
         return False, UNBOUNDED
     if verdict.second == 0:
-        manifold[GAP + POINT] = UNBOUNDED
-    return False, min(manifold[GAP], manifold[GAP + POINT])
+        manifold[tb.GAP + tb.POINT] = UNBOUNDED
+    return False, min(manifold[tb.GAP], manifold[tb.GAP + tb.POINT])
 
 
 def advance_beside(near: float, a: Sweep, b: Sweep, path: RelativePath) -> float:
@@ -161,7 +164,7 @@ def place_vertices(p: Core, turn: float, vertices: Array, to: int, rows: Array) 
     Of a half-plane, whose row holds its offset and its normal, the normal turns alone.
     """
     c, d = cosine_sine(turn)
-    fixed = p.kind == HALF_PLANE
+    fixed = p.kind == tb.HALF_PLANE
     for k in range(p.vertex_count):
         v = p.first + k
         x, y, nx, ny = vertices[v, 0], vertices[v, 1], vertices[v, 2], vertices[v, 3]
@@ -186,7 +189,7 @@ def smaller_extent(p: Core, q: Core, vertices: Array) -> float:
     if is_piece(q):
         return extent_of(p, vertices) + p.radius
     extent = extent_of(q, vertices) + q.radius
-    if p.kind == HALF_PLANE or is_piece(p):
+    if p.kind == tb.HALF_PLANE or is_piece(p):
         return extent
     return min(extent, extent_of(p, vertices) + p.radius)
 
@@ -204,7 +207,7 @@ def near_interval(
     p: Core, path: RelativePath, reach: float, vertices: Array
 ) -> tuple[float, float]:
     """Return between which fractions B is within reach of A, or of a half-plane that is fixed."""
-    if p.kind != HALF_PLANE:
+    if p.kind != tb.HALF_PLANE:
         return within_circle(path, reach)
     if path.turn_a != 0.0:
         return 0.0, 1.0

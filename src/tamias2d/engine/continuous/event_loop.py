@@ -11,6 +11,7 @@ Cost: for each impact, the contacts of both bodies. Source: Mirtich, Impulse-bas
 simulation (1996).
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.bounds import path_length, time_of_leaving
 from tamias2d.engine.continuous.clusters import hold, is_carried, join_or_carry
 from tamias2d.engine.continuous.collision_response import resolve_impact
@@ -35,37 +36,7 @@ from tamias2d.engine.continuous.events import (
 from tamias2d.engine.continuous.meetings import (
     is_first_listed,
 )
-from tamias2d.engine.tables import (
-    BOUNDING_RADIUS,
-    CONTACTS,
-    DEPTH_SHARE,
-    DYNAMIC,
-    FORCE_GAIN,
-    GRAVITY_X,
-    GRAVITY_Y,
-    LEVEL,
-    LOCATED,
-    MET_A,
-    MET_B,
-    MET_CONTACT,
-    MOST_LEVEL,
-    PATH_LENGTH,
-    REDIRECTED,
-    SLOT_A,
-    SLOT_B,
-    SPENT,
-    START_NOTED,
-    SUPPORTED,
-    TOURNAMENT,
-    WINNER,
-    Bodies,
-    BroadPhase,
-    Contacts,
-    Control,
-    Events,
-    Integers,
-    Shapes,
-)
+from tamias2d.engine.tables import Bodies, BroadPhase, Contacts, Control, Events, Integers, Shapes
 
 MOST_IMPACTS = 256  # in a step in all
 MOST_IMPACTS_OF_PAIR = 4  # in a part, for a pair that meets; in one of the shortest one
@@ -92,16 +63,16 @@ def solve_continuous(
     """
     if since == 0.0:
         begin_continuous(control, bodies, events)
-    body_count, event_count = len(bodies.kind), len(bodies.kind) + broad_phase.counts[CONTACTS]
+    body_count, event_count = len(bodies.kind), len(bodies.kind) + broad_phase.counts[tb.CONTACTS]
     found = find_all_events(since, control, bodies, shapes, broad_phase, contacts, events)
     if found == 0:
         return MISSED
     list_contacts_by_body(broad_phase, contacts, events, body_count)
     build_tournament(event_count, events.times, events.queue)
-    impacts_left = most_impacts(found, control.counts[LEVEL])
+    impacts_left = most_impacts(found, control.counts[tb.LEVEL])
     last = -MOST_JOINS * body_count
     while impacts_left > last:
-        event = events.queue[TOURNAMENT, WINNER]
+        event = events.queue[tb.TOURNAMENT, tb.WINNER]
         now = events.times[event]
         if now > 1.0:
             return MISSED
@@ -109,7 +80,7 @@ def solve_continuous(
             least = -MOST_UPDATES if is_carried(event, bodies.flight, bodies.kind) else 0
             if updates_left > least:
                 return now
-            wide = bodies.properties[event, BOUNDING_RADIUS]
+            wide = bodies.properties[event, tb.BOUNDING_RADIUS]
             if may_retake(path_length(event, bodies.motion, bodies.properties), wide, control):
                 return TOO_LONG
             i, j, joins, met = event, event, True, 1
@@ -118,7 +89,7 @@ def solve_continuous(
             p, joins = event - body_count, impacts_left <= 0
             if joins and pair_may_retake(p, now, control, bodies, shapes, contacts):
                 return TOO_LONG
-            i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+            i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
             impacts_left -= 1
             count_located(contacts.flags[p])
             met = handle_meeting(p, now, joins, control, bodies, shapes, contacts, events)
@@ -127,8 +98,8 @@ def solve_continuous(
                 continue
             impacts_left -= met - 1
             now = max(now, events.times[event])  # on parabolas they meet later than on chords
-        share = 1.0 if impacts_left <= 0 else control.progress[DEPTH_SHARE]
-        stays = bodies.kind[i] != DYNAMIC or joins
+        share = 1.0 if impacts_left <= 0 else control.progress[tb.DEPTH_SHARE]
+        stays = bodies.kind[i] != tb.DYNAMIC or joins
         for one, other in ((i, -1), (j, -1 if stays else i)):
             update_body(
                 one, other, now, share, control, bodies, shapes, broad_phase, contacts, events
@@ -158,7 +129,7 @@ def find_all_events(
     found = find_events(since, control, bodies, shapes, broad_phase, contacts, events)
     if found != MANY:
         return found
-    control.progress[DEPTH_SHARE] = 1.0
+    control.progress[tb.DEPTH_SHARE] = 1.0
     for k in range(len(bodies.kind)):
         events.times[k] = MISSED
     return find_events(since, control, bodies, shapes, broad_phase, contacts, events)
@@ -177,7 +148,7 @@ def update_body(
     events: Events,
 ) -> None:
     """Find anew when a body leaves its bounds, and when it meets all others but one."""
-    count = len(bodies.kind) + broad_phase.counts[CONTACTS]
+    count = len(bodies.kind) + broad_phase.counts[tb.CONTACTS]
     events.times[i] = time_of_leaving(i, now, bodies, broad_phase)
     update_event(i, count, events.times, events.queue)
     update_events_of(
@@ -216,9 +187,9 @@ def update_met(
 ) -> None:
     """Find anew what the bodies meet that rebounded together with the first pair."""
     for k in range(1, met):
-        count_located(contacts.flags[events.met[k, MET_CONTACT]])
+        count_located(contacts.flags[events.met[k, tb.MET_CONTACT]])
     for k in range(1, met):
-        for i in (events.met[k, MET_A], events.met[k, MET_B]):
+        for i in (events.met[k, tb.MET_A], events.met[k, tb.MET_B]):
             if is_first_listed(i, k, events.met):
                 update_body(
                     i, -1, now, share, control, bodies, shapes, broad_phase, contacts, events
@@ -227,8 +198,8 @@ def update_met(
 
 def may_retake(length: float, deep: float, control: Control) -> bool:
     """Return whether shorter parts make a way, m, short."""
-    shortest = length / (1 << (MOST_LEVEL - control.counts[LEVEL]))
-    return bool((control.counts[START_NOTED] == 1) & (length > deep) & (shortest <= deep))
+    shortest = length / (1 << (tb.MOST_LEVEL - control.counts[tb.LEVEL]))
+    return bool((control.counts[tb.START_NOTED] == 1) & (length > deep) & (shortest <= deep))
 
 
 def pair_may_retake(
@@ -237,7 +208,7 @@ def pair_may_retake(
     """Return whether a pair that goes too far does not in shorter parts."""
     if reaches_little(p, now, bodies, shapes, contacts):
         return False
-    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+    i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
     reach = smaller_radius(contacts.pairs[p, 0], contacts.pairs[p, 1], shapes.material)
     deep = max(allowed_depth(i, j, reach, bodies.properties), THIN * reach)
     return may_retake(relative_motion(i, j, bodies), deep, control)
@@ -245,13 +216,13 @@ def pair_may_retake(
 
 def count_located(flags: Integers) -> None:
     """Count an impact of a contact whose impacts are located."""
-    if 0 < flags[LOCATED] < SPENT:
-        flags[LOCATED] = flags[LOCATED] - 1 if flags[LOCATED] > 1 else SPENT
+    if 0 < flags[tb.LOCATED] < tb.SPENT:
+        flags[tb.LOCATED] = flags[tb.LOCATED] - 1 if flags[tb.LOCATED] > 1 else tb.SPENT
 
 
 def most_impacts(found: int, level: int) -> int:
     """Return how many impacts a part may have in which so many pairs meet."""
-    of_pair = MOST_IMPACTS_OF_PAIR if level < MOST_LEVEL else 1
+    of_pair = MOST_IMPACTS_OF_PAIR if level < tb.MOST_LEVEL else 1
     return (MOST_IMPACTS >> level) + of_pair * found
 
 
@@ -260,15 +231,15 @@ def begin_continuous(control: Control, bodies: Bodies, events: Events) -> None:
 
     The solver notes no velocity gained by forces for bodies with contacts.
     """
-    falls = control.settings[GRAVITY_X] != 0.0 or control.settings[GRAVITY_Y] != 0.0
-    control.progress[DEPTH_SHARE] = SHALLOW
+    falls = control.settings[tb.GRAVITY_X] != 0.0 or control.settings[tb.GRAVITY_Y] != 0.0
+    control.progress[tb.DEPTH_SHARE] = SHALLOW
     for i in range(len(bodies.kind)):
         events.together[i] = i
         flight = bodies.flight[i]
-        held = flight[FORCE_GAIN] == 0.0 and flight[FORCE_GAIN + 1] == 0.0
+        held = flight[tb.FORCE_GAIN] == 0.0 and flight[tb.FORCE_GAIN + 1] == 0.0
         length = path_length(i, bodies.motion, bodies.properties)
-        flight[REDIRECTED], flight[PATH_LENGTH] = 0.0, length
-        flight[SUPPORTED] = 1.0 if falls and held and bodies.kind[i] == DYNAMIC else 0.0
+        flight[tb.REDIRECTED], flight[tb.PATH_LENGTH] = 0.0, length
+        flight[tb.SUPPORTED] = 1.0 if falls and held and bodies.kind[i] == tb.DYNAMIC else 0.0
 
 
 def handle_meeting(
@@ -286,7 +257,7 @@ def handle_meeting(
     If none has, the event of this one is the next one after now.
     """
     if joins:
-        i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+        i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
         if reaches_little(p, now, bodies, shapes, contacts):
             later, met = MISSED, 0
         else:
@@ -306,5 +277,5 @@ def handle_meeting(
 def reaches_little(p: int, now: float, bodies: Bodies, shapes: Shapes, contacts: Contacts) -> bool:
     """Return whether a pair comes together by no more than what it is pushed back from."""
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+    i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
     return goes_little(i, j, now, 1.0, smaller_radius(s, t, shapes.material), bodies)

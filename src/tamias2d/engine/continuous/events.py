@@ -1,5 +1,6 @@
 """When two bodies meet on their paths through a step."""
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.conservative_advancement import (
     MISSED,
     NEAR,
@@ -18,40 +19,7 @@ from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.touching import BULLET, opening
-from tamias2d.engine.tables import (
-    ANGLE,
-    CONTACT_OF_BODY,
-    CONTACTS,
-    CORE_RADIUS,
-    DANGLE,
-    DEPTH_SHARE,
-    DX,
-    DY,
-    DYNAMIC,
-    FIRST_OF_BODY,
-    GAP,
-    HALF_PLANE,
-    LOCATED,
-    MIN_EXTENT,
-    NX,
-    NY,
-    PART_TIME,
-    PATH_LENGTH,
-    POINT,
-    POINT_COUNT,
-    REDIRECTED,
-    SENSES,
-    SHAPE_RADIUS,
-    SLOT_A,
-    SLOT_B,
-    SPENT,
-    Bodies,
-    BroadPhase,
-    Contacts,
-    Control,
-    Events,
-    Shapes,
-)
+from tamias2d.engine.tables import Bodies, BroadPhase, Contacts, Control, Events, Shapes
 from tamias2d.generated.continuous_collision import (
     closing_bound,
     fraction_closest,
@@ -87,19 +55,19 @@ def find_events(
     Shallow impacts are looked for if they are few.
     """
     found = sought = 0
-    body_count, listed = len(bodies.pose), broad_phase.counts[CONTACTS]
+    body_count, listed = len(bodies.pose), broad_phase.counts[tb.CONTACTS]
     most = MOST_SHALLOW if listed > SHORT_LIST else SHORT_LIST
     for p in range(listed):
         events.times[body_count + p] = MISSED
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-        i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-        redirected = bodies.flight[i, REDIRECTED] + bodies.flight[j, REDIRECTED] > 0.0
+        i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
+        redirected = bodies.flight[i, tb.REDIRECTED] + bodies.flight[j, tb.REDIRECTED] > 0.0
         reach = smaller_radius(s, t, shapes.material)
-        located = 0 < contacts.flags[p, LOCATED] < SPENT
-        share = control.progress[DEPTH_SHARE]
+        located = 0 < contacts.flags[p, tb.LOCATED] < tb.SPENT
+        share = control.progress[tb.DEPTH_SHARE]
         if not (redirected or located) and stay_near(i, j, share, reach, bodies):
             continue
-        if contacts.flags[p, SENSES] == 1:
+        if contacts.flags[p, tb.SENSES] == 1:
             continue
         looked = redirected or located or may_pass(p, i, j, share, reach, bodies, contacts)
         looked = unless_joined(looked, i, j, bodies)
@@ -122,7 +90,7 @@ def bounces(p: int, shapes: Shapes, contacts: Contacts) -> bool:
 
 def smaller_radius(s: int, t: int, material: Array) -> float:
     """Return the smaller bounding radius of two shapes, m."""
-    return min(material[s, SHAPE_RADIUS], material[t, SHAPE_RADIUS])
+    return min(material[s, tb.SHAPE_RADIUS], material[t, tb.SHAPE_RADIUS])
 
 
 @inlined
@@ -135,17 +103,17 @@ def may_pass(
     can come farther in.
     """
     motion = bodies.motion
-    by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
+    by_x, by_y = motion[j, tb.DX] - motion[i, tb.DX], motion[j, tb.DY] - motion[i, tb.DY]
     turn = turning_reach(i, j, motion, bodies.properties)
     deep = allowed_depth(i, j, reach, bodies.properties)
-    if contacts.flags[p, POINT_COUNT] == 0:
+    if contacts.flags[p, tb.POINT_COUNT] == 0:
         return bool(abs(by_x) + abs(by_y) + turn > share * deep)
     fast = abs(by_x) + abs(by_y) + turn > BULLET * reach  # its corners have no contact ahead
     manifold, limit = contacts.manifolds[p], deep if fast else max(deep, SWUNG * reach)
-    into = max(0.0, -manifold[NX] * by_x - manifold[NY] * by_y) + turn
+    into = max(0.0, -manifold[tb.NX] * by_x - manifold[tb.NY] * by_y) + turn
     overlap = 0.0
-    for n in range(contacts.flags[p, POINT_COUNT]):
-        overlap = max(overlap, -manifold[GAP + POINT * n])
+    for n in range(contacts.flags[p, tb.POINT_COUNT]):
+        overlap = max(overlap, -manifold[tb.GAP + tb.POINT * n])
     room = max(limit - overlap, RESTING * limit)
     return bool(into > room and closing_at_points(p, i, j, reach, bodies, contacts) > room)
 
@@ -156,29 +124,29 @@ def closing_at_points(
     """Return how far two bodies that touch come together at most, m."""
     manifold, a, b = contacts.manifolds[p], bodies.motion[i], bodies.motion[j]
     least = 0.0
-    for n in range(contacts.flags[p, POINT_COUNT]):
-        least = min(least, opening(n, i, j, DX, bodies, manifold))
+    for n in range(contacts.flags[p, tb.POINT_COUNT]):
+        least = min(least, opening(n, i, j, tb.DX, bodies, manifold))
     return closing_bound(
         least,
-        a[DANGLE],
-        bodies.properties[i, CORE_RADIUS],
-        b[DANGLE],
-        bodies.properties[j, CORE_RADIUS],
+        a[tb.DANGLE],
+        bodies.properties[i, tb.CORE_RADIUS],
+        b[tb.DANGLE],
+        bodies.properties[j, tb.CORE_RADIUS],
         2.0 * reach,
-        abs(b[DX] - a[DX]) + abs(b[DY] - a[DY]),
+        abs(b[tb.DX] - a[tb.DX]) + abs(b[tb.DY] - a[tb.DY]),
     )
 
 
 def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:
     """Return how far vertices of two bodies go by turning in a step, m."""
     none = (0.0, 0.0)
-    of_i = motion_bound(none, motion[i, DANGLE], properties[i, CORE_RADIUS])
-    return of_i + motion_bound(none, motion[j, DANGLE], properties[j, CORE_RADIUS])
+    of_i = motion_bound(none, motion[i, tb.DANGLE], properties[i, tb.CORE_RADIUS])
+    return of_i + motion_bound(none, motion[j, tb.DANGLE], properties[j, tb.CORE_RADIUS])
 
 
 def allowed_depth(i: int, j: int, reach: float, properties: Array) -> float:
     """Return how far one body may go into another and be pushed back, m."""
-    thinner = min(properties[i, MIN_EXTENT], properties[j, MIN_EXTENT])
+    thinner = min(properties[i, tb.MIN_EXTENT], properties[j, tb.MIN_EXTENT])
     return min(PUSHED_BACK * thinner, reach)
 
 
@@ -187,7 +155,7 @@ def stay_near(i: int, j: int, share: float, reach: float, bodies: Bodies) -> boo
 
     This is what follows from how far each goes, and not from where both go.
     """
-    length: float = bodies.flight[i, PATH_LENGTH] + bodies.flight[j, PATH_LENGTH]
+    length: float = bodies.flight[i, tb.PATH_LENGTH] + bodies.flight[j, tb.PATH_LENGTH]
     return length <= share * allowed_depth(i, j, reach, bodies.properties)
 
 
@@ -208,19 +176,19 @@ def update_events_of(
     Pairs of moving bodies that come together by no more than a share of the depth from which they
     are pushed back do not count.
     """
-    if bodies.kind[i] != DYNAMIC:
+    if bodies.kind[i] != tb.DYNAMIC:
         return
-    body_count, event_count = len(bodies.pose), len(bodies.pose) + broad_phase.counts[CONTACTS]
-    for k in range(events.queue[FIRST_OF_BODY, i], events.queue[FIRST_OF_BODY, i + 1]):
-        p = events.queue[CONTACT_OF_BODY, k]
+    body_count, event_count = len(bodies.pose), len(bodies.pose) + broad_phase.counts[tb.CONTACTS]
+    for k in range(events.queue[tb.FIRST_OF_BODY, i], events.queue[tb.FIRST_OF_BODY, i + 1]):
+        p = events.queue[tb.CONTACT_OF_BODY, k]
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-        a, b = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-        if except_for in (a, b) or contacts.flags[p, SENSES] == 1:
+        a, b = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
+        if except_for in (a, b) or contacts.flags[p, tb.SENSES] == 1:
             continue
         time = MISSED
         reach = smaller_radius(s, t, shapes.material)
-        located = contacts.flags[p, LOCATED]
-        share = shallow if located == 0 else 1.0 if located == SPENT else 0.0
+        located = contacts.flags[p, tb.LOCATED]
+        share = shallow if located == 0 else 1.0 if located == tb.SPENT else 0.0
         if shallow < 1.0 and bounces(p, shapes, contacts):
             share = 0.0
         looked = not goes_little(a, b, now, share, reach, bodies)
@@ -240,7 +208,7 @@ def goes_little(i: int, j: int, now: float, share: float, reach: float, bodies: 
 def relative_motion(i: int, j: int, bodies: Bodies) -> float:
     """Return how far two bodies may come together in a part of a step, m."""
     motion = bodies.motion
-    by = abs(motion[j, DX] - motion[i, DX]) + abs(motion[j, DY] - motion[i, DY])
+    by = abs(motion[j, tb.DX] - motion[i, tb.DX]) + abs(motion[j, tb.DY] - motion[i, tb.DY])
     return float(by + turning_reach(i, j, motion, bodies.properties))
 
 
@@ -260,13 +228,13 @@ def next_event(
     A pair that is close now meets now if it approaches by more than counts as close; or by more
     than its gap, if its impact is located: nothing else holds it.
     """
-    time_step = control.progress[PART_TIME]
+    time_step = control.progress[tb.PART_TIME]
     held = held_normal(contacts.manifolds[p], contacts.flags[p])
-    if shapes.kind[t] == HALF_PLANE:
+    if shapes.kind[t] == tb.HALF_PLANE:
         s, t = t, s
     i, j = shapes.slot[s], shapes.slot[t]
     near = NEAR * smaller_radius(s, t, shapes.material)
-    reach = shapes.material[s, SHAPE_RADIUS] + shapes.material[t, SHAPE_RADIUS] + near
+    reach = shapes.material[s, tb.SHAPE_RADIUS] + shapes.material[t, tb.SHAPE_RADIUS] + near
     if passes_by(i, j, now, reach, bodies.pose, bodies.motion):
         return MISSED
     gap = manifold_at(s, t, now, held, bodies, shapes, events)
@@ -274,7 +242,7 @@ def next_event(
     if gap <= near:
         line = normal_line(i, j, now, events.scratch[0], bodies)
         closing = time_step * path_speed_along(line, time_step, bodies.motion)
-        enough = max(gap, 0.0) if 0 < contacts.flags[p, LOCATED] < SPENT else near
+        enough = max(gap, 0.0) if 0 < contacts.flags[p, tb.LOCATED] < tb.SPENT else near
         if closing * rest < -enough:
             return now
     path = relative_path(i, j, now, bodies)
@@ -284,7 +252,7 @@ def next_event(
 
 def passes_by(i: int, j: int, now: float, reach: float, pose: Array, motion: Array) -> bool:
     """Return whether the centres of two bodies come no nearer to each other than a reach, m."""
-    by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
+    by_x, by_y = motion[j, tb.DX] - motion[i, tb.DX], motion[j, tb.DY] - motion[i, tb.DY]
     x, y = relative_place(i, j, now, pose, motion)
     if x * by_x + y * by_y < 0.0:  # to where they are nearest, but not beyond the step
         until = min(fraction_closest((x, y), (by_x, by_y)), 1.0 - now)
@@ -315,5 +283,5 @@ def manifold_at(
 def turn_shape_to(s: int, i: int, now: float, bodies: Bodies, shapes: Shapes) -> None:
     """Turn the vertices of a shape to where they are at a fraction of the step."""
     core = core_of(s, shapes)
-    turn = bodies.pose[i, ANGLE] + now * bodies.motion[i, DANGLE]
+    turn = bodies.pose[i, tb.ANGLE] + now * bodies.motion[i, tb.DANGLE]
     place_vertices(core, turn, shapes.local_vertices, core.first, shapes.world_vertices)

@@ -8,8 +8,8 @@ centre where that allows a longer advance. Cost: linear in the vertices for each
 from math import sqrt
 from typing import NamedTuple
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.trajectory import RelativePath
-from tamias2d.engine.tables import NX, NY
 from tamias2d.generated.continuous_collision import (
     arc_bend,
     centre_acceleration_turning,
@@ -65,7 +65,7 @@ def safe_advance(
 
     B is at (x, y) from A, m. The normal of a half-plane turns with it.
     """
-    nx, ny = manifold[NX], manifold[NY]
+    nx, ny = manifold[tb.NX], manifold[tb.NY]
     curvature_a, curvature_b = arc_bend(a.turn, a.lever), arc_bend(b.turn, b.lever)
     spin = a.turn if a.vertex_count == 0 else 0.0  # of the normal
     rate = gap_change((path.dx, path.dy), (nx, ny), spin, (x, y))

@@ -4,6 +4,7 @@ Velocities are those at the end of the step, with all that forces do in it; thos
 an impact lack what forces do in the rest of the step.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.conservative_advancement import NEAR
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED
 from tamias2d.engine.continuous.impact_points import rebound_at_points, total_push
@@ -30,35 +31,7 @@ from tamias2d.engine.continuous.work import (
     work_ahead,
 )
 from tamias2d.engine.part_impulses import forget_impulses_of
-from tamias2d.engine.tables import (
-    DX,
-    DY,
-    DYNAMIC,
-    GAP,
-    IMPACT_NORMAL,
-    IS_TOUCHING,
-    MET_IN_FLIGHT,
-    NX,
-    NY,
-    PART_PUSH_X,
-    PART_PUSH_Y,
-    PART_TIME,
-    POINT,
-    POINT_COUNT,
-    PX,
-    PY,
-    SPIN,
-    SUPPORTED,
-    TOTAL_IMPULSE,
-    TOUCHES,
-    WORLD_POINT,
-    Bodies,
-    Control,
-    Events,
-    Integers,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Control, Events, Integers
 from tamias2d.generated.continuous_collision import position_later
 from tamias2d.generated.soft_contact import limited_tangent_impulse, restitution_impulse
 from tamias2d.state import Array, Vector
@@ -69,15 +42,15 @@ SETTLED_IMPULSE = 2.0**-40  # of the first one
 
 def contact_point(manifold: Array) -> Vector:
     """Return where two shapes touch: the deeper point, or midway where both are as deep."""
-    apart = manifold[GAP + POINT] - manifold[GAP]
+    apart = manifold[tb.GAP + tb.POINT] - manifold[tb.GAP]
     x, y, other_x, other_y = (
-        manifold[PX],
-        manifold[PY],
-        manifold[PX + POINT],
-        manifold[PY + POINT],
+        manifold[tb.PX],
+        manifold[tb.PY],
+        manifold[tb.PX + tb.POINT],
+        manifold[tb.PY + tb.POINT],
     )
     near = NEAR * (abs(other_x - x) + abs(other_y - y))
-    if manifold[GAP + POINT] < UNBOUNDED and abs(apart) <= near:
+    if manifold[tb.GAP + tb.POINT] < UNBOUNDED and abs(apart) <= near:
         return 0.5 * (x + other_x), 0.5 * (y + other_y)
     if apart < 0.0:
         return other_x, other_y
@@ -89,7 +62,7 @@ def normal_line(i: int, j: int, now: float, manifold: Array, bodies: Bodies) -> 
     at_a = contact_point(manifold)
     place = relative_place(i, j, now, bodies.pose, bodies.motion)
     at_b = (at_a[0] - place[0], at_a[1] - place[1])
-    return ImpulseLine(i, j, at_a, at_b, (manifold[NX], manifold[NY]))
+    return ImpulseLine(i, j, at_a, at_b, (manifold[tb.NX], manifold[tb.NY]))
 
 
 def rebound(
@@ -107,12 +80,12 @@ def rebound(
     Impacts between moving bodies take none of the displacement that both have in all, as masses
     count. But a body whose path leads into one that nothing moves loses a part of its work.
     """
-    time_step, left = control.progress[PART_TIME], 1.0 - now
+    time_step, left = control.progress[tb.PART_TIME], 1.0 - now
     if bodies.kind[i] == bodies.kind[j]:
         return rebound_freely(i, j, now, time_step, friction, restitution, bodies, events)
-    k, wall = (i, j) if bodies.kind[i] == DYNAMIC else (j, i)
+    k, wall = (i, j) if bodies.kind[i] == tb.DYNAMIC else (j, i)
     support = support_velocity(k, wall, now, bodies.pose, bodies.motion)
-    spin = bodies.motion[wall, SPIN]
+    spin = bodies.motion[wall, tb.SPIN]
     before = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     before -= work_ahead(k, left, control, bodies)
     impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, events)
@@ -155,7 +128,7 @@ def apply_impact(
 
     Returns the normal impulse, N s; a negative number where nothing happens.
     """
-    if bodies.flight[i, SUPPORTED] + bodies.flight[j, SUPPORTED] > 0.0:
+    if bodies.flight[i, tb.SUPPORTED] + bodies.flight[j, tb.SUPPORTED] > 0.0:
         line = normal_line(i, j, now, events.scratch[0], bodies)
         return apply_rows_in_turns(line, now, time_step, friction, restitution, bodies)
     if not rebound_at_points(1, now, time_step, bodies, events):
@@ -250,7 +223,7 @@ def hold_together(
 def place_on_path(i: int, now: float, at: Vector, bodies: Bodies) -> Vector:
     """Return where a point of a body is at a fraction of the step, m from its centre before, m."""
     pose, shift = bodies.pose[i], bodies.motion[i]
-    x, y = position_later((pose[X], pose[Y]), (shift[DX], shift[DY]), now)
+    x, y = position_later((pose[tb.X], pose[tb.Y]), (shift[tb.DX], shift[tb.DY]), now)
     return x + at[0], y + at[1]
 
 
@@ -266,17 +239,17 @@ def record_impact(
 
     Several impacts in flight are told as one, along the sum of their impulses.
     """
-    met = flags[TOUCHES] & IS_TOUCHING
+    met = flags[tb.TOUCHES] & tb.IS_TOUCHING
     if not met:
-        flags[TOUCHES] |= IS_TOUCHING
+        flags[tb.TOUCHES] |= tb.IS_TOUCHING
         forget_impulses_of(recorded)
-    if flags[POINT_COUNT] == 0:
-        flags[TOUCHES] |= MET_IN_FLIGHT
+    if flags[tb.POINT_COUNT] == 0:
+        flags[tb.TOUCHES] |= tb.MET_IN_FLIGHT
     elif not in_parts:
-        recorded[TOTAL_IMPULSE] += impulse
+        recorded[tb.TOTAL_IMPULSE] += impulse
         return
-    recorded[PART_PUSH_X] += impulse * normal[0]
-    recorded[PART_PUSH_Y] += impulse * normal[1]
+    recorded[tb.PART_PUSH_X] += impulse * normal[0]
+    recorded[tb.PART_PUSH_Y] += impulse * normal[1]
     if not met:
-        recorded[WORLD_POINT], recorded[WORLD_POINT + 1] = place
-        recorded[IMPACT_NORMAL], recorded[IMPACT_NORMAL + 1] = normal
+        recorded[tb.WORLD_POINT], recorded[tb.WORLD_POINT + 1] = place
+        recorded[tb.IMPACT_NORMAL], recorded[tb.IMPACT_NORMAL + 1] = normal

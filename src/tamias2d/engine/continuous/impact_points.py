@@ -6,6 +6,7 @@ bodies are closest (DD67). What forces press together again stays together for t
 Source: Moreau (1988).
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.conservative_advancement import NEAR
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED
 from tamias2d.engine.continuous.impulse import (
@@ -18,35 +19,7 @@ from tamias2d.engine.continuous.impulse import (
 )
 from tamias2d.engine.continuous.trajectory import relative_place
 from tamias2d.engine.narrow_phase.material import mixed_material
-from tamias2d.engine.tables import (
-    GAP,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    M_APPROACH,
-    M_ARM_A,
-    M_ARM_B,
-    M_BOUNCE,
-    M_DRAG,
-    M_FRICTION,
-    M_GRIP,
-    M_HELD,
-    M_LASTING,
-    M_NORMAL,
-    M_PUSH,
-    M_RESTITUTION,
-    MET_A,
-    MET_B,
-    MET_CONTACT,
-    NX,
-    NY,
-    POINT,
-    PX,
-    PY,
-    Bodies,
-    Contacts,
-    Events,
-    Shapes,
-)
+from tamias2d.engine.tables import Bodies, Contacts, Events, Shapes
 from tamias2d.generated import friction as frictional, impact as smooth
 from tamias2d.generated.soft_contact import limited_tangent_impulse, restitution_impulse
 from tamias2d.state import Array, Vector
@@ -61,22 +34,27 @@ def list_points(
     k: int, now: float, bodies: Bodies, shapes: Shapes, contacts: Contacts, events: Events
 ) -> None:
     """List the points of a pair whose manifold is in the scratch: two where both are as deep."""
-    q, a, b = events.met[k, MET_CONTACT], events.met[k, MET_A], events.met[k, MET_B]
+    q, a, b = events.met[k, tb.MET_CONTACT], events.met[k, tb.MET_A], events.met[k, tb.MET_B]
     s, t, manifold = contacts.pairs[q, 0], contacts.pairs[q, 1], events.scratch[0]
     friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
     x, y = relative_place(a, b, now, bodies.pose, bodies.motion)
-    far = abs(manifold[PX + POINT] - manifold[PX]) + abs(manifold[PY + POINT] - manifold[PY])
-    deepest = min(manifold[GAP], manifold[GAP + POINT])
+    far = abs(manifold[tb.PX + tb.POINT] - manifold[tb.PX]) + abs(
+        manifold[tb.PY + tb.POINT] - manifold[tb.PY]
+    )
+    deepest = min(manifold[tb.GAP], manifold[tb.GAP + tb.POINT])
     for n in range(2):
-        row, at = events.met_points[2 * k + n], n * POINT
+        row, at = events.met_points[2 * k + n], n * tb.POINT
         for m in range(len(row)):
             row[m] = 0.0
-        gap = manifold[GAP + at]
+        gap = manifold[tb.GAP + at]
         if gap < UNBOUNDED and (gap == deepest or gap - deepest <= NEAR * far):
-            row[M_ARM_A], row[M_ARM_A + 1] = manifold[PX + at], manifold[PY + at]
-            row[M_ARM_B], row[M_ARM_B + 1] = manifold[PX + at] - x, manifold[PY + at] - y
-            row[M_NORMAL], row[M_NORMAL + 1] = manifold[NX], manifold[NY]
-            row[M_FRICTION], row[M_RESTITUTION] = friction, restitution
+            row[tb.M_ARM_A], row[tb.M_ARM_A + 1] = manifold[tb.PX + at], manifold[tb.PY + at]
+            row[tb.M_ARM_B], row[tb.M_ARM_B + 1] = (
+                manifold[tb.PX + at] - x,
+                manifold[tb.PY + at] - y,
+            )
+            row[tb.M_NORMAL], row[tb.M_NORMAL + 1] = manifold[tb.NX], manifold[tb.NY]
+            row[tb.M_FRICTION], row[tb.M_RESTITUTION] = friction, restitution
 
 
 def rebound_at_points(
@@ -114,7 +92,7 @@ def note_points(
         if is_point(row):
             line = line_of(r, False, events)
             speed = speed_along(line, left, bodies.motion, bodies.flight)
-            row[M_APPROACH] = min(speed, 0.0)
+            row[tb.M_APPROACH] = min(speed, 0.0)
             found = found or min(speed, path_speed_along(line, time_step, bodies.motion)) < 0.0
             listed, last = listed + 1, r
     return listed, found, last
@@ -122,33 +100,33 @@ def note_points(
 
 def is_point(row: Array) -> bool:
     """Return whether a row is of a point, which has a normal."""
-    return bool((row[M_NORMAL] != 0.0) | (row[M_NORMAL + 1] != 0.0))
+    return bool((row[tb.M_NORMAL] != 0.0) | (row[tb.M_NORMAL + 1] != 0.0))
 
 
 def line_of(r: int, tangent: bool, events: Events) -> ImpulseLine:
     """Return the line of the normal impulse at a point, or of that along the tangent."""
-    row, a, b = events.met_points[r], events.met[r // 2, MET_A], events.met[r // 2, MET_B]
-    x, y = row[M_NORMAL], row[M_NORMAL + 1]
+    row, a, b = events.met_points[r], events.met[r // 2, tb.MET_A], events.met[r // 2, tb.MET_B]
+    x, y = row[tb.M_NORMAL], row[tb.M_NORMAL + 1]
     along = (-y, x) if tangent else (x, y)
-    at_a, at_b = (row[M_ARM_A], row[M_ARM_A + 1]), (row[M_ARM_B], row[M_ARM_B + 1])
+    at_a, at_b = (row[tb.M_ARM_A], row[tb.M_ARM_A + 1]), (row[tb.M_ARM_B], row[tb.M_ARM_B + 1])
     return ImpulseLine(a, b, at_a, at_b, along)
 
 
 def rebound_at_point(r: int, left: float, bodies: Bodies, events: Events) -> None:
     """Let two bodies rebound at one point, with friction if they have any (IM3, IM9)."""
     row, line = events.met_points[r], line_of(r, False, events)
-    if row[M_APPROACH] == 0.0:
+    if row[tb.M_APPROACH] == 0.0:
         return
     a, b = bodies.properties[line.a], bodies.properties[line.b]
     mass_a, turn_a, mass_b, turn_b = (
-        a[INVERSE_MASS], a[INVERSE_INERTIA], b[INVERSE_MASS], b[INVERSE_INERTIA]
+        a[tb.INVERSE_MASS], a[tb.INVERSE_INERTIA], b[tb.INVERSE_MASS], b[tb.INVERSE_INERTIA]
     )  # fmt: skip
-    speed, normal = row[M_APPROACH], line.direction
+    speed, normal = row[tb.M_APPROACH], line.direction
     inverse = smooth.inverse_effective_mass(
         mass_a, turn_a, line.at_a, mass_b, turn_b, line.at_b, normal
     )
-    row[M_PUSH] = smooth.impulse(row[M_RESTITUTION], speed, inverse)
-    if row[M_FRICTION] > 0.0:
+    row[tb.M_PUSH] = smooth.impulse(row[tb.M_RESTITUTION], speed, inverse)
+    if row[tb.M_FRICTION] > 0.0:
         cross = frictional.cross_coupling(turn_a, line.at_a, turn_b, line.at_b, normal)
         sliding = frictional.inverse_sliding_mass(
             mass_a, turn_a, line.at_a, mass_b, turn_b, line.at_b, inverse
@@ -158,11 +136,11 @@ def rebound_at_point(r: int, left: float, bodies: Bodies, events: Events) -> Non
         closest = frictional.tangential_velocity_closest(slip, cross, speed, inverse)
         sticking = frictional.sticking_impulse(closest, sliding)
         change = frictional.normal_change(cross, sticking, inverse)
-        share = frictional.share(row[M_FRICTION], row[M_PUSH], sticking, change)
-        row[M_PUSH] = frictional.normal_impulse(row[M_PUSH], share, change)
-        row[M_DRAG] = frictional.tangential_impulse(share, sticking)
-        change_velocities(tangent, row[M_DRAG], bodies.motion, bodies.properties)
-    change_velocities(line, row[M_PUSH], bodies.motion, bodies.properties)
+        share = frictional.share(row[tb.M_FRICTION], row[tb.M_PUSH], sticking, change)
+        row[tb.M_PUSH] = frictional.normal_impulse(row[tb.M_PUSH], share, change)
+        row[tb.M_DRAG] = frictional.tangential_impulse(share, sticking)
+        change_velocities(tangent, row[tb.M_DRAG], bodies.motion, bodies.properties)
+    change_velocities(line, row[tb.M_PUSH], bodies.motion, bodies.properties)
 
 
 def rebound_at_several(count: int, left: float, bodies: Bodies, events: Events) -> None:
@@ -173,13 +151,13 @@ def rebound_at_several(count: int, left: float, bodies: Bodies, events: Events) 
     """
     solve_points(count, left, 0.0, False, bodies, events)
     for r in range(2 * count):
-        events.met_points[r, M_BOUNCE] = -events.met_points[r, M_PUSH]
+        events.met_points[r, tb.M_BOUNCE] = -events.met_points[r, tb.M_PUSH]
     solve_points(count, left, 1.0, False, bodies, events)
     rough = 0.0
     for r in range(2 * count):
         row = events.met_points[r]
-        row[M_BOUNCE] += row[M_PUSH]
-        rough = max(rough, row[M_FRICTION])
+        row[tb.M_BOUNCE] += row[tb.M_PUSH]
+        rough = max(rough, row[tb.M_FRICTION])
     if rough > 0.0:
         add_bounces(count, -1.0, bodies, events)
         solve_points(count, left, 0.0, True, bodies, events)
@@ -189,7 +167,7 @@ def rebound_at_several(count: int, left: float, bodies: Bodies, events: Events) 
 def add_bounces(count: int, sense: float, bodies: Bodies, events: Events) -> None:
     """Apply what restitution adds, or take it away where the sense is negative."""
     for r in range(2 * count):
-        impulse = sense * events.met_points[r, M_BOUNCE]
+        impulse = sense * events.met_points[r, tb.M_BOUNCE]
         if impulse != 0.0:
             line = line_of(r, False, events)
             change_velocities(line, impulse, bodies.motion, bodies.properties)
@@ -210,14 +188,14 @@ def solve_points(
                     change = max(change, drag_point(r, left, bodies, events))
             change = max(change, push_pair(k, left, bouncing, bodies, events))
             first, second = events.met_points[2 * k], events.met_points[2 * k + 1]
-            largest = max(largest, first[M_PUSH], second[M_PUSH])
+            largest = max(largest, first[tb.M_PUSH], second[tb.M_PUSH])
         if change <= UNCHANGED * largest:
             return
 
 
 def is_rough(row: Array) -> bool:
     """Return whether friction acts at a point that has approached."""
-    return bool((row[M_APPROACH] < 0.0) & (row[M_FRICTION] > 0.0))
+    return bool((row[tb.M_APPROACH] < 0.0) & (row[tb.M_FRICTION] > 0.0))
 
 
 def push_pair(k: int, left: float, bouncing: float, bodies: Bodies, events: Events) -> float:
@@ -226,10 +204,10 @@ def push_pair(k: int, left: float, bouncing: float, bodies: Bodies, events: Even
     first, second = events.met_points[2 * k], events.met_points[2 * k + 1]
     missing = -speed_along(one, left, bodies.motion, bodies.flight)
     also = -speed_along(other, left, bodies.motion, bodies.flight)
-    missing -= bouncing * first[M_RESTITUTION] * first[M_APPROACH]
-    also -= bouncing * second[M_RESTITUTION] * second[M_APPROACH]
-    both = (first[M_APPROACH] < 0.0, second[M_APPROACH] < 0.0)
-    by, by_other = solve_pair(k, M_PUSH, both, (missing, also), bodies, events)
+    missing -= bouncing * first[tb.M_RESTITUTION] * first[tb.M_APPROACH]
+    also -= bouncing * second[tb.M_RESTITUTION] * second[tb.M_APPROACH]
+    both = (first[tb.M_APPROACH] < 0.0, second[tb.M_APPROACH] < 0.0)
+    by, by_other = solve_pair(k, tb.M_PUSH, both, (missing, also), bodies, events)
     change_velocities(one, by, bodies.motion, bodies.properties)
     change_velocities(other, by_other, bodies.motion, bodies.properties)
     return max(abs(by), abs(by_other))
@@ -265,11 +243,11 @@ def couplings_of(
     """Return how impulses along two lines of a pair change the speeds along both, 1/kg."""
     a, b = properties[one.a], properties[one.b]
     mixed = smooth.coupling(
-        a[INVERSE_MASS], a[INVERSE_INERTIA],
+        a[tb.INVERSE_MASS], a[tb.INVERSE_INERTIA],
         one.at_a, one.direction, other.at_a, other.direction,
     )  # fmt: skip
     mixed += smooth.coupling(
-        b[INVERSE_MASS], b[INVERSE_INERTIA],
+        b[tb.INVERSE_MASS], b[tb.INVERSE_INERTIA],
         one.at_b, one.direction, other.at_b, other.direction,
     )  # fmt: skip
     return 1.0 / mass_along(one, properties), mixed, 1.0 / mass_along(other, properties)
@@ -294,10 +272,10 @@ def drag_point(r: int, left: float, bodies: Bodies, events: Events) -> float:
     row, line = events.met_points[r], line_of(r, True, events)
     speed = speed_along(line, left, bodies.motion, bodies.flight)
     mass = mass_along(line, bodies.properties)
-    after = limited_tangent_impulse(row[M_DRAG], speed, mass, row[M_FRICTION], row[M_PUSH])
-    change = after - row[M_DRAG]
+    after = limited_tangent_impulse(row[tb.M_DRAG], speed, mass, row[tb.M_FRICTION], row[tb.M_PUSH])
+    change = after - row[tb.M_DRAG]
     change_velocities(line, change, bodies.motion, bodies.properties)
-    row[M_DRAG] = after
+    row[tb.M_DRAG] = after
     return abs(change)
 
 
@@ -307,12 +285,12 @@ def redirect_paths(
     """Redirect the paths of all bodies as the impulses did their velocities."""
     for r in range(2 * count):
         row = events.met_points[r]
-        if row[M_PUSH] != 0.0:
+        if row[tb.M_PUSH] != 0.0:
             line = line_of(r, False, events)
-            change_paths(line, now, row[M_PUSH] * time_step, bodies)
-        if row[M_DRAG] != 0.0:
+            change_paths(line, now, row[tb.M_PUSH] * time_step, bodies)
+        if row[tb.M_DRAG] != 0.0:
             line = line_of(r, True, events)
-            change_paths(line, now, row[M_DRAG] * time_step, bodies)
+            change_paths(line, now, row[tb.M_DRAG] * time_step, bodies)
 
 
 def hold_paths(count: int, now: float, time_step: float, bodies: Bodies, events: Events) -> bool:
@@ -326,11 +304,11 @@ def hold_paths(count: int, now: float, time_step: float, bodies: Bodies, events:
             missing = -path_speed_along(one, time_step, bodies.motion)
             also = -path_speed_along(other, time_step, bodies.motion)
             both = (is_point(first), is_point(second))
-            by, by_other = solve_pair(k, M_HELD, both, (missing, also), bodies, events)
+            by, by_other = solve_pair(k, tb.M_HELD, both, (missing, also), bodies, events)
             change_paths(one, now, by * time_step, bodies)
             change_paths(other, now, by_other * time_step, bodies)
             change = max(change, abs(by), abs(by_other))
-            largest = max(largest, first[M_HELD], second[M_HELD])
+            largest = max(largest, first[tb.M_HELD], second[tb.M_HELD])
         pressed = pressed or largest > 0.0
         if change <= UNCHANGED * largest:
             break
@@ -346,12 +324,12 @@ def hold_velocities(count: int, bodies: Bodies, events: Events) -> None:
             first, second = events.met_points[2 * k], events.met_points[2 * k + 1]
             missing = -speed_along(one, 0.0, bodies.motion, bodies.flight)
             also = -speed_along(other, 0.0, bodies.motion, bodies.flight)
-            both = (first[M_HELD] > 0.0, second[M_HELD] > 0.0)
-            by, by_other = solve_pair(k, M_LASTING, both, (missing, also), bodies, events)
+            both = (first[tb.M_HELD] > 0.0, second[tb.M_HELD] > 0.0)
+            by, by_other = solve_pair(k, tb.M_LASTING, both, (missing, also), bodies, events)
             change_velocities(one, by, bodies.motion, bodies.properties)
             change_velocities(other, by_other, bodies.motion, bodies.properties)
             change = max(change, abs(by), abs(by_other))
-            largest = max(largest, first[M_LASTING], second[M_LASTING])
+            largest = max(largest, first[tb.M_LASTING], second[tb.M_LASTING])
         if change <= UNCHANGED * largest:
             return
 
@@ -361,24 +339,24 @@ def grip(count: int, now: float, time_step: float, bodies: Bodies, events: Event
     settled = True
     for r in range(2 * count):
         row = events.met_points[r]
-        if row[M_LASTING] > 0.0 and row[M_FRICTION] > 0.0:
-            line, before = line_of(r, True, events), row[M_GRIP]
+        if row[tb.M_LASTING] > 0.0 and row[tb.M_FRICTION] > 0.0:
+            line, before = line_of(r, True, events), row[tb.M_GRIP]
             speed = speed_along(line, 0.0, bodies.motion, bodies.flight)
             mass = mass_along(line, bodies.properties)
-            row[M_GRIP] = limited_tangent_impulse(
-                before, speed, mass, row[M_FRICTION], row[M_LASTING]
+            row[tb.M_GRIP] = limited_tangent_impulse(
+                before, speed, mass, row[tb.M_FRICTION], row[tb.M_LASTING]
             )
-            change_velocities(line, row[M_GRIP] - before, bodies.motion, bodies.properties)
-            change_paths(line, now, (row[M_GRIP] - before) * time_step, bodies)
-            settled = settled and abs(row[M_GRIP] - before) <= UNCHANGED * row[M_LASTING]
+            change_velocities(line, row[tb.M_GRIP] - before, bodies.motion, bodies.properties)
+            change_paths(line, now, (row[tb.M_GRIP] - before) * time_step, bodies)
+            settled = settled and abs(row[tb.M_GRIP] - before) <= UNCHANGED * row[tb.M_LASTING]
     return settled
 
 
 def total_push(k: int, events: Events) -> tuple[float, Vector]:
     """Return the normal impulse of a pair, N s, and where it acts, from the centre of A, m."""
     first, second = events.met_points[2 * k], events.met_points[2 * k + 1]
-    one, other = first[M_PUSH] + first[M_LASTING], second[M_PUSH] + second[M_LASTING]
+    one, other = first[tb.M_PUSH] + first[tb.M_LASTING], second[tb.M_PUSH] + second[tb.M_LASTING]
     share = other / (one + other) if one + other > 0.0 else 0.0
-    x = (1.0 - share) * first[M_ARM_A] + share * second[M_ARM_A]
-    y = (1.0 - share) * first[M_ARM_A + 1] + share * second[M_ARM_A + 1]
+    x = (1.0 - share) * first[tb.M_ARM_A] + share * second[tb.M_ARM_A]
+    y = (1.0 - share) * first[tb.M_ARM_A + 1] + share * second[tb.M_ARM_A + 1]
     return one + other, (x, y)

@@ -2,19 +2,9 @@
 
 from typing import NamedTuple
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.trajectory import redirect_path
-from tamias2d.engine.tables import (
-    DANGLE,
-    DX,
-    DY,
-    FORCE_GAIN,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    SPIN,
-    VX,
-    VY,
-    Bodies,
-)
+from tamias2d.engine.tables import Bodies
 from tamias2d.generated.soft_contact import (
     angular_velocity_a_after,
     angular_velocity_b_after,
@@ -45,16 +35,16 @@ def speed_along(line: ImpulseLine, left: float, motion: Array, flight: Array) ->
     i, j = line.a, line.b
     return row_velocity(
         (
-            motion[i, VX] - left * flight[i, FORCE_GAIN],
-            motion[i, VY] - left * flight[i, FORCE_GAIN + 1],
+            motion[i, tb.VX] - left * flight[i, tb.FORCE_GAIN],
+            motion[i, tb.VY] - left * flight[i, tb.FORCE_GAIN + 1],
         ),
-        motion[i, SPIN] - left * flight[i, FORCE_GAIN + 2],
+        motion[i, tb.SPIN] - left * flight[i, tb.FORCE_GAIN + 2],
         turning_arm(line.at_a, line.direction),
         (
-            motion[j, VX] - left * flight[j, FORCE_GAIN],
-            motion[j, VY] - left * flight[j, FORCE_GAIN + 1],
+            motion[j, tb.VX] - left * flight[j, tb.FORCE_GAIN],
+            motion[j, tb.VY] - left * flight[j, tb.FORCE_GAIN + 1],
         ),
-        motion[j, SPIN] - left * flight[j, FORCE_GAIN + 2],
+        motion[j, tb.SPIN] - left * flight[j, tb.FORCE_GAIN + 2],
         turning_arm(line.at_b, line.direction),
         line.direction,
     )
@@ -64,11 +54,11 @@ def path_speed_along(line: ImpulseLine, time_step: float, motion: Array) -> floa
     """Return the same of the paths on which the bodies go, m/s."""
     i, j = line.a, line.b
     by_step = row_velocity(
-        (motion[i, DX], motion[i, DY]),
-        motion[i, DANGLE],
+        (motion[i, tb.DX], motion[i, tb.DY]),
+        motion[i, tb.DANGLE],
         turning_arm(line.at_a, line.direction),
-        (motion[j, DX], motion[j, DY]),
-        motion[j, DANGLE],
+        (motion[j, tb.DX], motion[j, tb.DY]),
+        motion[j, tb.DANGLE],
         turning_arm(line.at_b, line.direction),
         line.direction,
     )
@@ -78,11 +68,11 @@ def path_speed_along(line: ImpulseLine, time_step: float, motion: Array) -> floa
 def mass_along(line: ImpulseLine, properties: Array) -> float:
     """Return the effective mass of two bodies along a line, kg."""
     return row_mass(
-        properties[line.a, INVERSE_MASS],
-        properties[line.a, INVERSE_INERTIA],
+        properties[line.a, tb.INVERSE_MASS],
+        properties[line.a, tb.INVERSE_INERTIA],
         turning_arm(line.at_a, line.direction),
-        properties[line.b, INVERSE_MASS],
-        properties[line.b, INVERSE_INERTIA],
+        properties[line.b, tb.INVERSE_MASS],
+        properties[line.b, tb.INVERSE_INERTIA],
         turning_arm(line.at_b, line.direction),
     )
 
@@ -99,17 +89,17 @@ def change_velocities(line: ImpulseLine, amount: float, motion: Array, propertie
     """Apply an impulse, N s, to the velocities of both bodies."""
     i, j, direction = line.a, line.b, line.direction
     arm_a, arm_b = turning_arm(line.at_a, direction), turning_arm(line.at_b, direction)
-    motion[i, VX], motion[i, VY] = velocity_a_after(
-        (motion[i, VX], motion[i, VY]), amount, direction, properties[i, INVERSE_MASS]
+    motion[i, tb.VX], motion[i, tb.VY] = velocity_a_after(
+        (motion[i, tb.VX], motion[i, tb.VY]), amount, direction, properties[i, tb.INVERSE_MASS]
     )
-    motion[i, SPIN] = angular_velocity_a_after(
-        motion[i, SPIN], amount, arm_a, properties[i, INVERSE_INERTIA]
+    motion[i, tb.SPIN] = angular_velocity_a_after(
+        motion[i, tb.SPIN], amount, arm_a, properties[i, tb.INVERSE_INERTIA]
     )
-    motion[j, VX], motion[j, VY] = velocity_b_after(
-        (motion[j, VX], motion[j, VY]), amount, direction, properties[j, INVERSE_MASS]
+    motion[j, tb.VX], motion[j, tb.VY] = velocity_b_after(
+        (motion[j, tb.VX], motion[j, tb.VY]), amount, direction, properties[j, tb.INVERSE_MASS]
     )
-    motion[j, SPIN] = angular_velocity_b_after(
-        motion[j, SPIN], amount, arm_b, properties[j, INVERSE_INERTIA]
+    motion[j, tb.SPIN] = angular_velocity_b_after(
+        motion[j, tb.SPIN], amount, arm_b, properties[j, tb.INVERSE_INERTIA]
     )
 
 
@@ -117,9 +107,9 @@ def change_paths(line: ImpulseLine, now: float, amount: float, bodies: Bodies) -
     """Redirect the paths of both bodies as an impulse does, in N s times the time step, s."""
     i, j, direction, none = line.a, line.b, line.direction, (0.0, 0.0)
     arm_a, arm_b = turning_arm(line.at_a, direction), turning_arm(line.at_b, direction)
-    by = velocity_a_after(none, amount, direction, bodies.properties[i, INVERSE_MASS])
-    turn = angular_velocity_a_after(0.0, amount, arm_a, bodies.properties[i, INVERSE_INERTIA])
+    by = velocity_a_after(none, amount, direction, bodies.properties[i, tb.INVERSE_MASS])
+    turn = angular_velocity_a_after(0.0, amount, arm_a, bodies.properties[i, tb.INVERSE_INERTIA])
     redirect_path(i, now, by, turn, bodies.pose, bodies.motion)
-    by = velocity_b_after(none, amount, direction, bodies.properties[j, INVERSE_MASS])
-    turn = angular_velocity_b_after(0.0, amount, arm_b, bodies.properties[j, INVERSE_INERTIA])
+    by = velocity_b_after(none, amount, direction, bodies.properties[j, tb.INVERSE_MASS])
+    turn = angular_velocity_b_after(0.0, amount, arm_b, bodies.properties[j, tb.INVERSE_INERTIA])
     redirect_path(j, now, by, turn, bodies.pose, bodies.motion)

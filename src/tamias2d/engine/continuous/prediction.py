@@ -6,6 +6,7 @@ the manifold that they have when they meet on the paths that they are on, with t
 until then, and treats them together with the contacts that touch.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.conservative_advancement import place_vertices, time_of_impact
 from tamias2d.engine.continuous.events import bounces, smaller_radius
 from tamias2d.engine.continuous.secondary_contacts import add_secondary_contacts
@@ -22,86 +23,54 @@ from tamias2d.engine.narrow_phase.seams import (
     leave_seams_out,
 )
 from tamias2d.engine.narrow_phase.touching import CLOSE, smallest_gap
-from tamias2d.engine.tables import (
-    ALL,
-    ARRANGED,
-    COMING,
-    DYNAMIC,
-    FEATURE,
-    FORESEEN,
-    GOES_FAR,
-    HOLDING,
-    IMPACTS,
-    ISLANDS_KNOWN,
-    KNOWN_WAY,
-    LOCATED,
-    LOCATED_PAIRS,
-    MEETING,
-    MOST_LOCATED,
-    NEW_STATIC,
-    NORMAL_IMPULSE,
-    PART_TIME,
-    POINT,
-    POINT_COUNT,
-    SECONDARY,
-    SHAPE_RADIUS,
-    SPIN,
-    TOUCHING,
-    VX,
-    VY,
-    Bodies,
-    Contacts,
-    Control,
-    Events,
-    Shapes,
-    Touching,
-    World,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes, Touching, World
 
 
 def foresee(world: World, contacts: Contacts) -> None:
     """Leave lone impacts to continuous collision, and give the solver the others to come."""
     control, bodies, shapes = world.control, world.bodies, world.shapes
     touching, events = world.touching, world.events
-    touching.counts[LOCATED_PAIRS] = touching.counts[IMPACTS] = 0
+    touching.counts[tb.LOCATED_PAIRS] = touching.counts[tb.IMPACTS] = 0
     clear_grounds(bodies, events)
-    if touching.counts[NEW_STATIC] + control.counts[GOES_FAR] > 0 and leave_seams_out(
+    if touching.counts[tb.NEW_STATIC] + control.counts[tb.GOES_FAR] > 0 and leave_seams_out(
         bodies, shapes, contacts, touching, events
     ):
-        touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
-    if touching.counts[MEETING] == 0:
+        touching.counts[tb.ARRANGED] = touching.counts[tb.ISLANDS_KNOWN] = 0
+    if touching.counts[tb.MEETING] == 0:
         return
     changed = add_secondary_contacts(world, contacts)
-    touching.counts[IMPACTS] = 1 if changed else 0
+    touching.counts[tb.IMPACTS] = 1 if changed else 0
     count_contacts(bodies, contacts, touching)
     stay = 0
-    for k in range(touching.counts[TOUCHING]):
+    for k in range(touching.counts[tb.TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
-        comes, points = contacts.flags[p, LOCATED], contacts.flags[p, POINT_COUNT]
-        meets, contacts.flags[p, LOCATED] = comes == MOST_LOCATED, 0
-        if comes == SECONDARY and is_alone(i, bodies, touching) and is_alone(j, bodies, touching):
-            contacts.flags[p, POINT_COUNT] = 0  # what would drive it is located
+        comes, points = contacts.flags[p, tb.LOCATED], contacts.flags[p, tb.POINT_COUNT]
+        meets, contacts.flags[p, tb.LOCATED] = comes == tb.MOST_LOCATED, 0
+        if (
+            comes == tb.SECONDARY
+            and is_alone(i, bodies, touching)
+            and is_alone(j, bodies, touching)
+        ):
+            contacts.flags[p, tb.POINT_COUNT] = 0  # what would drive it is located
             continue
         located = is_located(meets, p, i, j, bodies, shapes, contacts, touching)
         located = unless_joined(located, i, j, bodies)
         if located:
-            contacts.flags[p, LOCATED], contacts.flags[p, POINT_COUNT] = MOST_LOCATED, 0
-            touching.counts[LOCATED_PAIRS] += 1
-        elif contacts.flags[p, POINT_COUNT] > 0 and (
+            contacts.flags[p, tb.LOCATED], contacts.flags[p, tb.POINT_COUNT] = tb.MOST_LOCATED, 0
+            touching.counts[tb.LOCATED_PAIRS] += 1
+        elif contacts.flags[p, tb.POINT_COUNT] > 0 and (
             not meets or foresee_contact(p, i, j, control, bodies, shapes, contacts, events)
         ):
             touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
             stay += 1
-            if contacts.manifolds[p, FORESEEN] > 0.0:
-                touching.counts[IMPACTS] = 1
-            changed = changed or contacts.flags[p, POINT_COUNT] != points
+            if contacts.manifolds[p, tb.FORESEEN] > 0.0:
+                touching.counts[tb.IMPACTS] = 1
+            changed = changed or contacts.flags[p, tb.POINT_COUNT] != points
         else:
-            contacts.flags[p, POINT_COUNT] = 0
-    if changed or stay < touching.counts[TOUCHING]:
-        touching.counts[TOUCHING] = stay
-        touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
+            contacts.flags[p, tb.POINT_COUNT] = 0
+    if changed or stay < touching.counts[tb.TOUCHING]:
+        touching.counts[tb.TOUCHING] = stay
+        touching.counts[tb.ARRANGED] = touching.counts[tb.ISLANDS_KNOWN] = 0
 
 
 def count_contacts(bodies: Bodies, contacts: Contacts, touching: Touching) -> None:
@@ -110,18 +79,18 @@ def count_contacts(bodies: Bodies, contacts: Contacts, touching: Touching) -> No
     To come are those with what does not move freely that meet, or that others drive together.
     """
     near = touching.near
-    for k in range(touching.counts[TOUCHING]):
+    for k in range(touching.counts[tb.TOUCHING]):
         for n in range(3):
             near[touching.body_a[k], n] = near[touching.body_b[k], n] = 0
-    for k in range(touching.counts[TOUCHING]):
+    for k in range(touching.counts[tb.TOUCHING]):
         p, a, b = touching.contact[k], touching.body_a[k], touching.body_b[k]
         manifold = contacts.manifolds[p]
-        loaded = manifold[NORMAL_IMPULSE] + manifold[NORMAL_IMPULSE + POINT] > 0.0
-        comes = contacts.flags[p, LOCATED] > 0 and bodies.kind[a] != bodies.kind[b]
+        loaded = manifold[tb.NORMAL_IMPULSE] + manifold[tb.NORMAL_IMPULSE + tb.POINT] > 0.0
+        comes = contacts.flags[p, tb.LOCATED] > 0 and bodies.kind[a] != bodies.kind[b]
         for i in (a, b):
-            near[i, ALL] += 1
-            near[i, HOLDING] += 1 if loaded else 0
-            near[i, COMING] += 1 if comes else 0
+            near[i, tb.ALL] += 1
+            near[i, tb.HOLDING] += 1 if loaded else 0
+            near[i, tb.COMING] += 1 if comes else 0
 
 
 def is_located(
@@ -140,7 +109,7 @@ def is_located(
     the other they pass an impact on.
     """
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-    gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, POINT_COUNT])
+    gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, tb.POINT_COUNT])
     a, b = core_of(s, shapes), core_of(t, shapes)
     if is_thin(a, b) and not gap > 0.0:
         return False  # behind a gap of 0 is the other side
@@ -152,7 +121,7 @@ def is_located(
 
 def holds(i: int, bodies: Bodies, touching: Touching) -> int:
     """Return how many contacts hold a body that moves freely."""
-    return touching.near[i, HOLDING] if bodies.kind[i] == DYNAMIC else 0
+    return touching.near[i, tb.HOLDING] if bodies.kind[i] == tb.DYNAMIC else 0
 
 
 def is_alone(i: int, bodies: Bodies, touching: Touching) -> bool:
@@ -161,8 +130,8 @@ def is_alone(i: int, bodies: Bodies, touching: Touching) -> bool:
     Then an impact acts on it when it is on no path but its own.
     """
     near = touching.near[i]
-    lone = (near[ALL] == 1) | (near[ALL] == near[COMING])
-    return bool((bodies.kind[i] != DYNAMIC) | lone)
+    lone = (near[tb.ALL] == 1) | (near[tb.ALL] == near[tb.COMING])
+    return bool((bodies.kind[i] != tb.DYNAMIC) | lone)
 
 
 def foresee_contact(
@@ -177,15 +146,15 @@ def foresee_contact(
 ) -> bool:
     """Write the manifold of two shapes as they meet; return whether they do, or are close."""
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-    time = control.progress[PART_TIME]
+    time = control.progress[tb.PART_TIME]
     path = path_ahead(i, j, time, bodies)
     manifold, flags = contacts.manifolds[p], contacts.flags[p]
     held = held_normal(manifold, flags)
     at = time_of_impact(s, t, path, held, shapes, events)
-    margin = CLOSE * min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
+    margin = CLOSE * min(shapes.material[s, tb.SHAPE_RADIUS], shapes.material[t, tb.SHAPE_RADIUS])
     if at > 1.0:
-        near = smallest_gap(manifold, flags[POINT_COUNT]) < margin
-        return near and flags[FEATURE] != BESIDE
+        near = smallest_gap(manifold, flags[tb.POINT_COUNT]) < margin
+        return near and flags[tb.FEATURE] != BESIDE
     a, b, rows = core_of(s, shapes), core_of(t, shapes), events.scratch[1:]
     place_vertices(a, path.turn_a * at, shapes.world_vertices, 0, rows)
     place_vertices(b, path.turn_b * at, shapes.world_vertices, a.vertex_count, rows)
@@ -201,8 +170,8 @@ def foresee_contact(
         if first == BESIDE:
             return False
     elif second > 0:
-        manifold[KNOWN_WAY] = NEVER
-    manifold[FORESEEN] = at * time
+        manifold[tb.KNOWN_WAY] = NEVER
+    manifold[tb.FORESEEN] = at * time
     found = match_impulses(manifold, flags, first, second) > 0
     return found and not joins_ground(p, at * time, bodies, shapes, contacts, events.ground)
 
@@ -211,10 +180,10 @@ def path_ahead(i: int, j: int, time: float, bodies: Bodies) -> RelativePath:
     """Return the path of body j as seen from i in a time, s, at the velocities that they have."""
     pose, motion = bodies.pose, bodies.motion
     return RelativePath(
-        pose[j, X] - pose[i, X],
-        pose[j, Y] - pose[i, Y],
-        time * (motion[j, VX] - motion[i, VX]),
-        time * (motion[j, VY] - motion[i, VY]),
-        time * motion[i, SPIN],
-        time * motion[j, SPIN],
+        pose[j, tb.X] - pose[i, tb.X],
+        pose[j, tb.Y] - pose[i, tb.Y],
+        time * (motion[j, tb.VX] - motion[i, tb.VX]),
+        time * (motion[j, tb.VY] - motion[i, tb.VY]),
+        time * motion[i, tb.SPIN],
+        time * motion[j, tb.SPIN],
     )

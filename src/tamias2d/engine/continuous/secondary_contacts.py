@@ -7,7 +7,9 @@ one, which a body that falls on it brings down. Cost: a pass over the list of pa
 body approaches another one faster than gravity lets it.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.events import bounces, smaller_radius
+from tamias2d.engine.islands import both_sleep
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.narrow_phase.touching import (
@@ -15,34 +17,7 @@ from tamias2d.engine.narrow_phase.touching import (
     opening_speed,
     speculative_margins,
 )
-from tamias2d.engine.tables import (
-    AWAKE,
-    CONTACTS,
-    DYNAMIC,
-    FEATURE,
-    GAP,
-    GRAVITY_X,
-    GRAVITY_Y,
-    LOCATED,
-    PART_TIME,
-    POINT,
-    POINT_COUNT,
-    SECONDARY,
-    SENSES,
-    SHAPE_RADIUS,
-    SLEEPING,
-    SLOT_A,
-    SLOT_B,
-    TOUCHES,
-    TOUCHING,
-    Bodies,
-    Contacts,
-    Islands,
-    Touching,
-    World,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Contacts, Islands, Touching, World
 
 
 def add_secondary_contacts(world: World, contacts: Contacts) -> bool:
@@ -51,22 +26,22 @@ def add_secondary_contacts(world: World, contacts: Contacts) -> bool:
     Returns whether there are more pairs, or points.
     """
     bodies, touching = world.bodies, world.touching
-    pull = abs(world.control.settings[GRAVITY_X]) + abs(world.control.settings[GRAVITY_Y])
-    slow = 2.0 * world.control.progress[PART_TIME] * pull
+    pull = abs(world.control.settings[tb.GRAVITY_X]) + abs(world.control.settings[tb.GRAVITY_Y])
+    slow = 2.0 * world.control.progress[tb.PART_TIME] * pull
     if not note_approaches(slow, bodies, contacts, touching):
         return False
     added = more = 0
-    for p in range(world.broad_phase.counts[CONTACTS]):
-        points = contacts.flags[p, POINT_COUNT]
+    for p in range(world.broad_phase.counts[tb.CONTACTS]):
+        points = contacts.flags[p, tb.POINT_COUNT]
         if points < 2 and is_driven(p, contacts, touching, world.islands):
             if points == 1:
                 more += 1 if collide_driven(p, world, contacts) > 1 else 0
                 continue
             found = meets_driven(p, world, contacts)
-            contacts.flags[p, LOCATED] = SECONDARY if found else 0
+            contacts.flags[p, tb.LOCATED] = tb.SECONDARY if found else 0
             added += 1 if found else 0
     if added > 0:
-        merge_secondary(added, contacts, touching, world.broad_phase.counts[CONTACTS])
+        merge_secondary(added, contacts, touching, world.broad_phase.counts[tb.CONTACTS])
     return added + more > 0
 
 
@@ -78,13 +53,13 @@ def note_approaches(slow: float, bodies: Bodies, contacts: Contacts, touching: T
     for i in range(len(bodies.kind)):
         touching.approach[i] = 0.0
     found = False
-    for k in range(touching.counts[TOUCHING]):
+    for k in range(touching.counts[tb.TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
         speed = -least_speed(p, i, j, bodies, contacts)
         if speed > slow:
             found = True
             for one in (i, j):
-                if bodies.kind[one] == DYNAMIC:
+                if bodies.kind[one] == tb.DYNAMIC:
                     touching.approach[one] = max(touching.approach[one], speed)
     return found
 
@@ -92,32 +67,29 @@ def note_approaches(slow: float, bodies: Bodies, contacts: Contacts, touching: T
 def least_speed(p: int, i: int, j: int, bodies: Bodies, contacts: Contacts) -> float:
     """Return how fast the gaps of two bodies open, at the point where they do so least, m/s."""
     least = 0.0
-    for n in range(contacts.flags[p, POINT_COUNT]):
+    for n in range(contacts.flags[p, tb.POINT_COUNT]):
         least = min(least, opening_speed(n, i, j, bodies, contacts.manifolds[p]))
     return least
 
 
 def is_driven(p: int, contacts: Contacts, touching: Touching, islands: Islands) -> bool:
     """Return whether contacts with others may drive two bodies together that are awake."""
-    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-    if touching.approach[i] + touching.approach[j] == 0.0:
-        return False
-    return bool(
-        islands.counts[SLEEPING] == 0 or islands.links[i, AWAKE] + islands.links[j, AWAKE] > 0
-    )
+    i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
+    driven = touching.approach[i] + touching.approach[j] != 0.0
+    return bool(driven and not both_sleep(i, j, islands))
 
 
 def meets_driven(p: int, world: World, contacts: Contacts) -> bool:
     """Find the manifold of two bodies that contacts drive; return whether they may meet so."""
     bodies, touching = world.bodies, world.touching
-    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-    driven, time = touching.approach[i] + touching.approach[j], world.control.progress[PART_TIME]
+    i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
+    driven, time = touching.approach[i] + touching.approach[j], world.control.progress[tb.PART_TIME]
     for n in range(collide_driven(p, world, contacts)):
         speed = opening_speed(n, i, j, bodies, contacts.manifolds[p]) - driven
-        near = contacts.manifolds[p, GAP + n * POINT] + speed * time < 0.0
-        if near and contacts.flags[p, FEATURE] != BESIDE:
+        near = contacts.manifolds[p, tb.GAP + n * tb.POINT] + speed * time < 0.0
+        if near and contacts.flags[p, tb.FEATURE] != BESIDE:
             return True
-    contacts.flags[p, POINT_COUNT] = 0
+    contacts.flags[p, tb.POINT_COUNT] = 0
     return False
 
 
@@ -128,18 +100,18 @@ def collide_driven(p: int, world: World, contacts: Contacts) -> int:
     """
     bodies, shapes, touching = world.bodies, world.shapes, world.touching
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-    if contacts.flags[p, SENSES] == 1 or bounces(p, shapes, contacts):
+    i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
+    if contacts.flags[p, tb.SENSES] == 1 or bounces(p, shapes, contacts):
         return 0
     reach = smaller_radius(s, t, shapes.material)
-    touched = contacts.flags[p, TOUCHES] != 0
+    touched = contacts.flags[p, tb.TOUCHES] != 0
     margin, _ = speculative_margins(i, j, s, t, reach, touched, 0.0, world.control, bodies, shapes)
-    driven = world.control.progress[PART_TIME] * (touching.approach[i] + touching.approach[j])
+    driven = world.control.progress[tb.PART_TIME] * (touching.approach[i] + touching.approach[j])
     if margin == 0.0 or margin + driven > BULLET * reach:
         return 0
     margin += driven
-    x, y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
-    radii = shapes.material[s, SHAPE_RADIUS] + shapes.material[t, SHAPE_RADIUS] + margin
+    x, y = bodies.pose[j, tb.X] - bodies.pose[i, tb.X], bodies.pose[j, tb.Y] - bodies.pose[i, tb.Y]
+    radii = shapes.material[s, tb.SHAPE_RADIUS] + shapes.material[t, tb.SHAPE_RADIUS] + margin
     if x * x + y * y > radii * radii:
         return 0
     return collide(p, s, t, x, y, margin, shapes, contacts)
@@ -147,18 +119,18 @@ def collide_driven(p: int, world: World, contacts: Contacts) -> int:
 
 def merge_secondary(added: int, contacts: Contacts, touching: Touching, count: int) -> None:
     """Put the marked pairs at their places among those that touch, from the last one on."""
-    k = touching.counts[TOUCHING] - 1
+    k = touching.counts[tb.TOUCHING] - 1
     to = k + added
-    touching.counts[TOUCHING] += added
+    touching.counts[tb.TOUCHING] += added
     for p in range(count - 1, -1, -1):
         if to == k:
             return
-        marked = contacts.flags[p, LOCATED] == SECONDARY
+        marked = contacts.flags[p, tb.LOCATED] == tb.SECONDARY
         if marked:
             touching.contact[to] = p
             touching.body_a[to], touching.body_b[to] = (
-                contacts.pairs[p, SLOT_A],
-                contacts.pairs[p, SLOT_B],
+                contacts.pairs[p, tb.SLOT_A],
+                contacts.pairs[p, tb.SLOT_B],
             )
             to -= 1
         elif k >= 0 and touching.contact[k] == p:

@@ -5,7 +5,8 @@ A path is kept as the pose from which it would have begun, and its displacement 
 
 from typing import NamedTuple
 
-from tamias2d.engine.tables import ANGLE, DANGLE, DX, DY, Bodies, X, Y
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Bodies
 from tamias2d.generated.continuous_collision import (
     orientation_redirected,
     position_redirected,
@@ -31,26 +32,26 @@ def relative_path(i: int, j: int, now: float, bodies: Bodies) -> RelativePath:
     """Return the path of body j as seen from i, from a fraction of the step to its end."""
     pose, motion, left = bodies.pose, bodies.motion, 1.0 - now
     x, y = relative_place(i, j, now, pose, motion)
-    dx, dy = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
+    dx, dy = motion[j, tb.DX] - motion[i, tb.DX], motion[j, tb.DY] - motion[i, tb.DY]
     return RelativePath(
-        x, y, left * dx, left * dy, left * motion[i, DANGLE], left * motion[j, DANGLE]
+        x, y, left * dx, left * dy, left * motion[i, tb.DANGLE], left * motion[j, tb.DANGLE]
     )
 
 
 def relative_place(i: int, j: int, now: float, pose: Array, motion: Array) -> Vector:
     """Return where body j is from i at a fraction of the step, m."""
     return span(
-        (pose[i, X], pose[i, Y]),
-        (motion[i, DX], motion[i, DY]),
-        (pose[j, X], pose[j, Y]),
-        (motion[j, DX], motion[j, DY]),
+        (pose[i, tb.X], pose[i, tb.Y]),
+        (motion[i, tb.DX], motion[i, tb.DY]),
+        (pose[j, tb.X], pose[j, tb.Y]),
+        (motion[j, tb.DX], motion[j, tb.DY]),
         now,
     )
 
 
 def redirect_path(i: int, now: float, by: Vector, turn: float, pose: Array, motion: Array) -> None:
     """Change the displacement over a whole step, m and rad, from where a path is now (GD14)."""
-    pose[i, X], pose[i, Y] = position_redirected((pose[i, X], pose[i, Y]), by, now)
-    pose[i, ANGLE] = orientation_redirected(pose[i, ANGLE], turn, now)
-    motion[i, DX], motion[i, DY] = shift_redirected((motion[i, DX], motion[i, DY]), by)
-    motion[i, DANGLE] = turn_redirected(motion[i, DANGLE], turn)
+    pose[i, tb.X], pose[i, tb.Y] = position_redirected((pose[i, tb.X], pose[i, tb.Y]), by, now)
+    pose[i, tb.ANGLE] = orientation_redirected(pose[i, tb.ANGLE], turn, now)
+    motion[i, tb.DX], motion[i, tb.DY] = shift_redirected((motion[i, tb.DX], motion[i, tb.DY]), by)
+    motion[i, tb.DANGLE] = turn_redirected(motion[i, tb.DANGLE], turn)

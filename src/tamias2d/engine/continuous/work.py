@@ -6,20 +6,10 @@ difference is taken back, so that kinetic energy rises by no more than the work 
 is seen from the other body, which may move.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.trajectory import relative_place
 from tamias2d.engine.solver.energy import mass_and_inertia
-from tamias2d.engine.tables import (
-    DANGLE,
-    DX,
-    DY,
-    GRAVITY_X,
-    GRAVITY_Y,
-    SPIN,
-    VX,
-    VY,
-    Bodies,
-    Control,
-)
+from tamias2d.engine.tables import Bodies, Control
 from tamias2d.generated.definitions import kinetic_energy, point_velocity
 from tamias2d.generated.island_energy import (
     angular_velocity_damped,
@@ -35,14 +25,14 @@ from tamias2d.state import Array, Vector
 def support_velocity(i: int, j: int, now: float, pose: Array, motion: Array) -> Vector:
     """Return the velocity that a body i would have as a part of j, m/s."""
     at = relative_place(j, i, now, pose, motion)
-    return point_velocity((motion[j, VX], motion[j, VY]), motion[j, SPIN], at)
+    return point_velocity((motion[j, tb.VX], motion[j, tb.VY]), motion[j, tb.SPIN], at)
 
 
 def energy_seen(i: int, support: Vector, spin: float, motion: Array, properties: Array) -> float:
     """Return the kinetic energy of a body as seen from its support, J."""
     mass, inertia = mass_and_inertia(i, properties)
-    seen = velocity_seen((motion[i, VX], motion[i, VY]), support)
-    return kinetic_energy(mass, seen, inertia, angular_velocity_seen(motion[i, SPIN], spin))
+    seen = velocity_seen((motion[i, tb.VX], motion[i, tb.VY]), support)
+    return kinetic_energy(mass, seen, inertia, angular_velocity_seen(motion[i, tb.SPIN], spin))
 
 
 def work_ahead(i: int, left: float, control: Control, bodies: Bodies) -> float:
@@ -50,11 +40,11 @@ def work_ahead(i: int, left: float, control: Control, bodies: Bodies) -> float:
     mass, _ = mass_and_inertia(i, bodies.properties)
     return work(
         mass,
-        (control.settings[GRAVITY_X], control.settings[GRAVITY_Y]),
+        (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y]),
         (bodies.load[i, 0], bodies.load[i, 1]),
         bodies.load[i, 2],
-        (left * bodies.motion[i, DX], left * bodies.motion[i, DY]),
-        left * bodies.motion[i, DANGLE],
+        (left * bodies.motion[i, tb.DX], left * bodies.motion[i, tb.DY]),
+        left * bodies.motion[i, tb.DANGLE],
     )
 
 
@@ -66,5 +56,5 @@ def take_energy_back(
     if surplus > 0.0 and energy > 0.0:
         share = damped_share(energy, max(energy - surplus, 0.0), 0.0)
         row = motion[i]
-        row[VX], row[VY] = velocity_damped((row[VX], row[VY]), support, share)
-        row[SPIN] = angular_velocity_damped(row[SPIN], spin, share)
+        row[tb.VX], row[tb.VY] = velocity_damped((row[tb.VX], row[tb.VY]), support, share)
+        row[tb.SPIN] = angular_velocity_damped(row[tb.SPIN], spin, share)

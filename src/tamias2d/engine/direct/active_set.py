@@ -4,48 +4,9 @@ A contact leaves its state only where that matters, by more than rounding, so th
 does not go to and fro. Source: Rockafellar (1976), proximal point.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.contacts import add_to_nodes, point_speed
-from tamias2d.engine.tables import (
-    BIAS,
-    BODY_A,
-    BODY_B,
-    C_BLOCK,
-    C_FACTORED,
-    C_LANE,
-    C_STATE,
-    CHANGE,
-    FIRM_MASS,
-    FRICTION_SHARE,
-    I_CONTACT,
-    I_NODE,
-    IMPULSE_SCALE,
-    N_BODY,
-    NEW_NORMAL,
-    NEW_TANGENT,
-    NODE_INERTIA,
-    NODE_MASS,
-    P_NORMAL_ARM_A,
-    P_NORMAL_ARM_B,
-    P_NORMAL_IMPULSE,
-    P_TANGENT_ARM_A,
-    P_TANGENT_ARM_B,
-    P_TANGENT_IMPULSE,
-    POINT_SIZE,
-    POINTS,
-    R_FRICTION,
-    R_NX,
-    R_NY,
-    SHARED,
-    SPEED_ERROR,
-    SPIN,
-    VELOCITY_START,
-    VX,
-    VY,
-    Bodies,
-    Constraints,
-    Direct,
-    Integers,
-)
+from tamias2d.engine.tables import Bodies, Constraints, Direct, Integers
 from tamias2d.generated.firm_contact import (
     accumulated_impulse_wanted,
     angular_momentum_left,
@@ -72,29 +33,32 @@ def guess_state(
 
     A point presses if it did, or if its velocity is off by no more than `slow`, m/s.
     """
-    b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
+    b, m = direct.sparse[contact, tb.C_BLOCK], direct.sparse[contact, tb.C_LANE]
     row = constraints.blocks[b]
     normal = tangent = 0.0
     state = 0
-    for k in range(constraints.lanes[b, POINTS]):
-        at = SHARED + k * POINT_SIZE + m
-        if row[at + P_NORMAL_IMPULSE] > 0.0 or direct.factors[contact, SPEED_ERROR + k] <= slow:
+    for k in range(constraints.lanes[b, tb.POINTS]):
+        at = tb.SHARED + k * tb.POINT_SIZE + m
+        if (
+            row[at + tb.P_NORMAL_IMPULSE] > 0.0
+            or direct.factors[contact, tb.SPEED_ERROR + k] <= slow
+        ):
             state += 1 << k
-        normal += row[at + P_NORMAL_IMPULSE]
-        tangent += row[at + P_TANGENT_IMPULSE]
-    limit = tangent_impulse_most(normal, row[R_FRICTION + m])
-    if state > 0 and row[R_FRICTION + m] > 0.0:
+        normal += row[at + tb.P_NORMAL_IMPULSE]
+        tangent += row[at + tb.P_TANGENT_IMPULSE]
+    limit = tangent_impulse_most(normal, row[tb.R_FRICTION + m])
+    if state > 0 and row[tb.R_FRICTION + m] > 0.0:
         slides = normal > 0.0 and abs(tangent) >= limit
         state += HELD if not slides else LEFT if tangent < 0.0 else RIGHT
     if not relaxing:
-        direct.sparse[contact, C_STATE] = state
+        direct.sparse[contact, tb.C_STATE] = state
     return normal
 
 
 def share_of(k: int, state: int, contact: int, factors: Array) -> float:
     """Return the share of a point in the friction of a contact."""
     if state & BOTH == BOTH:
-        share = factors[contact, FRICTION_SHARE]
+        share = factors[contact, tb.FRICTION_SHARE]
         return share if k == 0 else 1.0 - share
     return 1.0 if (state >> k) & 1 == 1 else 0.0
 
@@ -108,21 +72,21 @@ def find_residual(
     part of the impulses, squared. The first time, states stay as they were guessed.
     """
     sparse, factors = direct.sparse, direct.factors
-    for node in range(sparse[n, I_NODE], sparse[n + 1, I_NODE]):
-        numbers, now = factors[node], bodies.motion[sparse[node, N_BODY]]
-        start = (numbers[VELOCITY_START], numbers[VELOCITY_START + 1])
-        numbers[CHANGE], numbers[CHANGE + 1] = momentum_left(
-            numbers[NODE_MASS], start, (now[VX], now[VY])
+    for node in range(sparse[n, tb.I_NODE], sparse[n + 1, tb.I_NODE]):
+        numbers, now = factors[node], bodies.motion[sparse[node, tb.N_BODY]]
+        start = (numbers[tb.VELOCITY_START], numbers[tb.VELOCITY_START + 1])
+        numbers[tb.CHANGE], numbers[tb.CHANGE + 1] = momentum_left(
+            numbers[tb.NODE_MASS], start, (now[tb.VX], now[tb.VY])
         )
-        numbers[CHANGE + 2] = angular_momentum_left(
-            numbers[NODE_INERTIA], numbers[VELOCITY_START + 2], now[SPIN]
+        numbers[tb.CHANGE + 2] = angular_momentum_left(
+            numbers[tb.NODE_INERTIA], numbers[tb.VELOCITY_START + 2], now[tb.SPIN]
         )
-    firm, slight = factors[n, FIRM_MASS], SLIGHT * factors[n, IMPULSE_SCALE]
+    firm, slight = factors[n, tb.FIRM_MASS], SLIGHT * factors[n, tb.IMPULSE_SCALE]
     changed = 0
-    for contact in range(sparse[n, I_CONTACT], sparse[n + 1, I_CONTACT]):
+    for contact in range(sparse[n, tb.I_CONTACT], sparse[n + 1, tb.I_CONTACT]):
         normal = propose_normal(contact, first, firm, slight, bodies, constraints, direct)
         propose_tangent(contact, first, firm, slight, normal, bodies, constraints, direct)
-        changed += 1 if sparse[contact, C_STATE] != sparse[contact, C_FACTORED] else 0
+        changed += 1 if sparse[contact, tb.C_STATE] != sparse[contact, tb.C_FACTORED] else 0
     return changed, largest_residual(n, sparse, factors)
 
 
@@ -133,13 +97,17 @@ def largest_residual(n: int, sparse: Integers, factors: Array) -> float:
     Angular momentum counts by what it is at the radius of gyration.
     """
     largest = 0.0
-    for node in range(sparse[n, I_NODE], sparse[n + 1, I_NODE]):
-        x, y, turn = factors[node, CHANGE], factors[node, CHANGE + 1], factors[node, CHANGE + 2]
-        mass, inertia = factors[node, NODE_MASS], factors[node, NODE_INERTIA]
+    for node in range(sparse[n, tb.I_NODE], sparse[n + 1, tb.I_NODE]):
+        x, y, turn = (
+            factors[node, tb.CHANGE],
+            factors[node, tb.CHANGE + 1],
+            factors[node, tb.CHANGE + 2],
+        )
+        mass, inertia = factors[node, tb.NODE_MASS], factors[node, tb.NODE_INERTIA]
         gyration = inertia / mass if mass > 0.0 else 0.0
         rim = turn * turn / gyration if gyration > 0.0 else 0.0
         largest = max(largest, x * x + y * y + rim)
-    scale = factors[n, IMPULSE_SCALE] * factors[n, IMPULSE_SCALE]
+    scale = factors[n, tb.IMPULSE_SCALE] * factors[n, tb.IMPULSE_SCALE]
     return largest / scale if scale > 0.0 else largest
 
 
@@ -155,27 +123,31 @@ def propose_normal(
 ) -> float:
     """Propose the normal impulses of a contact, and which points press; return their sum, N s."""
     sparse, factors = direct.sparse, direct.factors
-    b, m, state = sparse[contact, C_BLOCK], sparse[contact, C_LANE], sparse[contact, C_STATE]
+    b, m, state = (
+        sparse[contact, tb.C_BLOCK],
+        sparse[contact, tb.C_LANE],
+        sparse[contact, tb.C_STATE],
+    )
     row, lane = constraints.blocks[b], constraints.lanes[b]
-    one, other = bodies.motion[lane[BODY_A + m]], bodies.motion[lane[BODY_B + m]]
-    normal = (row[R_NX + m], row[R_NY + m])
+    one, other = bodies.motion[lane[tb.BODY_A + m]], bodies.motion[lane[tb.BODY_B + m]]
+    normal = (row[tb.R_NX + m], row[tb.R_NY + m])
     now = 0
     total = 0.0
-    for k in range(lane[POINTS]):
-        at = SHARED + k * POINT_SIZE + m
-        before = row[at + P_NORMAL_IMPULSE]
-        arm_a, arm_b = row[at + P_NORMAL_ARM_A], row[at + P_NORMAL_ARM_B]
+    for k in range(lane[tb.POINTS]):
+        at = tb.SHARED + k * tb.POINT_SIZE + m
+        before = row[at + tb.P_NORMAL_IMPULSE]
+        arm_a, arm_b = row[at + tb.P_NORMAL_ARM_A], row[at + tb.P_NORMAL_ARM_B]
         speed = point_speed(one, other, arm_a, arm_b, normal)
-        impulse = accumulated_impulse_wanted(before, speed, factors[contact, BIAS + k], firm)
+        impulse = accumulated_impulse_wanted(before, speed, factors[contact, tb.BIAS + k], firm)
         presses = (state >> k) & 1
         if not first:
             presses = 1 if impulse > (-slight if presses == 1 else slight) else 0
         impulse = impulse if presses == 1 else 0.0
         now += presses << k
-        factors[contact, NEW_NORMAL + k] = impulse
+        factors[contact, tb.NEW_NORMAL + k] = impulse
         total += max(impulse, 0.0)
         add_to_nodes(contact, impulse - before, arm_a, arm_b, normal, sparse, factors)
-    sparse[contact, C_STATE] = now + (state & RIGHT)
+    sparse[contact, tb.C_STATE] = now + (state & RIGHT)
     return total
 
 
@@ -195,12 +167,16 @@ def propose_tangent(
     `normal` is the sum of its normal impulses, N s.
     """
     sparse, factors = direct.sparse, direct.factors
-    b, m, state = sparse[contact, C_BLOCK], sparse[contact, C_LANE], sparse[contact, C_STATE]
-    row, points = constraints.blocks[b], constraints.lanes[b, POINTS]
-    tangent, friction = (-row[R_NY + m], row[R_NX + m]), row[R_FRICTION + m]
+    b, m, state = (
+        sparse[contact, tb.C_BLOCK],
+        sparse[contact, tb.C_LANE],
+        sparse[contact, tb.C_STATE],
+    )
+    row, points = constraints.blocks[b], constraints.lanes[b, tb.POINTS]
+    tangent, friction = (-row[tb.R_NY + m], row[tb.R_NX + m]), row[tb.R_FRICTION + m]
     before = 0.0
     for k in range(points):
-        before += row[SHARED + k * POINT_SIZE + P_TANGENT_IMPULSE + m]
+        before += row[tb.SHARED + k * tb.POINT_SIZE + tb.P_TANGENT_IMPULSE + m]
     speed = tangent_speed_both(contact, state, bodies, constraints, direct)
     wanted, limit = (
         tangent_impulse_wanted(before, speed, firm),
@@ -217,16 +193,16 @@ def propose_tangent(
     elif slides == RIGHT:
         total = limit
     for k in range(points):
-        at = SHARED + k * POINT_SIZE + m
+        at = tb.SHARED + k * tb.POINT_SIZE + m
         share = share_of(k, state, contact, factors)
         if slides > HELD:
-            pressing = max(factors[contact, NEW_NORMAL + k], 0.0)
+            pressing = max(factors[contact, tb.NEW_NORMAL + k], 0.0)
             share = normal_impulse_share(pressing, normal) if normal > 0.0 else 0.0
-        factors[contact, NEW_TANGENT + k] = total * share
-        more = total * share - row[at + P_TANGENT_IMPULSE]
-        arm_a, arm_b = row[at + P_TANGENT_ARM_A], row[at + P_TANGENT_ARM_B]
+        factors[contact, tb.NEW_TANGENT + k] = total * share
+        more = total * share - row[at + tb.P_TANGENT_IMPULSE]
+        arm_a, arm_b = row[at + tb.P_TANGENT_ARM_A], row[at + tb.P_TANGENT_ARM_B]
         add_to_nodes(contact, more, arm_a, arm_b, tangent, sparse, factors)
-    sparse[contact, C_STATE] = (state & BOTH) + slides
+    sparse[contact, tb.C_STATE] = (state & BOTH) + slides
 
 
 @inlined
@@ -234,14 +210,18 @@ def tangent_speed_both(
     contact: int, state: int, bodies: Bodies, constraints: Constraints, direct: Direct
 ) -> float:
     """Return the tangent velocity of a contact, m/s: that of its points by their shares."""
-    b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
+    b, m = direct.sparse[contact, tb.C_BLOCK], direct.sparse[contact, tb.C_LANE]
     row, lane = constraints.blocks[b], constraints.lanes[b]
-    one, other = bodies.motion[lane[BODY_A + m]], bodies.motion[lane[BODY_B + m]]
-    tangent, at = (-row[R_NY + m], row[R_NX + m]), SHARED + m
-    last = at + (lane[POINTS] - 1) * POINT_SIZE
+    one, other = bodies.motion[lane[tb.BODY_A + m]], bodies.motion[lane[tb.BODY_B + m]]
+    tangent, at = (-row[tb.R_NY + m], row[tb.R_NX + m]), tb.SHARED + m
+    last = at + (lane[tb.POINTS] - 1) * tb.POINT_SIZE
     return row_velocity_both(
-        point_speed(one, other, row[at + P_TANGENT_ARM_A], row[at + P_TANGENT_ARM_B], tangent),
-        point_speed(one, other, row[last + P_TANGENT_ARM_A], row[last + P_TANGENT_ARM_B], tangent),
+        point_speed(
+            one, other, row[at + tb.P_TANGENT_ARM_A], row[at + tb.P_TANGENT_ARM_B], tangent
+        ),
+        point_speed(
+            one, other, row[last + tb.P_TANGENT_ARM_A], row[last + tb.P_TANGENT_ARM_B], tangent
+        ),
         share_of(0, state, contact, direct.factors),
     )
 

@@ -11,6 +11,7 @@ George and Liu (1981), sparse elimination.
 
 from math import sqrt
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.active_set import LOOSE, find_residual, guess_state
 from tamias2d.engine.direct.cholesky import factor, substitute
 from tamias2d.engine.direct.contacts import (
@@ -28,40 +29,7 @@ from tamias2d.engine.direct.tree_energy import (
     note_velocities,
     restore_velocities,
 )
-from tamias2d.engine.tables import (
-    C_BLOCK,
-    C_LANE,
-    C_STATE,
-    CHANGE,
-    FIRM_MASS,
-    FIRST_POINT,
-    FRICTION_SHARE,
-    I_CONTACT,
-    I_NODE,
-    I_STATUS,
-    IMPULSE_SCALE,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    LARGEST_MASS,
-    N_BODY,
-    NODE_INERTIA,
-    NODE_MASS,
-    P_NORMAL_IMPULSE,
-    P_TANGENT_IMPULSE,
-    POINT_SIZE,
-    POINTS,
-    R_BIAS_RATE,
-    R_IMPULSE_SHARE,
-    R_MASS_SHARE,
-    SECOND_POINT,
-    SHARED,
-    SOFTNESS,
-    SPEED_ERROR,
-    UNSOLVED,
-    Bodies,
-    Constraints,
-    Direct,
-)
+from tamias2d.engine.tables import Bodies, Constraints, Direct
 from tamias2d.generated.firm_contact import normal_impulse_share
 from tamias2d.kernels.assembled import inlined
 
@@ -82,9 +50,9 @@ def prepare_trees(
     """Note the masses of the nodes of some islands, and the softness of their contacts."""
     sparse = direct.sparse
     for n in range(first, last):
-        sparse[n, I_STATUS] = NOT_FACTORED
+        sparse[n, tb.I_STATUS] = NOT_FACTORED
         note_masses(n, bodies, direct)
-        for contact in range(sparse[n, I_CONTACT], sparse[n + 1, I_CONTACT]):
+        for contact in range(sparse[n, tb.I_CONTACT], sparse[n + 1, tb.I_CONTACT]):
             note_softness(contact, constraints, direct)
 
 
@@ -92,28 +60,31 @@ def note_masses(n: int, bodies: Bodies, direct: Direct) -> None:
     """Note the masses of the nodes of an island; 0 for a body that does not turn."""
     sparse, factors = direct.sparse, direct.factors
     heaviest = lightest = 0.0
-    for node in range(sparse[n, I_NODE], sparse[n + 1, I_NODE]):
-        properties = bodies.properties[sparse[node, N_BODY]]
-        inverse, inverse_inertia = properties[INVERSE_MASS], properties[INVERSE_INERTIA]
+    for node in range(sparse[n, tb.I_NODE], sparse[n + 1, tb.I_NODE]):
+        properties = bodies.properties[sparse[node, tb.N_BODY]]
+        inverse, inverse_inertia = properties[tb.INVERSE_MASS], properties[tb.INVERSE_INERTIA]
         mass = 1.0 / inverse if inverse > 0.0 else 0.0
-        factors[node, NODE_MASS] = mass
-        factors[node, NODE_INERTIA] = 1.0 / inverse_inertia if inverse_inertia > 0.0 else 0.0
+        factors[node, tb.NODE_MASS] = mass
+        factors[node, tb.NODE_INERTIA] = 1.0 / inverse_inertia if inverse_inertia > 0.0 else 0.0
         heaviest = max(heaviest, mass)
         lightest = min(lightest, mass) if lightest > 0.0 else mass
-    factors[n, LARGEST_MASS] = heaviest
-    factors[n, FIRM_MASS] = STIFF * sqrt(heaviest * lightest)
+    factors[n, tb.LARGEST_MASS] = heaviest
+    factors[n, tb.FIRM_MASS] = STIFF * sqrt(heaviest * lightest)
 
 
 def note_softness(contact: int, constraints: Constraints, direct: Direct) -> None:
     """Note the softness of a contact, and the share of its first point in friction."""
-    b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
+    b, m = direct.sparse[contact, tb.C_BLOCK], direct.sparse[contact, tb.C_LANE]
     row, numbers = constraints.blocks[b], direct.factors[contact]
-    numbers[SOFTNESS], numbers[SOFTNESS + 1] = row[R_BIAS_RATE + m], row[R_MASS_SHARE + m]
-    numbers[SOFTNESS + 2] = row[R_IMPULSE_SHARE + m]
-    first = row[FIRST_POINT + P_NORMAL_IMPULSE + m]
-    total = first + row[SECOND_POINT + P_NORMAL_IMPULSE + m]
-    both = constraints.lanes[b, POINTS] == 2 and total > 0.0
-    numbers[FRICTION_SHARE] = normal_impulse_share(first, total) if both else 0.5
+    numbers[tb.SOFTNESS], numbers[tb.SOFTNESS + 1] = (
+        row[tb.R_BIAS_RATE + m],
+        row[tb.R_MASS_SHARE + m],
+    )
+    numbers[tb.SOFTNESS + 2] = row[tb.R_IMPULSE_SHARE + m]
+    first = row[tb.FIRST_POINT + tb.P_NORMAL_IMPULSE + m]
+    total = first + row[tb.SECOND_POINT + tb.P_NORMAL_IMPULSE + m]
+    both = constraints.lanes[b, tb.POINTS] == 2 and total > 0.0
+    numbers[tb.FRICTION_SHARE] = normal_impulse_share(first, total) if both else 0.5
 
 
 def solve_trees(
@@ -127,7 +98,7 @@ def solve_trees(
 ) -> None:
     """Solve some islands: with the velocity that removes overlap, or relaxing it."""
     for n in range(first, last):
-        if direct.sparse[n, I_STATUS] != LEFT_TO_SUBSTEPS:
+        if direct.sparse[n, tb.I_STATUS] != LEFT_TO_SUBSTEPS:
             solve_tree(n, relaxing, substep, bodies, constraints, direct)
 
 
@@ -137,7 +108,7 @@ def solve_tree(
 ) -> None:
     """Solve an island, or leave it to the substeps from now on."""
     rate = REMOVED / substep
-    contacts = range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT])
+    contacts = range(direct.sparse[n, tb.I_CONTACT], direct.sparse[n + 1, tb.I_CONTACT])
     apart = open_contacts(n, relaxing, substep, bodies, constraints, direct)
     pressed = any_presses(n, constraints, direct)
     solved = True
@@ -150,14 +121,14 @@ def solve_tree(
         solved = solved and accept_impulses(n, before, apart, bodies, constraints, direct)
     for contact in contacts:
         if not pressed:
-            direct.sparse[contact, C_STATE] = LOOSE
+            direct.sparse[contact, tb.C_STATE] = LOOSE
         elif solved:
             store_contact(contact, constraints, direct)
         harden(contact, solved, rate, constraints, direct)
     if not solved:
-        direct.sparse[n, I_STATUS] = LEFT_TO_SUBSTEPS
-        if direct.factors[n, LARGEST_MASS] * STIFF > UNLIKE * direct.factors[n, FIRM_MASS]:
-            direct.counts[UNSOLVED] = direct.sparse[direct.sparse[n, I_NODE], N_BODY] + 1
+        direct.sparse[n, tb.I_STATUS] = LEFT_TO_SUBSTEPS
+        if direct.factors[n, tb.LARGEST_MASS] * STIFF > UNLIKE * direct.factors[n, tb.FIRM_MASS]:
+            direct.counts[tb.UNSOLVED] = direct.sparse[direct.sparse[n, tb.I_NODE], tb.N_BODY] + 1
     elif relaxing:
         for contact in contacts:
             note_gaps(contact, substep, bodies, constraints, direct)
@@ -171,7 +142,7 @@ def open_contacts(
 
     Returns the sum of the velocities, m/s, at which overlaps are pushed apart.
     """
-    contacts = range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT])
+    contacts = range(direct.sparse[n, tb.I_CONTACT], direct.sparse[n + 1, tb.I_CONTACT])
     fastest = apart = largest = 0.0
     for contact in contacts:
         speed, bias = open_contact(
@@ -181,19 +152,19 @@ def open_contacts(
     for contact in contacts:
         impulse = guess_state(contact, relaxing, NEARLY * fastest, constraints, direct)
         largest = max(largest, impulse)
-    direct.factors[n, IMPULSE_SCALE] = largest + direct.factors[n, LARGEST_MASS] * fastest
+    direct.factors[n, tb.IMPULSE_SCALE] = largest + direct.factors[n, tb.LARGEST_MASS] * fastest
     return apart
 
 
 def any_presses(n: int, constraints: Constraints, direct: Direct) -> bool:
     """Return whether a contact of an island has an impulse, or closes faster than it should."""
-    for contact in range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT]):
-        b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
+    for contact in range(direct.sparse[n, tb.I_CONTACT], direct.sparse[n + 1, tb.I_CONTACT]):
+        b, m = direct.sparse[contact, tb.C_BLOCK], direct.sparse[contact, tb.C_LANE]
         row, error = constraints.blocks[b], direct.factors[contact]
-        for k in range(constraints.lanes[b, POINTS]):
-            at = SHARED + k * POINT_SIZE + m
-            pushed = abs(row[at + P_NORMAL_IMPULSE]) + abs(row[at + P_TANGENT_IMPULSE])
-            if pushed > 0.0 or error[SPEED_ERROR + k] < 0.0:
+        for k in range(constraints.lanes[b, tb.POINTS]):
+            at = tb.SHARED + k * tb.POINT_SIZE + m
+            pushed = abs(row[at + tb.P_NORMAL_IMPULSE]) + abs(row[at + tb.P_TANGENT_IMPULSE])
+            if pushed > 0.0 or error[tb.SPEED_ERROR + k] < 0.0:
                 return True
     return False
 
@@ -203,16 +174,16 @@ def iterate_tree(n: int, bodies: Bodies, constraints: Constraints, direct: Direc
     sparse, factors = direct.sparse, direct.factors
     changed, residual = find_residual(n, True, bodies, constraints, direct)
     for _ in range(CORRECTIONS):
-        if changed > 0 or sparse[n, I_STATUS] == NOT_FACTORED:
+        if changed > 0 or sparse[n, tb.I_STATUS] == NOT_FACTORED:
             assemble_matrix(n, constraints, direct)
-            sparse[n, I_STATUS] = NOT_FACTORED
+            sparse[n, tb.I_STATUS] = NOT_FACTORED
             if not factor(n, sparse, factors):
                 return 1.0
-            sparse[n, I_STATUS] = FACTORED
+            sparse[n, tb.I_STATUS] = FACTORED
         substitute(n, sparse, factors)
-        for node in range(sparse[n, I_NODE], sparse[n + 1, I_NODE]):
+        for node in range(sparse[n, tb.I_NODE], sparse[n + 1, tb.I_NODE]):
             for k in range(3):
-                bodies.motion[sparse[node, N_BODY], k] += factors[node, CHANGE + k]
+                bodies.motion[sparse[node, tb.N_BODY], k] += factors[node, tb.CHANGE + k]
         changed, residual = find_residual(n, False, bodies, constraints, direct)
         if residual <= CONVERGED:
             return residual
@@ -224,11 +195,11 @@ def accept_impulses(
     n: int, before: float, apart: float, bodies: Bodies, constraints: Constraints, direct: Direct
 ) -> bool:
     """Apply the impulses of an island; take them back and return False if they are wild."""
-    first, last = direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT]
+    first, last = direct.sparse[n, tb.I_CONTACT], direct.sparse[n + 1, tb.I_CONTACT]
     largest = 0.0
     for contact in range(first, last):
         largest = max(largest, apply_contact(contact, bodies, constraints, direct))
-    accepted = largest <= WILD * (last - first) * direct.factors[n, IMPULSE_SCALE]
+    accepted = largest <= WILD * (last - first) * direct.factors[n, tb.IMPULSE_SCALE]
     accepted = accepted and gains_no_energy(n, before, apart, bodies, direct)
     if not accepted:
         restore_velocities(n, bodies, direct)

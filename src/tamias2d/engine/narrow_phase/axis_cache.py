@@ -12,9 +12,10 @@ take a quarter each.
 from math import sqrt
 from typing import NamedTuple
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.core import Core
 from tamias2d.engine.narrow_phase.separation import SEPARATED, Axis
-from tamias2d.engine.tables import AXIS_CACHE, CACHED_AXIS, Integers
+from tamias2d.engine.tables import Integers
 from tamias2d.state import Array
 
 NOT_CACHED = 0  # beside the states of an axis
@@ -51,30 +52,34 @@ def cached_sides(
 
     `NOT_CACHED` where it may not hold; its sides are guesses then.
     """
-    cached = int(flags[CACHED_AXIS])
+    cached = int(flags[tb.CACHED_AXIS])
     state = cached % STATES
     code = cached // STATES % TURNS
     sides = cached // (STATES * TURNS)
     turn, other = (pose.cosine, pose.sine) if code % 2 == 1 else (pose.sine, pose.cosine)
     if code >= 2:
         other = -other
-    moved = abs(pose.along - manifold[AXIS_CACHE]) + abs(pose.across - manifold[AXIS_CACHE + 1])
+    moved = abs(pose.along - manifold[tb.AXIS_CACHE]) + abs(
+        pose.across - manifold[tb.AXIS_CACHE + 1]
+    )
     if state == SEPARATED:
         moved += cutoff
     holds = (
         (other >= LEAST_COSINE)
-        & (abs(turn - manifold[AXIS_CACHE + 2]) * CHORD_UNITS <= flags[CACHED_AXIS + 1])
-        & (moved <= manifold[AXIS_CACHE + 3])
+        & (abs(turn - manifold[tb.AXIS_CACHE + 2]) * CHORD_UNITS <= flags[tb.CACHED_AXIS + 1])
+        & (moved <= manifold[tb.AXIS_CACHE + 3])
     )
     return state if holds else NOT_CACHED, sides % SIDES, sides // SIDES
 
 
 def moved_too_far(manifold: Array, flags: Integers, pose: RelativePose) -> bool:
     """Return whether a pair has moved so far since its last search that a cache is not worth it."""
-    moved = abs(pose.along - manifold[AXIS_CACHE]) + abs(pose.across - manifold[AXIS_CACHE + 1])
+    moved = abs(pose.along - manifold[tb.AXIS_CACHE]) + abs(
+        pose.across - manifold[tb.AXIS_CACHE + 1]
+    )
     turned = 0.0
-    if int(flags[CACHED_AXIS]) // STATES % TURNS % 2 == 0:
-        turned = abs(pose.sine - manifold[AXIS_CACHE + 2])
+    if int(flags[tb.CACHED_AXIS]) // STATES % TURNS % 2 == 0:
+        turned = abs(pose.sine - manifold[tb.AXIS_CACHE + 2])
     far = moved > TOO_FAR_MOVED * (abs(pose.along) + abs(pose.across))
     return bool(far or turned > TOO_FAR_MOVED)
 
@@ -83,12 +88,12 @@ def cache_guess(
     manifold: Array, flags: Integers, pose: RelativePose, side_a: int, side_b: int
 ) -> None:
     """Keep two sides, and where they were found, as a guess for the next search."""
-    manifold[AXIS_CACHE], manifold[AXIS_CACHE + 1] = pose.along, pose.across
-    manifold[AXIS_CACHE + 2] = pose.sine
+    manifold[tb.AXIS_CACHE], manifold[tb.AXIS_CACHE + 1] = pose.along, pose.across
+    manifold[tb.AXIS_CACHE + 2] = pose.sine
     known = side_a < SIDES and side_b < SIDES
     sides = side_a + SIDES * side_b
-    flags[CACHED_AXIS] = SEPARATED + STATES * TURNS * sides if known else 0
-    flags[CACHED_AXIS + 1] = -1
+    flags[tb.CACHED_AXIS] = SEPARATED + STATES * TURNS * sides if known else 0
+    flags[tb.CACHED_AXIS + 1] = -1
 
 
 def cache_separation(
@@ -97,7 +102,7 @@ def cache_separation(
     """Cache an axis with a separation that is larger than the cutoff, m."""
     half = 0.5 * (axis.separation - cutoff) - ROUNDING * lever
     cache_axis(manifold, flags, pose, SEPARATED, axis.side_a, axis.side_b, half / lever)
-    manifold[AXIS_CACHE + 3] = cutoff + half
+    manifold[tb.AXIS_CACHE + 3] = cutoff + half
 
 
 def cache_sides(
@@ -112,7 +117,7 @@ def cache_sides(
     """Cache two sides that are ahead of all others by a slack, m."""
     quarter = 0.25 * slack - ROUNDING * lever
     cache_axis(manifold, flags, pose, state, axis.side_a, axis.side_b, quarter / lever)
-    manifold[AXIS_CACHE + 3] = quarter
+    manifold[tb.AXIS_CACHE + 3] = quarter
 
 
 def cache_axis(
@@ -133,10 +138,10 @@ def cache_axis(
         code, turn, other = 1, pose.cosine, pose.sine
     if other < 0.0:
         code += 2
-    flags[CACHED_AXIS] = state + STATES * (code + TURNS * (side_a + SIDES * side_b))
-    flags[CACHED_AXIS + 1] = int(CHORD_UNITS * LEAST_COSINE * min(chord, 1.0))
-    manifold[AXIS_CACHE], manifold[AXIS_CACHE + 1] = pose.along, pose.across
-    manifold[AXIS_CACHE + 2] = turn
+    flags[tb.CACHED_AXIS] = state + STATES * (code + TURNS * (side_a + SIDES * side_b))
+    flags[tb.CACHED_AXIS + 1] = int(CHORD_UNITS * LEAST_COSINE * min(chord, 1.0))
+    manifold[tb.AXIS_CACHE], manifold[tb.AXIS_CACHE + 1] = pose.along, pose.across
+    manifold[tb.AXIS_CACHE + 2] = turn
 
 
 def largest_lever(a: Core, b: Core, x: float, y: float, vertices: Array) -> float:

@@ -6,6 +6,7 @@ piece, or there is no contact. Cost: linear in the vertices of the other shape.
 
 from typing import NamedTuple
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.clip import (
     FEATURES,
     PARALLEL,
@@ -16,17 +17,7 @@ from tamias2d.engine.narrow_phase.clip import (
 )
 from tamias2d.engine.narrow_phase.core import Core, next_vertex
 from tamias2d.engine.narrow_phase.separation import INFINITE, incident_side
-from tamias2d.engine.tables import (
-    END_COSINE,
-    END_SINE,
-    NX,
-    NY,
-    ONE_SIDED_PIECE,
-    PIECE,
-    START_COSINE,
-    START_SINE,
-    Shapes,
-)
+from tamias2d.engine.tables import Shapes
 from tamias2d.generated.terrain import admitted, corner_room
 from tamias2d.state import Array, Vector
 
@@ -59,13 +50,13 @@ class Verdict(NamedTuple):
 
 def is_piece(p: Core) -> bool:
     """Return whether a core is a piece of a chain."""
-    return p.kind >= PIECE
+    return p.kind >= tb.PIECE
 
 
 def has_end(piece: int, shapes: Shapes) -> bool:
     """Return whether the chain of a piece ends with it."""
     row = shapes.material[piece]
-    return bool(row[START_COSINE] == -1.0 or row[END_COSINE] == -1.0)
+    return bool(row[tb.START_COSINE] == -1.0 or row[tb.END_COSINE] == -1.0)
 
 
 def judge(
@@ -108,9 +99,9 @@ def judge_piece(
 
     Swapped says that the piece is B. The normal of before leads away from the piece.
     """
-    ux, uy = (-manifold[NX], -manifold[NY]) if swapped else (manifold[NX], manifold[NY])
+    ux, uy = (-manifold[tb.NX], -manifold[tb.NY]) if swapped else (manifold[tb.NX], manifold[tb.NY])
     right = seen_from(0, piece, p, vertices, shapes)
-    one_sided, round_ = p.kind == ONE_SIDED_PIECE, q.vertex_count == 1
+    one_sided, round_ = p.kind == tb.ONE_SIDED_PIECE, q.vertex_count == 1
     x, y = at[0], at[1]
     left = seen_from(1, piece, p, vertices, shapes)
     known = 0 if round_ else known_side(held[0], held[1], right, left)
@@ -158,7 +149,7 @@ def judge_side(
 
     What of the shape is behind the piece, and not past its ends, has come through it.
     """
-    ux, uy = (-manifold[NX], -manifold[NY]) if swapped else (manifold[NX], manifold[NY])
+    ux, uy = (-manifold[tb.NX], -manifold[tb.NY]) if swapped else (manifold[tb.NX], manifold[tb.NY])
     if is_normal(ux, uy, side, False):
         return verdict_of(True)
     x, y = at[0], at[1]
@@ -183,11 +174,11 @@ def seen_from(side: int, piece: int, p: Core, vertices: Array, shapes: Shapes) -
     if side == 0:
         return Side(
             side, vertices[v, 2], vertices[v, 3],
-            row[START_COSINE], row[START_SINE], row[END_COSINE], row[END_SINE],
+            row[tb.START_COSINE], row[tb.START_SINE], row[tb.END_COSINE], row[tb.END_SINE],
         )  # fmt: skip
     return Side(
         side, vertices[v, 2], vertices[v, 3],
-        row[END_COSINE], -row[END_SINE], row[START_COSINE], -row[START_SINE],
+        row[tb.END_COSINE], -row[tb.END_SINE], row[tb.START_COSINE], -row[tb.START_SINE],
     )  # fmt: skip
 
 
@@ -362,8 +353,8 @@ def clip_piece(
         return 0, 0
     first, second = clip_points(manifold, facing, low, high, p.radius, q.radius, margin)
     if first or second:
-        manifold[NX] = -side.nx if swapped else side.nx
-        manifold[NY] = -side.ny if swapped else side.ny
+        manifold[tb.NX] = -side.nx if swapped else side.nx
+        manifold[tb.NY] = -side.ny if swapped else side.ny
     feature1 = feature_of(side.side, end_q, swapped) if first else 0
     feature2 = feature_of(end_p, side_q, swapped) if second else 0
     return (feature1, feature2) if first else (feature2, 0)

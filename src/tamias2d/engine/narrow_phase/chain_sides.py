@@ -8,30 +8,10 @@ pieces may well be behind the other one, and is told nothing.
 Cost: where there are chains, some visits to each contact.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.chain import BESIDE, known_side, seen_from, shows
 from tamias2d.engine.narrow_phase.core import core_of
-from tamias2d.engine.tables import (
-    END_COSINE,
-    END_SINE,
-    FEATURE,
-    IMPACT_NORMAL,
-    KNOWN_SIDE,
-    LEFT_HIGH,
-    LEFT_LOW,
-    MET_IN_FLIGHT,
-    NX,
-    PIECE,
-    POINT_COUNT,
-    RIGHT_HIGH,
-    RIGHT_LOW,
-    SIDE_NORMAL,
-    START_COSINE,
-    START_SINE,
-    TOUCHES,
-    Contacts,
-    Integers,
-    Shapes,
-)
+from tamias2d.engine.tables import Contacts, Integers, Shapes
 
 NO_PIECE = -1
 MOST_PIECES = 32  # that are told a side by one that is touched
@@ -51,7 +31,7 @@ def note_sides(
         piece, other = piece_and_other(p, contacts, shapes)
         if piece >= 0:
             if not again:
-                contacts.flags[p, KNOWN_SIDE] = 0
+                contacts.flags[p, tb.KNOWN_SIDE] = 0
             for n in range(4):
                 sides[other, n] = 0
     for p in range(count):
@@ -60,7 +40,7 @@ def note_sides(
             note_touched(p, piece, sides[other], contacts, shapes)
     for p in range(count):
         piece, other = piece_and_other(p, contacts, shapes)
-        if piece >= 0 and contacts.flags[p, KNOWN_SIDE] == 0:
+        if piece >= 0 and contacts.flags[p, tb.KNOWN_SIDE] == 0:
             tell_side(p, piece, sides[other], contacts, shapes)
 
 
@@ -69,30 +49,30 @@ def has_chains(shapes: Shapes) -> bool:
     highest = 0
     for s in range(len(shapes.kind)):
         highest = max(highest, shapes.kind[s])
-    return bool(highest >= PIECE)
+    return bool(highest >= tb.PIECE)
 
 
 def piece_and_other(p: int, contacts: Contacts, shapes: Shapes) -> tuple[int, int]:
     """Return the piece and the other shape of a contact, which has sides; `NO_PIECE` if there is
     no such piece."""
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-    if shapes.kind[s] < PIECE:
+    if shapes.kind[s] < tb.PIECE:
         s, t = t, s
-    found = shapes.kind[s] >= PIECE and shapes.vertex_count[t] > 1
+    found = shapes.kind[s] >= tb.PIECE and shapes.vertex_count[t] > 1
     return (s if found else NO_PIECE), t
 
 
 def has_touched(flags: Integers) -> bool:
     """Return whether the normal of a contact is that of one in the last step."""
-    solved = flags[POINT_COUNT] > 0 and flags[FEATURE] != BESIDE
-    return bool(solved or flags[TOUCHES] & MET_IN_FLIGHT > 0)
+    solved = flags[tb.POINT_COUNT] > 0 and flags[tb.FEATURE] != BESIDE
+    return bool(solved or flags[tb.TOUCHES] & tb.MET_IN_FLIGHT > 0)
 
 
 def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
     """Add the piece of a contact to those that its other shape touches from one side."""
     manifold = contacts.manifolds[p]
-    at = IMPACT_NORMAL if contacts.flags[p, POINT_COUNT] == 0 else NX
-    at = SIDE_NORMAL if contacts.flags[p, KNOWN_SIDE] == 1 else at
+    at = tb.IMPACT_NORMAL if contacts.flags[p, tb.POINT_COUNT] == 0 else tb.NX
+    at = tb.SIDE_NORMAL if contacts.flags[p, tb.KNOWN_SIDE] == 1 else at
     hx, hy = manifold[at], manifold[at + 1]
     if contacts.pairs[p, 0] != piece:
         hx, hy = -hx, -hy
@@ -103,7 +83,7 @@ def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes
     if known == 0:
         return
     know_side(p, piece, known == 1, contacts, shapes)
-    low, high = (RIGHT_LOW, RIGHT_HIGH) if known == 1 else (LEFT_LOW, LEFT_HIGH)
+    low, high = (tb.RIGHT_LOW, tb.RIGHT_HIGH) if known == 1 else (tb.LEFT_LOW, tb.LEFT_HIGH)
     if sides[low] > 0 and shapes.slot[sides[low] - 1] == shapes.slot[piece]:
         sides[low], sides[high] = min(sides[low], piece + 1), max(sides[high], piece + 1)
     else:
@@ -112,8 +92,8 @@ def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes
 
 def tell_side(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
     """Let a contact know the side of its other shape if the pieces beside do, and only one side."""
-    right = is_continued(piece, sides[RIGHT_LOW] - 1, sides[RIGHT_HIGH] - 1, 1.0, shapes)
-    left = is_continued(piece, sides[LEFT_LOW] - 1, sides[LEFT_HIGH] - 1, -1.0, shapes)
+    right = is_continued(piece, sides[tb.RIGHT_LOW] - 1, sides[tb.RIGHT_HIGH] - 1, 1.0, shapes)
+    left = is_continued(piece, sides[tb.LEFT_LOW] - 1, sides[tb.LEFT_HIGH] - 1, -1.0, shapes)
     if right != left:
         know_side(p, piece, right, contacts, shapes)
 
@@ -122,9 +102,9 @@ def know_side(p: int, piece: int, right: bool, contacts: Contacts, shapes: Shape
     """Write down that the other shape of a contact is on the right side of a piece, or not."""
     sense = 1.0 if right == (contacts.pairs[p, 0] == piece) else -1.0
     v, manifold = shapes.first[piece], contacts.manifolds[p]
-    manifold[SIDE_NORMAL] = sense * shapes.world_vertices[v, 2]
-    manifold[SIDE_NORMAL + 1] = sense * shapes.world_vertices[v, 3]
-    contacts.flags[p, KNOWN_SIDE] = 1
+    manifold[tb.SIDE_NORMAL] = sense * shapes.world_vertices[v, 2]
+    manifold[tb.SIDE_NORMAL + 1] = sense * shapes.world_vertices[v, 3]
+    contacts.flags[p, tb.KNOWN_SIDE] = 1
 
 
 def is_continued(piece: int, low: int, high: int, sense: float, shapes: Shapes) -> bool:
@@ -149,7 +129,7 @@ def follows(piece: int, start: int, ahead: bool, sense: float, shapes: Shapes) -
         if at == piece:
             return True
         row = shapes.material[at]
-        cosine, sine = (END_COSINE, END_SINE) if ahead else (START_COSINE, START_SINE)
+        cosine, sine = (tb.END_COSINE, tb.END_SINE) if ahead else (tb.START_COSINE, tb.START_SINE)
         if not shows(row[cosine], sense * row[sine]):
             return False
         at = next_piece(at, shapes) if ahead else previous_piece(at, shapes)

@@ -10,13 +10,13 @@ slide. Source: Catto, Box2D v3 (2024).
 from math import sqrt
 from typing import NamedTuple
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.core import Core, next_vertex
 from tamias2d.engine.narrow_phase.separation import (
     EITHER_IS_REFERENCE,
     REFERENCE_B,
     side_separation,
 )
-from tamias2d.engine.tables import GAP, NX, NY, POINT, PX, PY
 from tamias2d.state import Array
 
 FEATURES = 1 << 15  # more than the vertices of a shape
@@ -96,8 +96,8 @@ def clip_sides(
                 vertex_q = end_q
             near = collide_vertices(manifold, facing, which, p.radius, q.radius, margin, swapped)
             return feature_of(vertex_p, vertex_q, swapped) if near else 0, 0
-    manifold[NX] = -facing.nx if swapped else facing.nx
-    manifold[NY] = -facing.ny if swapped else facing.ny
+    manifold[tb.NX] = -facing.nx if swapped else facing.nx
+    manifold[tb.NY] = -facing.ny if swapped else facing.ny
     first, second = clip_points(manifold, facing, low, high, p.radius, q.radius, margin)
     feature1 = feature_of(side_p, end_q, swapped) if first else 0
     feature2 = feature_of(end_p, side_q, swapped) if second else 0
@@ -155,7 +155,7 @@ def clip_points(
     if first:
         write_point(manifold, 0, facing, low, 0.5 * (gap_low + uneven), gap_low - radii)
     if second:
-        at = POINT if first else 0
+        at = tb.POINT if first else 0
         write_point(manifold, at, facing, high, 0.5 * (gap_high + uneven), gap_high - radii)
     return first, second
 
@@ -164,9 +164,9 @@ def write_point(
     manifold: Array, at: int, facing: Facing, along: float, height: float, gap: float
 ) -> None:
     """Write a point along the reference side and over it, m."""
-    manifold[PX + at] = facing.x + facing.nx * height - facing.ny * along
-    manifold[PY + at] = facing.y + facing.ny * height + facing.nx * along
-    manifold[GAP + at] = gap
+    manifold[tb.PX + at] = facing.x + facing.nx * height - facing.ny * along
+    manifold[tb.PY + at] = facing.y + facing.ny * height + facing.nx * along
+    manifold[tb.GAP + at] = gap
 
 
 def collide_vertices(
@@ -192,12 +192,12 @@ def collide_vertices(
     ux, uy = nx, ny
     if square > TINY:
         ux, uy = (nx * across - ny * beside) / distance, (ny * across + nx * beside) / distance
-    manifold[NX] = -ux if swapped else ux
-    manifold[NY] = -uy if swapped else uy
+    manifold[tb.NX] = -ux if swapped else ux
+    manifold[tb.NY] = -uy if swapped else uy
     middle = 0.5 * (distance + radius_p - radius_q)
-    manifold[PX] = facing.x - ny * at + ux * middle
-    manifold[PY] = facing.y + nx * at + uy * middle
-    manifold[GAP] = gap
+    manifold[tb.PX] = facing.x - ny * at + ux * middle
+    manifold[tb.PY] = facing.y + nx * at + uy * middle
+    manifold[tb.GAP] = gap
     return True
 
 

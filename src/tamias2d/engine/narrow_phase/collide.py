@@ -10,25 +10,14 @@ separating axis test between convex polyhedra (GDC 2013); Catto, Box2D v3 (2024)
 pairs that do not touch yet.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.chain import is_piece, judge
 from tamias2d.engine.narrow_phase.core import Core, core_of
 from tamias2d.engine.narrow_phase.disc import collide_disc, collide_discs
 from tamias2d.engine.narrow_phase.half_plane import collide_half_plane
 from tamias2d.engine.narrow_phase.polygon import collide_cached, collide_polygons, held_normal
 from tamias2d.engine.narrow_phase.reuse import NEVER
-from tamias2d.engine.tables import (
-    FEATURE,
-    HALF_PLANE,
-    KNOWN_WAY,
-    NORMAL_IMPULSE,
-    POINT,
-    POINT_COUNT,
-    PRELOAD,
-    TANGENT_IMPULSE,
-    Contacts,
-    Integers,
-    Shapes,
-)
+from tamias2d.engine.tables import Contacts, Integers, Shapes
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
@@ -57,7 +46,7 @@ def collide(
     manifold, flags = contacts.manifolds[contact], contacts.flags[contact]
     first, second = find_points(manifold, flags, a, b, dx, dy, margin, shapes.world_vertices)
     if second > 0:
-        manifold[KNOWN_WAY] = NEVER  # unless the pose is noted
+        manifold[tb.KNOWN_WAY] = NEVER  # unless the pose is noted
     return match_impulses(manifold, flags, first, second)
 
 
@@ -116,11 +105,11 @@ def collide_cores(
     other thin shapes are. Returns the features of the points, 0 for one that is not within the
     margin.
     """
-    if a.kind == HALF_PLANE:
-        if b.kind == HALF_PLANE:
+    if a.kind == tb.HALF_PLANE:
+        if b.kind == tb.HALF_PLANE:
             return 0, 0
         return collide_half_plane(manifold, a.first, b, x, y, margin, False, vertices)
-    if b.kind == HALF_PLANE:
+    if b.kind == tb.HALF_PLANE:
         return collide_half_plane(manifold, b.first, a, -x, -y, margin, True, vertices)
     if a.vertex_count > 1:
         if b.vertex_count > 1:
@@ -133,24 +122,27 @@ def collide_cores(
 
 def match_impulses(manifold: Array, flags: Integers, first: int, second: int) -> int:
     """Bring impulses to the points with their features, set others to 0, and count the points."""
-    old_first, old_second = flags[FEATURE], flags[FEATURE + 1]
+    old_first, old_second = flags[tb.FEATURE], flags[tb.FEATURE + 1]
     if first != old_first or second != old_second:
-        normal_1, tangent_1 = manifold[NORMAL_IMPULSE], manifold[TANGENT_IMPULSE]
-        normal_2, tangent_2 = manifold[NORMAL_IMPULSE + POINT], manifold[TANGENT_IMPULSE + POINT]
-        preload_1, preload_2 = manifold[PRELOAD], manifold[PRELOAD + POINT]
+        normal_1, tangent_1 = manifold[tb.NORMAL_IMPULSE], manifold[tb.TANGENT_IMPULSE]
+        normal_2, tangent_2 = (
+            manifold[tb.NORMAL_IMPULSE + tb.POINT],
+            manifold[tb.TANGENT_IMPULSE + tb.POINT],
+        )
+        preload_1, preload_2 = manifold[tb.PRELOAD], manifold[tb.PRELOAD + tb.POINT]
         for k in range(2):
             feature = second if k else first
-            at = POINT * k
+            at = tb.POINT * k
             was_first = feature > 0 and feature == old_first
             was_second = feature > 0 and feature == old_second
-            manifold[NORMAL_IMPULSE + at] = (
+            manifold[tb.NORMAL_IMPULSE + at] = (
                 normal_1 if was_first else normal_2 if was_second else 0.0
             )
-            manifold[TANGENT_IMPULSE + at] = (
+            manifold[tb.TANGENT_IMPULSE + at] = (
                 tangent_1 if was_first else tangent_2 if was_second else 0.0
             )
-            manifold[PRELOAD + at] = preload_1 if was_first else preload_2 if was_second else 0.0
-        flags[FEATURE], flags[FEATURE + 1] = first, second
+            manifold[tb.PRELOAD + at] = preload_1 if was_first else preload_2 if was_second else 0.0
+        flags[tb.FEATURE], flags[tb.FEATURE + 1] = first, second
     count = (first > 0) + (second > 0)
-    flags[POINT_COUNT] = count
+    flags[tb.POINT_COUNT] = count
     return count

@@ -2,7 +2,8 @@
 
 from typing import NamedTuple
 
-from tamias2d.engine.tables import SHAPE_INRADIUS, THIN_CAPSULE, Shapes
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Shapes
 
 
 class Core(NamedTuple):
@@ -22,13 +23,13 @@ def core_of(s: int, shapes: Shapes) -> Core:
         int(shapes.first[s]),
         int(shapes.vertex_count[s]),
         float(shapes.radius[s]),
-        float(shapes.material[s, SHAPE_INRADIUS]),
+        float(shapes.material[s, tb.SHAPE_INRADIUS]),
     )
 
 
 def is_thin(a: Core, b: Core) -> bool:
     """Return whether one of two shapes is next to nothing across, such as a piece of a chain."""
-    return a.kind >= THIN_CAPSULE or b.kind >= THIN_CAPSULE
+    return a.kind >= tb.THIN_CAPSULE or b.kind >= tb.THIN_CAPSULE
 
 
 def next_vertex(k: int, count: int) -> int:

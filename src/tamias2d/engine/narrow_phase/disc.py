@@ -2,9 +2,9 @@
 
 from math import sqrt
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.clip import TINY
 from tamias2d.engine.narrow_phase.core import Core, next_vertex
-from tamias2d.engine.tables import GAP, NX, NY, PX, PY
 from tamias2d.state import Array
 
 
@@ -21,9 +21,9 @@ def collide_discs(
     distance = sqrt(square)
     nx, ny = (dx / distance, dy / distance) if square > TINY else (0.0, 1.0)
     middle = 0.5 * (distance + a.radius - b.radius)
-    manifold[NX], manifold[NY] = nx, ny
-    manifold[PX], manifold[PY] = ax + nx * middle, ay + ny * middle
-    manifold[GAP] = distance - radii
+    manifold[tb.NX], manifold[tb.NY] = nx, ny
+    manifold[tb.PX], manifold[tb.PY] = ax + nx * middle, ay + ny * middle
+    manifold[tb.GAP] = distance - radii
     return 1
 
 
@@ -53,9 +53,9 @@ def collide_disc(
     if distance >= cutoff:
         return 0
     middle = 0.5 * (p.radius - disc.radius - distance)
-    manifold[NX], manifold[NY] = (-nx, -ny) if swapped else (nx, ny)
-    manifold[PX], manifold[PY] = centre_x + nx * middle, centre_y + ny * middle
-    manifold[GAP] = distance - p.radius - disc.radius
+    manifold[tb.NX], manifold[tb.NY] = (-nx, -ny) if swapped else (nx, ny)
+    manifold[tb.PX], manifold[tb.PY] = centre_x + nx * middle, centre_y + ny * middle
+    manifold[tb.GAP] = distance - p.radius - disc.radius
     return 1
 
 

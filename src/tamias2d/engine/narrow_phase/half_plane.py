@@ -1,9 +1,9 @@
 """Manifolds of a half-plane with any other shape."""
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.clip import FEATURES
 from tamias2d.engine.narrow_phase.core import Core, next_vertex
 from tamias2d.engine.narrow_phase.separation import incident_side
-from tamias2d.engine.tables import GAP, NX, NY, POINT, PX, PY
 from tamias2d.state import Array
 
 
@@ -28,7 +28,7 @@ def collide_half_plane(
     lowest, height = lowest_vertex(q, nx, ny, vertices)
     if base + height >= margin:
         return 0, 0
-    manifold[NX], manifold[NY] = (-nx, -ny) if swapped else (nx, ny)
+    manifold[tb.NX], manifold[tb.NY] = (-nx, -ny) if swapped else (nx, ny)
     if swapped:
         x, y = 0.0, 0.0
     write_vertex_point(
@@ -44,7 +44,7 @@ def collide_half_plane(
     if base + height >= margin:
         return first, 0
     write_vertex_point(
-        manifold, POINT, q.first + other, x, y, base + height, q.radius, vertices, plane
+        manifold, tb.POINT, q.first + other, x, y, base + height, q.radius, vertices, plane
     )
     return first, 1 + (other * FEATURES if swapped else other)
 
@@ -74,6 +74,6 @@ def write_vertex_point(
 ) -> None:
     """Write the point below a vertex of a shape, whose body is at (x, y) from A, over a plane."""
     down = radius + 0.5 * gap
-    manifold[PX + at] = x + vertices[vertex, 0] - vertices[plane, 2] * down
-    manifold[PY + at] = y + vertices[vertex, 1] - vertices[plane, 3] * down
-    manifold[GAP + at] = gap
+    manifold[tb.PX + at] = x + vertices[vertex, 0] - vertices[plane, 2] * down
+    manifold[tb.PY + at] = y + vertices[vertex, 1] - vertices[plane, 3] * down
+    manifold[tb.GAP + at] = gap

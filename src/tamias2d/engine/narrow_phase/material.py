@@ -1,6 +1,6 @@
 """Friction and restitution of two shapes: by the rules of the scene, or as set for the pair."""
 
-from tamias2d.engine.tables import FRICTION, RESTITUTION
+from tamias2d.engine import tables as tb
 from tamias2d.generated.definitions import pair_friction, pair_restitution
 from tamias2d.state import Array
 
@@ -11,8 +11,8 @@ def mixed_material(s: int, t: int, material: Array, overrides: Array) -> tuple[f
     `overrides` (k, 4) holds what was set for pairs, sorted: the lower shape, the other one,
     friction, restitution; -1 where that was not set. Cost: the logarithm of its length.
     """
-    friction = mixed_friction(material[s, FRICTION], material[t, FRICTION])
-    restitution = mixed_restitution(material[s, RESTITUTION], material[t, RESTITUTION])
+    friction = mixed_friction(material[s, tb.FRICTION], material[t, tb.FRICTION])
+    restitution = mixed_restitution(material[s, tb.RESTITUTION], material[t, tb.RESTITUTION])
     k = override_of(min(s, t), max(s, t), overrides)
     if k < len(overrides):
         friction = overrides[k, 2] if overrides[k, 2] >= 0.0 else friction

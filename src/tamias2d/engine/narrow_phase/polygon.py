@@ -1,5 +1,6 @@
 """Manifolds of two shapes with sides: find the axis of least penetration, then clip."""
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.axis_cache import (
     NOT_CACHED,
     RelativePose,
@@ -24,19 +25,7 @@ from tamias2d.engine.narrow_phase.separation import (
     inner_radius,
     side_slack,
 )
-from tamias2d.engine.tables import (
-    CACHED_AXIS,
-    FEATURE,
-    IMPACT_NORMAL,
-    KNOWN_SIDE,
-    MET_IN_FLIGHT,
-    NX,
-    NY,
-    POINT_COUNT,
-    SIDE_NORMAL,
-    TOUCHES,
-    Integers,
-)
+from tamias2d.engine.tables import Integers
 from tamias2d.state import Array, Vector
 
 
@@ -55,7 +44,7 @@ def collide_cached(
     pose = relative_pose(a.first, b.first, x, y, vertices)
     state, side_a, side_b = cached_sides(manifold, flags, pose, cutoff)
     if state == NOT_CACHED:
-        if flags[CACHED_AXIS] == 0:
+        if flags[tb.CACHED_AXIS] == 0:
             side_a = foremost_side(a, x, y, vertices)
             side_b = foremost_side(b, -x, -y, vertices)
         state, side_a, side_b = search(
@@ -107,18 +96,18 @@ def search(
 
 def held_normal(manifold: Array, flags: Integers) -> Vector:
     """Return the normal of a contact that tells the side, (0, 0) of others."""
-    if flags[KNOWN_SIDE] == 1:
-        return manifold[SIDE_NORMAL], manifold[SIDE_NORMAL + 1]
-    if flags[POINT_COUNT] > 0 and flags[FEATURE] != BESIDE:
-        return manifold[NX], manifold[NY]
-    if flags[POINT_COUNT] == 0 and touched(flags):
-        return manifold[IMPACT_NORMAL], manifold[IMPACT_NORMAL + 1]
+    if flags[tb.KNOWN_SIDE] == 1:
+        return manifold[tb.SIDE_NORMAL], manifold[tb.SIDE_NORMAL + 1]
+    if flags[tb.POINT_COUNT] > 0 and flags[tb.FEATURE] != BESIDE:
+        return manifold[tb.NX], manifold[tb.NY]
+    if flags[tb.POINT_COUNT] == 0 and touched(flags):
+        return manifold[tb.IMPACT_NORMAL], manifold[tb.IMPACT_NORMAL + 1]
     return 0.0, 0.0
 
 
 def touched(flags: Integers) -> bool:
     """Return whether a contact has points, or met in flight."""
-    return bool(flags[POINT_COUNT] > 0 or flags[TOUCHES] >= MET_IN_FLIGHT)
+    return bool(flags[tb.POINT_COUNT] > 0 or flags[tb.TOUCHES] >= tb.MET_IN_FLIGHT)
 
 
 def collide_polygons(

@@ -4,20 +4,7 @@ Normal and points are those of the pose in which they were found. The gaps follo
 surfaces at the points, to first order. Source: Catto, Box2D v3 (2026), contact recycling.
 """
 
-from tamias2d.engine.tables import (
-    FORESEEN,
-    GAP,
-    KNOWN_ANGLE_A,
-    KNOWN_ANGLE_B,
-    KNOWN_WAY,
-    KNOWN_X,
-    KNOWN_Y,
-    NX,
-    NY,
-    POINT,
-    PX,
-    PY,
-)
+from tamias2d.engine import tables as tb
 from tamias2d.generated.soft_contact import row_velocity, turning_arm
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
@@ -30,9 +17,9 @@ def note_pose(
     x: float, y: float, angle_a: float, angle_b: float, way: float, manifold: Array
 ) -> None:
     """Note the pose for which the gaps of a manifold hold; B is at (x, y) from A, m."""
-    manifold[KNOWN_X], manifold[KNOWN_Y] = x, y
-    manifold[KNOWN_ANGLE_A], manifold[KNOWN_ANGLE_B] = angle_a, angle_b
-    manifold[KNOWN_WAY] = way
+    manifold[tb.KNOWN_X], manifold[tb.KNOWN_Y] = x, y
+    manifold[tb.KNOWN_ANGLE_A], manifold[tb.KNOWN_ANGLE_B] = angle_a, angle_b
+    manifold[tb.KNOWN_WAY] = way
 
 
 @inlined
@@ -50,17 +37,17 @@ def move_gaps(
     It may while surfaces within `radii`, m, of both centres have moved by less than `most`, m,
     since it was found.
     """
-    dx, dy = x - manifold[KNOWN_X], y - manifold[KNOWN_Y]
-    turn_a, turn_b = angle_a - manifold[KNOWN_ANGLE_A], angle_b - manifold[KNOWN_ANGLE_B]
-    way = manifold[KNOWN_WAY] + abs(dx) + abs(dy) + (abs(turn_a) + abs(turn_b)) * radii
-    if not way <= most or manifold[FORESEEN] != 0.0:
+    dx, dy = x - manifold[tb.KNOWN_X], y - manifold[tb.KNOWN_Y]
+    turn_a, turn_b = angle_a - manifold[tb.KNOWN_ANGLE_A], angle_b - manifold[tb.KNOWN_ANGLE_B]
+    way = manifold[tb.KNOWN_WAY] + abs(dx) + abs(dy) + (abs(turn_a) + abs(turn_b)) * radii
+    if not way <= most or manifold[tb.FORESEEN] != 0.0:
         return False
-    normal = (manifold[NX], manifold[NY])
-    for at in (0, POINT):
-        px, py = manifold[PX + at], manifold[PY + at]
+    normal = (manifold[tb.NX], manifold[tb.NY])
+    for at in (0, tb.POINT):
+        px, py = manifold[tb.PX + at], manifold[tb.PY + at]
         arm_a = turning_arm((px, py), normal)
         arm_b = turning_arm((px - x, py - y), normal)
-        manifold[GAP + at] += row_velocity(
+        manifold[tb.GAP + at] += row_velocity(
             (0.0, 0.0), turn_a, arm_a, (dx, dy), turn_b, arm_b, normal
         )
     note_pose(x, y, angle_a, angle_b, way, manifold)

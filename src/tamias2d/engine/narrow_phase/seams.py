@@ -5,43 +5,11 @@ begins where the ground is, or ends; the ground goes on with that as far as it i
 passes over the touching contacts, if one of a body with a static shape is new.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.chain import STRAIGHT
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.narrow_phase.separation import INFINITE
-from tamias2d.engine.tables import (
-    DX,
-    DY,
-    DYNAMIC,
-    G_AHEAD,
-    G_HEIGHT,
-    G_HIGH,
-    G_LOW,
-    G_NX,
-    G_NY,
-    G_SHAPE,
-    GAP,
-    HALF_PLANE,
-    NORMAL_IMPULSE,
-    NX,
-    NY,
-    PIECE,
-    POINT,
-    POINT_COUNT,
-    PX,
-    PY,
-    SHAPE_RADIUS,
-    STATIC,
-    TOUCHING,
-    VX,
-    VY,
-    Bodies,
-    Contacts,
-    Events,
-    Shapes,
-    Touching,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Contacts, Events, Shapes, Touching
 from tamias2d.state import Array, Vector
 
 LEVEL_WITHIN = 0.02  # of the body's bounding radius: how far off shapes are that count as level
@@ -51,7 +19,7 @@ SAME_WAY = 0.9  # cosine: a contact with such a normal is with the same side as 
 def clear_grounds(bodies: Bodies, events: Events) -> None:
     """Let no body have a ground."""
     for i in range(len(bodies.kind)):
-        events.ground[i, G_SHAPE] = 0.0
+        events.ground[i, tb.G_SHAPE] = 0.0
 
 
 def leave_seams_out(
@@ -61,24 +29,24 @@ def leave_seams_out(
     if not some_end(bodies, shapes, contacts, touching):
         return False
     for loaded in (True, False):
-        for k in range(touching.counts[TOUCHING]):
+        for k in range(touching.counts[tb.TOUCHING]):
             if is_with_static(k, bodies, touching):
                 note_ground(touching.contact[k], loaded, bodies, shapes, contacts, events.ground)
-    for k in range(touching.counts[TOUCHING]):
+    for k in range(touching.counts[tb.TOUCHING]):
         if is_with_static(k, bodies, touching):
             note_level_side(touching.contact[k], bodies, shapes, contacts, events.ground)
-    before = touching.counts[TOUCHING]
+    before = touching.counts[tb.TOUCHING]
     while take_seams_off(bodies, shapes, contacts, touching, events):
         pass  # beyond the next shape may be another one
-    return touching.counts[TOUCHING] < before
+    return touching.counts[tb.TOUCHING] < before
 
 
 def some_end(bodies: Bodies, shapes: Shapes, contacts: Contacts, touching: Touching) -> bool:
     """Return whether some body touches a static shape that is no half-plane."""
-    for k in range(touching.counts[TOUCHING]):
+    for k in range(touching.counts[tb.TOUCHING]):
         if is_with_static(k, bodies, touching):
             s, t = contacts.pairs[touching.contact[k], 0], contacts.pairs[touching.contact[k], 1]
-            if shapes.kind[s] != HALF_PLANE and shapes.kind[t] != HALF_PLANE:
+            if shapes.kind[s] != tb.HALF_PLANE and shapes.kind[t] != tb.HALF_PLANE:
                 return True
     return False
 
@@ -88,25 +56,25 @@ def take_seams_off(
 ) -> bool:
     """Take seams with the grounds of bodies off the list; return whether there were some."""
     stay = 0
-    for k in range(touching.counts[TOUCHING]):
+    for k in range(touching.counts[tb.TOUCHING]):
         p = touching.contact[k]
         if is_with_static(k, bodies, touching) and joins_ground(
             p, 0.0, bodies, shapes, contacts, events.ground
         ):
-            contacts.flags[p, POINT_COUNT] = 0
+            contacts.flags[p, tb.POINT_COUNT] = 0
         else:
             touching.contact[stay] = p
             touching.body_a[stay], touching.body_b[stay] = touching.body_a[k], touching.body_b[k]
             stay += 1
-    found = stay < touching.counts[TOUCHING]
-    touching.counts[TOUCHING] = stay
+    found = stay < touching.counts[tb.TOUCHING]
+    touching.counts[tb.TOUCHING] = stay
     return found
 
 
 def is_with_static(k: int, bodies: Bodies, touching: Touching) -> bool:
     """Return whether a touching contact is with a static body."""
     a, b = bodies.kind[touching.body_a[k]], bodies.kind[touching.body_b[k]]
-    return bool((a == STATIC) | (b == STATIC))
+    return bool((a == tb.STATIC) | (b == tb.STATIC))
 
 
 def note_ground(
@@ -118,23 +86,29 @@ def note_ground(
     """
     manifold = contacts.manifolds[p]
     s, t, way = contacts.pairs[p, 0], contacts.pairs[p, 1], 1.0
-    if bodies.kind[shapes.slot[t]] == STATIC:
+    if bodies.kind[shapes.slot[t]] == tb.STATIC:
         s, t, way = t, s, -1.0
     i, j = shapes.slot[s], shapes.slot[t]
-    still = bodies.kind[i] == STATIC and bodies.kind[j] == DYNAMIC and shapes.kind[s] != HALF_PLANE
-    if not still or not holds_body(s, loaded, manifold, contacts.flags[p, POINT_COUNT], shapes):
+    still = (
+        bodies.kind[i] == tb.STATIC
+        and bodies.kind[j] == tb.DYNAMIC
+        and shapes.kind[s] != tb.HALF_PLANE
+    )
+    if not still or not holds_body(s, loaded, manifold, contacts.flags[p, tb.POINT_COUNT], shapes):
         return
-    if not loaded and ground[j, G_SHAPE] > 0.0:
+    if not loaded and ground[j, tb.G_SHAPE] > 0.0:
         return
-    normal, motion = (way * manifold[NX], way * manifold[NY]), bodies.motion[j]
-    for n in range(contacts.flags[p, POINT_COUNT]):
+    normal, motion = (way * manifold[tb.NX], way * manifold[tb.NY]), bodies.motion[j]
+    for n in range(contacts.flags[p, tb.POINT_COUNT]):
         x, y = contact_place(p, n, 0.0, normal, bodies, shapes, contacts)
-        ahead = motion[VX] * (x - bodies.pose[j, X]) + motion[VY] * (y - bodies.pose[j, Y])
-        if ground[j, G_SHAPE] == 0.0 or ahead > ground[j, G_AHEAD]:
-            ground[j, G_NX], ground[j, G_NY] = normal
-            ground[j, G_HEIGHT] = normal[0] * x + normal[1] * y
-            ground[j, G_AHEAD], ground[j, G_SHAPE] = ahead, s + 1.0
-            ground[j, G_LOW], ground[j, G_HIGH] = level_part(s, t, bodies, shapes, ground)
+        ahead = motion[tb.VX] * (x - bodies.pose[j, tb.X]) + motion[tb.VY] * (
+            y - bodies.pose[j, tb.Y]
+        )
+        if ground[j, tb.G_SHAPE] == 0.0 or ahead > ground[j, tb.G_AHEAD]:
+            ground[j, tb.G_NX], ground[j, tb.G_NY] = normal
+            ground[j, tb.G_HEIGHT] = normal[0] * x + normal[1] * y
+            ground[j, tb.G_AHEAD], ground[j, tb.G_SHAPE] = ahead, s + 1.0
+            ground[j, tb.G_LOW], ground[j, tb.G_HIGH] = level_part(s, t, bodies, shapes, ground)
 
 
 def holds_body(s: int, loaded: bool, manifold: Array, count: int, shapes: Shapes) -> bool:
@@ -143,12 +117,14 @@ def holds_body(s: int, loaded: bool, manifold: Array, count: int, shapes: Shapes
     One point does not hold a body that may lean on another shape, but on a chain.
     """
     if loaded:
-        load = manifold[NORMAL_IMPULSE] + (manifold[NORMAL_IMPULSE + POINT] if count == 2 else 0.0)
+        load = manifold[tb.NORMAL_IMPULSE] + (
+            manifold[tb.NORMAL_IMPULSE + tb.POINT] if count == 2 else 0.0
+        )
         return bool(load > 0.0)
-    close = LEVEL_WITHIN * shapes.material[s, SHAPE_RADIUS]
-    if shapes.kind[s] >= PIECE and count == 1:
-        return bool(manifold[GAP] < close)
-    return bool(count == 2 and max(manifold[GAP], manifold[GAP + POINT]) < close)
+    close = LEVEL_WITHIN * shapes.material[s, tb.SHAPE_RADIUS]
+    if shapes.kind[s] >= tb.PIECE and count == 1:
+        return bool(manifold[tb.GAP] < close)
+    return bool(count == 2 and max(manifold[tb.GAP], manifold[tb.GAP + tb.POINT]) < close)
 
 
 def contact_place(
@@ -161,10 +137,10 @@ def contact_place(
     contacts: Contacts,
 ) -> Vector:
     """Return where a point of a contact is on the static shape, m, with its normal."""
-    i, manifold, at = shapes.slot[contacts.pairs[p, 0]], contacts.manifolds[p], POINT * n
-    half = 0.5 * manifold[GAP + at]
-    x = bodies.pose[i, X] + later * bodies.motion[i, VX] + manifold[PX + at]
-    y = bodies.pose[i, Y] + later * bodies.motion[i, VY] + manifold[PY + at]
+    i, manifold, at = shapes.slot[contacts.pairs[p, 0]], contacts.manifolds[p], tb.POINT * n
+    half = 0.5 * manifold[tb.GAP + at]
+    x = bodies.pose[i, tb.X] + later * bodies.motion[i, tb.VX] + manifold[tb.PX + at]
+    y = bodies.pose[i, tb.Y] + later * bodies.motion[i, tb.VY] + manifold[tb.PY + at]
     return x - half * normal[0], y - half * normal[1]
 
 
@@ -173,11 +149,11 @@ def note_level_side(
 ) -> None:
     """Let the ground of a body go on with another static side on which it is."""
     s, t, way = contacts.pairs[p, 0], contacts.pairs[p, 1], 1.0
-    if bodies.kind[shapes.slot[t]] == STATIC:
+    if bodies.kind[shapes.slot[t]] == tb.STATIC:
         s, t, way = t, s, -1.0
     row, manifold = ground[shapes.slot[t]], contacts.manifolds[p]
-    along = row[G_NX] * way * manifold[NX] + row[G_NY] * way * manifold[NY]
-    if row[G_SHAPE] > 0.0 and along > SAME_WAY and contacts.flags[p, POINT_COUNT] > 0:
+    along = row[tb.G_NX] * way * manifold[tb.NX] + row[tb.G_NY] * way * manifold[tb.NY]
+    if row[tb.G_SHAPE] > 0.0 and along > SAME_WAY and contacts.flags[p, tb.POINT_COUNT] > 0:
         extend_ground(s, t, bodies, shapes, ground)
 
 
@@ -191,13 +167,13 @@ def joins_ground(
     """
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     way = 1.0
-    if bodies.kind[shapes.slot[t]] == STATIC:
+    if bodies.kind[shapes.slot[t]] == tb.STATIC:
         s, t, way = t, s, -1.0
     i, j = shapes.slot[s], shapes.slot[t]
-    if ground[j, G_SHAPE] == 0.0 or bodies.kind[i] != STATIC or bodies.kind[j] != DYNAMIC:
+    if ground[j, tb.G_SHAPE] == 0.0 or bodies.kind[i] != tb.STATIC or bodies.kind[j] != tb.DYNAMIC:
         return False
-    normal = (way * contacts.manifolds[p, NX], way * contacts.manifolds[p, NY])
-    for n in range(contacts.flags[p, POINT_COUNT]):
+    normal = (way * contacts.manifolds[p, tb.NX], way * contacts.manifolds[p, tb.NY])
+    for n in range(contacts.flags[p, tb.POINT_COUNT]):
         place = contact_place(p, n, later, normal, bodies, shapes, contacts)
         if not is_seam(s, t, place, normal, bodies, shapes, ground):
             return False
@@ -215,16 +191,18 @@ def is_seam(
     ground: Array,
 ) -> bool:
     """Return whether a body's shape t meets a static one s where that joins the body's ground."""
-    row, slop = ground[shapes.slot[t]], LEVEL_WITHIN * shapes.material[t, SHAPE_RADIUS]
-    same = row[G_SHAPE] == s + 1.0 or row[G_NX] * normal[0] + row[G_NY] * normal[1] > SAME_WAY
-    if row[G_SHAPE] == 0.0 or same or shapes.kind[s] == HALF_PLANE:
+    row, slop = ground[shapes.slot[t]], LEVEL_WITHIN * shapes.material[t, tb.SHAPE_RADIUS]
+    same = (
+        row[tb.G_SHAPE] == s + 1.0 or row[tb.G_NX] * normal[0] + row[tb.G_NY] * normal[1] > SAME_WAY
+    )
+    if row[tb.G_SHAPE] == 0.0 or same or shapes.kind[s] == tb.HALF_PLANE:
         return False
-    if shapes.kind[s] >= PIECE and shapes.kind[int(row[G_SHAPE]) - 1] >= PIECE:
+    if shapes.kind[s] >= tb.PIECE and shapes.kind[int(row[tb.G_SHAPE]) - 1] >= tb.PIECE:
         return False  # pieces of chains know each other
-    height = row[G_NX] * place[0] + row[G_NY] * place[1] - row[G_HEIGHT]
-    along = row[G_NX] * place[1] - row[G_NY] * place[0]
+    height = row[tb.G_NX] * place[0] + row[tb.G_NY] * place[1] - row[tb.G_HEIGHT]
+    along = row[tb.G_NX] * place[1] - row[tb.G_NY] * place[0]
     reach = shapes.radius[s] + slop
-    beside = abs(height) <= reach and row[G_LOW] - reach <= along <= row[G_HIGH] + reach
+    beside = abs(height) <= reach and row[tb.G_LOW] - reach <= along <= row[tb.G_HIGH] + reach
     return beside and stands_no_higher(s, slop, row, bodies, shapes)
 
 
@@ -232,7 +210,7 @@ def extend_ground(s: int, t: int, bodies: Bodies, shapes: Shapes, ground: Array)
     """Let the ground of a body, whose shape is t, go on with a static shape, where it is level."""
     row = ground[shapes.slot[t]]
     low, high = level_part(s, t, bodies, shapes, ground)
-    row[G_LOW], row[G_HIGH] = min(row[G_LOW], low), max(row[G_HIGH], high)
+    row[tb.G_LOW], row[tb.G_HIGH] = min(row[tb.G_LOW], low), max(row[tb.G_HIGH], high)
 
 
 def level_part(
@@ -242,13 +220,13 @@ def level_part(
 
     The first is larger than the second where it is nowhere.
     """
-    row, slop = ground[shapes.slot[t]], LEVEL_WITHIN * shapes.material[t, SHAPE_RADIUS]
+    row, slop = ground[shapes.slot[t]], LEVEL_WITHIN * shapes.material[t, tb.SHAPE_RADIUS]
     core, pose = core_of(s, shapes), bodies.pose[shapes.slot[s]]
     low, high = INFINITE, -INFINITE
     for k in range(core.first, core.first + core.vertex_count):
-        x, y = pose[X] + shapes.world_vertices[k, 0], pose[Y] + shapes.world_vertices[k, 1]
-        if abs(row[G_NX] * x + row[G_NY] * y + core.radius - row[G_HEIGHT]) <= slop:
-            along = row[G_NX] * y - row[G_NY] * x
+        x, y = pose[tb.X] + shapes.world_vertices[k, 0], pose[tb.Y] + shapes.world_vertices[k, 1]
+        if abs(row[tb.G_NX] * x + row[tb.G_NY] * y + core.radius - row[tb.G_HEIGHT]) <= slop:
+            along = row[tb.G_NX] * y - row[tb.G_NY] * x
             low, high = min(low, along), max(high, along)
     return low, high
 
@@ -266,15 +244,15 @@ def goes_on(
 
     What holds the body there, so that it hardly moves towards the ground, holds it here.
     """
-    row, slop = ground[shapes.slot[t]], LEVEL_WITHIN * shapes.material[t, SHAPE_RADIUS]
-    other = row[G_SHAPE] > 0.0 and row[G_SHAPE] != s + 1.0
-    if not other or shapes.kind[s] < PIECE or shapes.kind[int(row[G_SHAPE]) - 1] < PIECE:
+    row, slop = ground[shapes.slot[t]], LEVEL_WITHIN * shapes.material[t, tb.SHAPE_RADIUS]
+    other = row[tb.G_SHAPE] > 0.0 and row[tb.G_SHAPE] != s + 1.0
+    if not other or shapes.kind[s] < tb.PIECE or shapes.kind[int(row[tb.G_SHAPE]) - 1] < tb.PIECE:
         return False
-    height = row[G_NX] * place[0] + row[G_NY] * place[1]
-    aside = row[G_NX] * normal[1] - row[G_NY] * normal[0]
-    same_way = row[G_NX] * normal[0] + row[G_NY] * normal[1] > SAME_WAY
-    rise = normal[0] * motion[DX] + normal[1] * motion[DY]
-    level = abs(aside) <= STRAIGHT and abs(height - row[G_HEIGHT]) <= slop
+    height = row[tb.G_NX] * place[0] + row[tb.G_NY] * place[1]
+    aside = row[tb.G_NX] * normal[1] - row[tb.G_NY] * normal[0]
+    same_way = row[tb.G_NX] * normal[0] + row[tb.G_NY] * normal[1] > SAME_WAY
+    rise = normal[0] * motion[tb.DX] + normal[1] * motion[tb.DY]
+    level = abs(aside) <= STRAIGHT and abs(height - row[tb.G_HEIGHT]) <= slop
     return bool(same_way and level and rise >= -slop)
 
 
@@ -282,7 +260,7 @@ def stands_no_higher(s: int, slop: float, row: Array, bodies: Bodies, shapes: Sh
     """Return whether a shape stands no higher than the ground of a body."""
     core, pose = core_of(s, shapes), bodies.pose[shapes.slot[s]]
     for k in range(core.first, core.first + core.vertex_count):
-        x, y = pose[X] + shapes.world_vertices[k, 0], pose[Y] + shapes.world_vertices[k, 1]
-        if row[G_NX] * x + row[G_NY] * y + core.radius > row[G_HEIGHT] + slop:
+        x, y = pose[tb.X] + shapes.world_vertices[k, 0], pose[tb.Y] + shapes.world_vertices[k, 1]
+        if row[tb.G_NX] * x + row[tb.G_NY] * y + core.radius > row[tb.G_HEIGHT] + slop:
             return False
     return True

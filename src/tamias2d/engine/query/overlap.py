@@ -9,26 +9,10 @@ Cost: n log n for a tree where something moved, then log n and the shapes found 
 from math import sqrt
 from typing import NamedTuple
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.bvh import BUNCH, build_tree, first_leaf_node
 from tamias2d.engine.rotation import cosine_sine
-from tamias2d.engine.tables import (
-    ABSENT,
-    ANGLE,
-    CATEGORY,
-    FAT,
-    HALF_PLANE,
-    LEAF,
-    LEAVES,
-    PLANES,
-    SENSOR,
-    BodyState,
-    Integers,
-    Shapes,
-    Tree,
-    World,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import BodyState, Integers, Shapes, Tree, World
 from tamias2d.kernels.arrays import Places
 from tamias2d.state import Array
 
@@ -40,21 +24,21 @@ def build_query_tree(world: World) -> None:
     state, shapes, tree, broad_phase = world.state, world.shapes, world.tree, world.broad_phase
     for s in range(len(shapes.kind)):
         i = state.body_of_shape[s]
-        if state.kind[i] != ABSENT and shapes.kind[s] != HALF_PLANE:
+        if state.kind[i] != tb.ABSENT and shapes.kind[s] != tb.HALF_PLANE:
             fit_box(s, state.pose[i], shapes, tree)
     leaves = build_tree(shapes.kind, state.body_of_shape, state.kind, broad_phase.canonical, tree)
     planes = 0
     for k in range(len(shapes.kind)):
         s = broad_phase.canonical[0, k]
-        if state.kind[state.body_of_shape[s]] != ABSENT and shapes.kind[s] == HALF_PLANE:
-            tree.morton[LEAF, leaves + planes] = s
+        if state.kind[state.body_of_shape[s]] != tb.ABSENT and shapes.kind[s] == tb.HALF_PLANE:
+            tree.morton[tb.LEAF, leaves + planes] = s
             planes += 1
-    tree.counts[LEAVES], tree.counts[PLANES] = leaves, planes
+    tree.counts[tb.LEAVES], tree.counts[tb.PLANES] = leaves, planes
 
 
 def fit_box(s: int, pose: Array, shapes: Shapes, tree: Tree) -> None:
     """Put a box around a shape of a body with a pose."""
-    c, d = cosine_sine(pose[ANGLE])
+    c, d = cosine_sine(pose[tb.ANGLE])
     first, local = shapes.first[s], shapes.local_vertices
     low_x = high_x = c * local[first, 0] - d * local[first, 1]
     low_y = high_y = d * local[first, 0] + c * local[first, 1]
@@ -63,10 +47,13 @@ def fit_box(s: int, pose: Array, shapes: Shapes, tree: Tree) -> None:
         low_x, high_x = min(low_x, x), max(high_x, x)
         low_y, high_y = min(low_y, y), max(high_y, y)
     size = high_x - low_x + high_y - low_y + shapes.radius[s]
-    more = shapes.radius[s] + SLACK * (size + abs(pose[X]) + abs(pose[Y]))
-    tree.boxes[s, FAT], tree.boxes[s, FAT + 1] = pose[X] + low_x - more, pose[Y] + low_y - more
-    tree.boxes[s, FAT + 2] = pose[X] + high_x + more
-    tree.boxes[s, FAT + 3] = pose[Y] + high_y + more
+    more = shapes.radius[s] + SLACK * (size + abs(pose[tb.X]) + abs(pose[tb.Y]))
+    tree.boxes[s, tb.FAT], tree.boxes[s, tb.FAT + 1] = (
+        pose[tb.X] + low_x - more,
+        pose[tb.Y] + low_y - more,
+    )
+    tree.boxes[s, tb.FAT + 2] = pose[tb.X] + high_x + more
+    tree.boxes[s, tb.FAT + 3] = pose[tb.Y] + high_y + more
 
 
 class Box(NamedTuple):
@@ -90,7 +77,7 @@ def shapes_in_box(
     """Write the shapes that overlap a box, which may be a point, into `found`; return how many."""
     shapes, tree = world.shapes, world.tree
     box = Box(low_x, low_y, high_x, high_y)
-    leaves = tree.counts[LEAVES]
+    leaves = tree.counts[tb.LEAVES]
     total = half_planes_in_box(box, mask, shapes, tree, found)
     deep = first_leaf_node(leaves)
     at = 1 if leaves > 0 else 0
@@ -100,8 +87,10 @@ def shapes_in_box(
         if at >= deep:
             bunch = (at - deep) * BUNCH
             for m in range(bunch, min(bunch + BUNCH, leaves)):
-                s = tree.morton[LEAF, m]
-                near = is_selected(s, mask, shapes.filters) and meets_box(tree.boxes[s, FAT:], box)
+                s = tree.morton[tb.LEAF, m]
+                near = is_selected(s, mask, shapes.filters) and meets_box(
+                    tree.boxes[s, tb.FAT :], box
+                )
                 if near and overlaps_box(s, box, world.state, shapes):
                     found[total] = s
                     total += 1
@@ -111,9 +100,9 @@ def shapes_in_box(
 
 def half_planes_in_box(box: Box, mask: int, shapes: Shapes, tree: Tree, found: Integers) -> int:
     """Write the half-planes that overlap a box into `found`; return how many."""
-    leaves, total = tree.counts[LEAVES], 0
-    for m in range(leaves, leaves + tree.counts[PLANES]):
-        s = tree.morton[LEAF, m]
+    leaves, total = tree.counts[tb.LEAVES], 0
+    for m in range(leaves, leaves + tree.counts[tb.PLANES]):
+        s = tree.morton[tb.LEAF, m]
         side = shapes.local_vertices[shapes.first[s]]
         x = box.low_x if side[2] > 0.0 else box.high_x
         y = box.low_y if side[3] > 0.0 else box.high_y
@@ -125,7 +114,7 @@ def half_planes_in_box(box: Box, mask: int, shapes: Shapes, tree: Tree, found: I
 
 def is_selected(s: int, mask: int, filters: Integers) -> bool:
     """Return whether a shape is solid, and of a category in the mask."""
-    return bool(filters[s, SENSOR] == 0 and (filters[s, CATEGORY] & mask) != 0)
+    return bool(filters[s, tb.SENSOR] == 0 and (filters[s, tb.CATEGORY] & mask) != 0)
 
 
 def next_node(at: int) -> int:
@@ -152,9 +141,9 @@ def overlaps_box(s: int, box: Box, state: BodyState, shapes: Shapes) -> bool:
     """
     i, first, count = state.body_of_shape[s], shapes.first[s], shapes.vertex_count[s]
     vertices = shapes.local_vertices[first : first + count]
-    c, d = cosine_sine(state.pose[i, ANGLE])
-    x = 0.5 * box.low_x + 0.5 * box.high_x - state.pose[i, X]
-    y = 0.5 * box.low_y + 0.5 * box.high_y - state.pose[i, Y]
+    c, d = cosine_sine(state.pose[i, tb.ANGLE])
+    x = 0.5 * box.low_x + 0.5 * box.high_x - state.pose[i, tb.X]
+    y = 0.5 * box.low_y + 0.5 * box.high_y - state.pose[i, tb.Y]
     half_x, half_y = 0.5 * box.high_x - 0.5 * box.low_x, 0.5 * box.high_y - 0.5 * box.low_y
     if shapes.vertex_count[s] > 2:
         return not some_side_separates(vertices, c, d, x, y, half_x, half_y)

@@ -7,25 +7,11 @@ first that it enters.
 from math import sqrt
 from typing import NamedTuple
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.bvh import BUNCH, first_leaf_node
 from tamias2d.engine.query.overlap import SLACK, is_selected, next_node, shapes_in_box
 from tamias2d.engine.rotation import cosine_sine
-from tamias2d.engine.tables import (
-    ANGLE,
-    DISC,
-    FAT,
-    HALF_PLANE,
-    LEAF,
-    LEAVES,
-    PLANES,
-    RANK,
-    BodyState,
-    Integers,
-    Shapes,
-    World,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import BodyState, Integers, Shapes, World
 from tamias2d.kernels.arrays import FloatRows, Places, Ranks
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
@@ -82,9 +68,9 @@ def cast_ray(
     It starts inside of the first shapes of `found`.
     """
     tree = world.tree
-    leaves = tree.counts[LEAVES]
+    leaves = tree.counts[tb.LEAVES]
     deep = first_leaf_node(leaves)
-    begin, end = leaves, leaves + tree.counts[PLANES]  # half-planes stand behind the leaves
+    begin, end = leaves, leaves + tree.counts[tb.PLANES]  # half-planes stand behind the leaves
     at = 1 if leaves > 0 else 0
     more = True
     while more:
@@ -123,9 +109,9 @@ def cast_among(
     """Cast the k-th ray at some shapes that follow each other in Morton order, or half-planes."""
     state, shapes, tree = world.state, world.shapes, world.tree
     for m in range(begin, end):
-        s = tree.morton[LEAF, m]
-        plane = shapes.kind[s] == HALF_PLANE  # which has no box
-        near = plane or crosses(tree.boxes[s, FAT:], ray, min(entries[k, 0], 1.0))
+        s = tree.morton[tb.LEAF, m]
+        plane = shapes.kind[s] == tb.HALF_PLANE  # which has no box
+        near = plane or crosses(tree.boxes[s, tb.FAT :], ray, min(entries[k, 0], 1.0))
         if (
             near
             and is_selected(s, mask, shapes.filters)
@@ -165,7 +151,7 @@ def keep_first(
     fraction, normal_x, normal_y = entry
     if fraction > 1.0:
         return
-    rank, tied = canonical[RANK], fraction == entries[k, 0] and shape_hit[k] >= 0
+    rank, tied = canonical[tb.RANK], fraction == entries[k, 0] and shape_hit[k] >= 0
     if fraction < entries[k, 0] or (tied and rank[s] < rank[shape_hit[k]]):
         shape_hit[k] = s
         entries[k, 0], entries[k, 1], entries[k, 2] = fraction, normal_x, normal_y
@@ -175,10 +161,10 @@ def keep_first(
 def enter(s: int, ray: Ray, state: BodyState, shapes: Shapes) -> Entry:
     """Return where a ray enters a shape, as a fraction of it, and the normal there."""
     first, i = shapes.first[s], state.body_of_shape[s]
-    if shapes.kind[s] == HALF_PLANE:
+    if shapes.kind[s] == tb.HALF_PLANE:
         return enter_half_plane(ray, shapes.local_vertices[first])
-    c, d = cosine_sine(state.pose[i, ANGLE])
-    from_x, from_y = ray.x - state.pose[i, X], ray.y - state.pose[i, Y]
+    c, d = cosine_sine(state.pose[i, tb.ANGLE])
+    from_x, from_y = ray.x - state.pose[i, tb.X], ray.y - state.pose[i, tb.Y]
     local = Ray(
         c * from_x + d * from_y,
         c * from_y - d * from_x,
@@ -202,7 +188,7 @@ def enter_bounded(
     """Return where a ray in the axes of a body enters one of its shapes, and the normal there."""
     if count > 2:
         return enter_polygon(ray, first, count, vertices)
-    if kind == DISC:
+    if kind == tb.DISC:
         return enter_disc(ray, vertices[first, 0], vertices[first, 1], radius)
     return enter_capsule(ray, vertices[first], vertices[first + 1], radius)
 

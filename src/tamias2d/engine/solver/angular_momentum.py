@@ -10,48 +10,12 @@ those that touch change.
 
 from typing import NamedTuple
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.islands import update_islands
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.solver.island_damping import add_to_island, place_from
 from tamias2d.engine.solver.support import is_root
-from tamias2d.engine.tables import (
-    ACTIVE,
-    ANGULAR_MOMENTUM,
-    ANGULAR_VELOCITY_GIVEN,
-    CONTACT_CHANGE,
-    DX,
-    DY,
-    DYNAMIC,
-    ENERGY_KEPT,
-    ENERGY_PUSHED,
-    FREE_ISLANDS,
-    GIVEN,
-    INVERSE_INERTIA,
-    IS_HELD,
-    ISLAND_MASS,
-    MOMENT_AHEAD,
-    MOMENT_OF_INERTIA,
-    MOMENT_X,
-    MOMENT_Y,
-    MOMENTUM_X,
-    MOMENTUM_Y,
-    MOVED,
-    REFERENCE,
-    ROOT,
-    SPIN,
-    SUBSTEP_START,
-    TOUCHING,
-    VELOCITY_GIVEN,
-    VX,
-    VY,
-    Bodies,
-    Constraints,
-    Islands,
-    Joints,
-    Touching,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Constraints, Islands, Joints, Touching
 from tamias2d.generated.definitions import (
     kinetic_energy,
     point_velocity,
@@ -82,18 +46,18 @@ def mark_held_islands(
     """Mark the islands that contacts hold, or that have a body which does not turn."""
     links, marks = islands.links, islands.energy
     update_islands(bodies, touching, islands, joints)
-    for k in range(constraints.counts[ACTIVE]):
-        marks[links[touching.active[k], ROOT], IS_HELD] = 0.0
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
+        marks[links[touching.active[k], tb.ROOT], tb.IS_HELD] = 0.0
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if bodies.properties[i, INVERSE_INERTIA] == 0.0:
-            marks[links[i, ROOT], IS_HELD] = 1.0
-    for k in range(touching.counts[TOUCHING]):
+        if bodies.properties[i, tb.INVERSE_INERTIA] == 0.0:
+            marks[links[i, tb.ROOT], tb.IS_HELD] = 1.0
+    for k in range(touching.counts[tb.TOUCHING]):
         i, j = touching.body_a[k], touching.body_b[k]
-        if bodies.kind[i] != DYNAMIC:
-            marks[links[j, ROOT], IS_HELD] = 1.0
-        if bodies.kind[j] != DYNAMIC:
-            marks[links[i, ROOT], IS_HELD] = 1.0
+        if bodies.kind[i] != tb.DYNAMIC:
+            marks[links[j, tb.ROOT], tb.IS_HELD] = 1.0
+        if bodies.kind[j] != tb.DYNAMIC:
+            marks[links[i, tb.ROOT], tb.IS_HELD] = 1.0
 
 
 def count_free_islands(
@@ -102,19 +66,19 @@ def count_free_islands(
     """Count the islands that have contacts, and that nothing holds; mark the bodies of others."""
     marks = islands.energy
     free = 0
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        marks[i, IS_HELD] = marks[islands.links[i, ROOT], IS_HELD]
-        free += is_root(i, bodies, islands) and marks[i, IS_HELD] == 0.0
-    constraints.counts[FREE_ISLANDS] = free
+        marks[i, tb.IS_HELD] = marks[islands.links[i, tb.ROOT], tb.IS_HELD]
+        free += is_root(i, bodies, islands) and marks[i, tb.IS_HELD] == 0.0
+    constraints.counts[tb.FREE_ISLANDS] = free
 
 
 def begin_moments(first: int, last: int, touching: Touching, islands: Islands) -> None:
     """Begin to add up what contacts give some bodies, of those that nothing holds."""
     for k in range(first, last):
         given = islands.energy[touching.active_by_slab[k]]
-        if given[IS_HELD] == 0.0:
-            for n in range(VELOCITY_GIVEN, MOMENT_AHEAD + 1):
+        if given[tb.IS_HELD] == 0.0:
+            for n in range(tb.VELOCITY_GIVEN, tb.MOMENT_AHEAD + 1):
                 given[n] = 0.0
 
 
@@ -125,9 +89,12 @@ def add_moments_before(
     for k in range(first, last):
         i = touching.active_by_slab[k]
         given, now = islands.energy[i], bodies.motion[i]
-        if given[IS_HELD] == 0.0:
-            given[MOMENT_AHEAD] = moment_ahead_moved(
-                given[MOMENT_AHEAD], (now[VX], now[VY]), velocity_change(i, bodies), substep
+        if given[tb.IS_HELD] == 0.0:
+            given[tb.MOMENT_AHEAD] = moment_ahead_moved(
+                given[tb.MOMENT_AHEAD],
+                (now[tb.VX], now[tb.VY]),
+                velocity_change(i, bodies),
+                substep,
             )
 
 
@@ -137,7 +104,7 @@ def add_moments(
     """Add all that contacts have given some bodies in a substep, after these have moved on."""
     for k in range(first, last):
         i = touching.active_by_slab[k]
-        if islands.energy[i, IS_HELD] == 0.0:
+        if islands.energy[i, tb.IS_HELD] == 0.0:
             add_moment_of(i, bodies, islands.energy[i])
 
 
@@ -145,20 +112,22 @@ def add_moment_of(i: int, bodies: Bodies, given: Array) -> None:
     """Add what contacts have given a body in a substep."""
     now, state = bodies.motion[i], bodies.substep_state[i]
     by_x, by_y = velocity_change(i, bodies)
-    given[VELOCITY_GIVEN] += by_x
-    given[VELOCITY_GIVEN + 1] += by_y
-    given[ANGULAR_VELOCITY_GIVEN] += state[CONTACT_CHANGE + 2] + (
-        now[SPIN] - state[SUBSTEP_START + 2]
+    given[tb.VELOCITY_GIVEN] += by_x
+    given[tb.VELOCITY_GIVEN + 1] += by_y
+    given[tb.ANGULAR_VELOCITY_GIVEN] += state[tb.CONTACT_CHANGE + 2] + (
+        now[tb.SPIN] - state[tb.SUBSTEP_START + 2]
     )
-    given[MOMENT_AHEAD] = moment_ahead_later(given[MOMENT_AHEAD], (now[DX], now[DY]), (by_x, by_y))
+    given[tb.MOMENT_AHEAD] = moment_ahead_later(
+        given[tb.MOMENT_AHEAD], (now[tb.DX], now[tb.DY]), (by_x, by_y)
+    )
 
 
 def velocity_change(i: int, bodies: Bodies) -> Vector:
     """Return what contacts have changed in the velocity of a body in this substep, m/s."""
     now, state = bodies.motion[i], bodies.substep_state[i]
     return (
-        state[CONTACT_CHANGE] + (now[VX] - state[SUBSTEP_START]),
-        state[CONTACT_CHANGE + 1] + (now[VY] - state[SUBSTEP_START + 1]),
+        state[tb.CONTACT_CHANGE] + (now[tb.VX] - state[tb.SUBSTEP_START]),
+        state[tb.CONTACT_CHANGE + 1] + (now[tb.VY] - state[tb.SUBSTEP_START + 1]),
     )
 
 
@@ -167,70 +136,75 @@ def keep_angular_momentum(
 ) -> None:
     """Take from free islands what contacts have given them, and note the energy that they have."""
     rows, links = islands.energy, islands.links
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_root(i, bodies, islands):
-            rows[i, GIVEN] = rows[i, ENERGY_PUSHED] = 0.0
-            for n in range(ISLAND_MASS, MOMENT_OF_INERTIA + 1):
+            rows[i, tb.GIVEN] = rows[i, tb.ENERGY_PUSHED] = 0.0
+            for n in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
                 rows[i, n] = 0.0
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_pushed_and_free(i, bodies, islands):
             add_moment_of(i, bodies, rows[i])
-            sum_pushed(i, links[i, ROOT], bodies, rows[i], rows[links[i, ROOT]])
-    for k in range(constraints.counts[ACTIVE]):
+            sum_pushed(i, links[i, tb.ROOT], bodies, rows[i], rows[links[i, tb.ROOT]])
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        row = rows[links[i, ROOT]]
-        if is_pushed_and_free(i, bodies, islands) and row[GIVEN] != 0.0:
-            return_of_island(i, links[i, ROOT], bodies, rows[i], row)
+        row = rows[links[i, tb.ROOT]]
+        if is_pushed_and_free(i, bodies, islands) and row[tb.GIVEN] != 0.0:
+            return_of_island(i, links[i, tb.ROOT], bodies, rows[i], row)
 
 
 def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
     """Return whether contacts have pushed a body, of an island that nothing holds."""
-    free = islands.energy[i, IS_HELD] == 0.0
-    return bool((bodies.kind[i] == DYNAMIC) & (bodies.moved[i] == MOVED) & free)
+    free = islands.energy[i, tb.IS_HELD] == 0.0
+    return bool((bodies.kind[i] == tb.DYNAMIC) & (bodies.moved[i] == tb.MOVED) & free)
 
 
 def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:
     """Add the motion of a body, and what contacts have given it, to those of its island."""
     mass, inertia = mass_and_inertia(i, bodies.properties)
-    start = (bodies.pose[i, X] - bodies.pose[root, X], bodies.pose[i, Y] - bodies.pose[root, Y])
+    start = (
+        bodies.pose[i, tb.X] - bodies.pose[root, tb.X],
+        bodies.pose[i, tb.Y] - bodies.pose[root, tb.Y],
+    )
     now, place = bodies.motion[i], place_from(root, i, bodies)
-    row[GIVEN] += angular_momentum_given(
+    row[tb.GIVEN] += angular_momentum_given(
         mass,
         start,
-        (given[VELOCITY_GIVEN], given[VELOCITY_GIVEN + 1]),
-        given[MOMENT_AHEAD],
+        (given[tb.VELOCITY_GIVEN], given[tb.VELOCITY_GIVEN + 1]),
+        given[tb.MOMENT_AHEAD],
         inertia,
-        given[ANGULAR_VELOCITY_GIVEN],
+        given[tb.ANGULAR_VELOCITY_GIVEN],
     )
-    inertia = inertia if given[ANGULAR_VELOCITY_GIVEN] != 0.0 else 0.0
-    velocity = velocity_seen((now[VX], now[VY]), (row[REFERENCE], row[REFERENCE + 1]))
-    add_to_island(mass, inertia, place, velocity, now[SPIN], row)
-    row[ENERGY_PUSHED] += kinetic_energy(mass, velocity, inertia, now[SPIN])
+    inertia = inertia if given[tb.ANGULAR_VELOCITY_GIVEN] != 0.0 else 0.0
+    velocity = velocity_seen((now[tb.VX], now[tb.VY]), (row[tb.REFERENCE], row[tb.REFERENCE + 1]))
+    add_to_island(mass, inertia, place, velocity, now[tb.SPIN], row)
+    row[tb.ENERGY_PUSHED] += kinetic_energy(mass, velocity, inertia, now[tb.SPIN])
 
 
 def return_of_island(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:
     """Give a body the motion that it has where its island has its angular momentum."""
     mass, inertia = mass_and_inertia(i, bodies.properties)
-    now, reference = bodies.motion[i], (row[REFERENCE], row[REFERENCE + 1])
+    now, reference = bodies.motion[i], (row[tb.REFERENCE], row[tb.REFERENCE + 1])
     one = as_one(
-        row[ISLAND_MASS],
-        (row[MOMENT_X], row[MOMENT_Y]),
-        (row[MOMENTUM_X], row[MOMENTUM_Y]),
-        row[MOMENT_OF_INERTIA],
-        row[ANGULAR_MOMENTUM],
+        row[tb.ISLAND_MASS],
+        (row[tb.MOMENT_X], row[tb.MOMENT_Y]),
+        (row[tb.MOMENTUM_X], row[tb.MOMENTUM_Y]),
+        row[tb.MOMENT_OF_INERTIA],
+        row[tb.ANGULAR_MOMENTUM],
     )
-    seen = velocity_seen((now[VX], now[VY]), reference)
-    before = kinetic_energy(mass, seen, inertia, now[SPIN])
-    turned = given[ANGULAR_VELOCITY_GIVEN] != 0.0
-    if not can_turn(one, row[MOMENT_OF_INERTIA]):
+    seen = velocity_seen((now[tb.VX], now[tb.VY]), reference)
+    before = kinetic_energy(mass, seen, inertia, now[tb.SPIN])
+    turned = given[tb.ANGULAR_VELOCITY_GIVEN] != 0.0
+    if not can_turn(one, row[tb.MOMENT_OF_INERTIA]):
         return
-    now[VX], now[VY] = seen
-    return_motion(one, row[GIVEN], row[ENERGY_PUSHED], turned, place_from(root, i, bodies), now)
-    seen = (now[VX], now[VY])
-    row[ENERGY_KEPT] += kinetic_energy(mass, seen, inertia, now[SPIN]) - before
-    now[VX], now[VY] = seen[0] + reference[0], seen[1] + reference[1]
+    now[tb.VX], now[tb.VY] = seen
+    return_motion(
+        one, row[tb.GIVEN], row[tb.ENERGY_PUSHED], turned, place_from(root, i, bodies), now
+    )
+    seen = (now[tb.VX], now[tb.VY])
+    row[tb.ENERGY_KEPT] += kinetic_energy(mass, seen, inertia, now[tb.SPIN]) - before
+    now[tb.VX], now[tb.VY] = seen[0] + reference[0], seen[1] + reference[1]
 
 
 class AsOne(NamedTuple):
@@ -289,6 +263,6 @@ def return_motion(
     arm = (place[0] - one.place[0], place[1] - one.place[1])
     before = point_velocity(one.velocity, one.spin, arm)
     after = point_velocity(one.velocity, spin, arm)
-    now[VX], now[VY] = velocity_returned((now[VX], now[VY]), before, after, share)
+    now[tb.VX], now[tb.VY] = velocity_returned((now[tb.VX], now[tb.VY]), before, after, share)
     if turned:
-        now[SPIN] = angular_velocity_returned(now[SPIN], one.spin, spin, share)
+        now[tb.SPIN] = angular_velocity_returned(now[tb.SPIN], one.spin, spin, share)

@@ -3,35 +3,8 @@
 It is a cheap test, and nearly always all that is needed where there is no restitution.
 """
 
-from tamias2d.engine.tables import (
-    CONTACT_CHANGE,
-    DANGLE,
-    DRAG_FACTOR,
-    DX,
-    DY,
-    DYNAMIC,
-    FORCE_GAIN,
-    GRAVITY_X,
-    GRAVITY_Y,
-    INCREMENT,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    MOVED,
-    PART_SUBSTEPS,
-    SPIN,
-    STEP_START,
-    SUBSTEP,
-    SUBSTEP_START,
-    TOTAL_ENERGY_NOW,
-    TOTAL_ENERGY_START,
-    TOTAL_WORK,
-    UNTOUCHED,
-    VX,
-    VY,
-    Bodies,
-    Control,
-    Touching,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Bodies, Control, Touching
 from tamias2d.generated.definitions import coordinate_velocity_later, kinetic_energy
 from tamias2d.generated.island_energy import kinetic_energy_most, work
 from tamias2d.generated.soft_contact import turn_later
@@ -45,54 +18,62 @@ def sum_step_energy(
     first: int, last: int, control: Control, bodies: Bodies, touching: Touching, energy: Array
 ) -> None:
     """Add the energies of some bodies, then and now, and the work of forces on them, J."""
-    gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     for k in range(first, last):
         i = touching.active_by_slab[k]
         then, now, load = bodies.substep_state[i], bodies.motion[i], bodies.load[i]
         for n in range(3):
-            bodies.flight[i, FORCE_GAIN + n] = 0.0
-        if bodies.kind[i] != DYNAMIC:
+            bodies.flight[i, tb.FORCE_GAIN + n] = 0.0
+        if bodies.kind[i] != tb.DYNAMIC:
             if moves_on(now):
-                energy[TOTAL_ENERGY_NOW] = 2.0 * UNLIMITED  # each island is looked at
+                energy[tb.TOTAL_ENERGY_NOW] = 2.0 * UNLIMITED  # each island is looked at
             continue
-        if bodies.moved[i] == MOVED and unchanged_by_contacts(control, then, now):
-            bodies.moved[i] = UNTOUCHED
+        if bodies.moved[i] == tb.MOVED and unchanged_by_contacts(control, then, now):
+            bodies.moved[i] = tb.UNTOUCHED
         mass, inertia = mass_and_inertia(i, bodies.properties)
-        velocity = (then[STEP_START], then[STEP_START + 1])
-        energy[TOTAL_ENERGY_START] += kinetic_energy(mass, velocity, inertia, then[STEP_START + 2])
-        velocity = (now[VX], now[VY])
-        energy[TOTAL_ENERGY_NOW] += kinetic_energy(mass, velocity, inertia, now[SPIN])
-        force, shift = (load[0], load[1]), (now[DX], now[DY])
-        energy[TOTAL_WORK] += work(mass, gravity, force, load[2], shift, now[DANGLE])
+        velocity = (then[tb.STEP_START], then[tb.STEP_START + 1])
+        energy[tb.TOTAL_ENERGY_START] += kinetic_energy(
+            mass, velocity, inertia, then[tb.STEP_START + 2]
+        )
+        velocity = (now[tb.VX], now[tb.VY])
+        energy[tb.TOTAL_ENERGY_NOW] += kinetic_energy(mass, velocity, inertia, now[tb.SPIN])
+        force, shift = (load[0], load[1]), (now[tb.DX], now[tb.DY])
+        energy[tb.TOTAL_WORK] += work(mass, gravity, force, load[2], shift, now[tb.DANGLE])
 
 
 def moves_on(motion: Array) -> bool:
     """Return whether a body that nothing pushes moves."""
-    return bool(abs(motion[VX]) + abs(motion[VY]) + abs(motion[SPIN]) > 0.0)
+    return bool(abs(motion[tb.VX]) + abs(motion[tb.VY]) + abs(motion[tb.SPIN]) > 0.0)
 
 
 def unchanged_by_contacts(control: Control, state: Array, motion: Array) -> bool:
     """Return whether no contact has changed the velocity or the way of a body in its substeps."""
     same = True
     for n in range(3):
-        same = same & (state[CONTACT_CHANGE + n] == 0.0) & (motion[n] == state[SUBSTEP_START + n])
+        same = (
+            same
+            & (state[tb.CONTACT_CHANGE + n] == 0.0)
+            & (motion[n] == state[tb.SUBSTEP_START + n])
+        )
     for n in range(3 if same else 0):
-        free, way = state[STEP_START + n], 0.0
-        for _ in range(control.counts[PART_SUBSTEPS]):
-            free = coordinate_velocity_later(state[DRAG_FACTOR + n], free, state[INCREMENT + n])
-            way = turn_later(way, free, control.settings[SUBSTEP])
-        same = same & (motion[n] == free) & (motion[DX + n] == way)
+        free, way = state[tb.STEP_START + n], 0.0
+        for _ in range(control.counts[tb.PART_SUBSTEPS]):
+            free = coordinate_velocity_later(
+                state[tb.DRAG_FACTOR + n], free, state[tb.INCREMENT + n]
+            )
+            way = turn_later(way, free, control.settings[tb.SUBSTEP])
+        same = same & (motion[n] == free) & (motion[tb.DX + n] == way)
     return bool(same)
 
 
 def makes_energy(energy: Array) -> bool:
     """Return whether contacts have made energy in all, or driven bodies could have."""
-    most = kinetic_energy_most(energy[TOTAL_ENERGY_START], energy[TOTAL_WORK])
-    return bool(energy[TOTAL_ENERGY_NOW] > most * (1.0 + GRACE))
+    most = kinetic_energy_most(energy[tb.TOTAL_ENERGY_START], energy[tb.TOTAL_WORK])
+    return bool(energy[tb.TOTAL_ENERGY_NOW] > most * (1.0 + GRACE))
 
 
 def mass_and_inertia(i: int, properties: Array) -> tuple[float, float]:
     """Return both of a dynamic body; an inertia of zero stands for one that cannot turn."""
-    turns = properties[i, INVERSE_INERTIA] > 0.0
-    inertia = 1.0 / properties[i, INVERSE_INERTIA] if turns else 0.0
-    return 1.0 / properties[i, INVERSE_MASS], inertia
+    turns = properties[i, tb.INVERSE_INERTIA] > 0.0
+    inertia = 1.0 / properties[i, tb.INVERSE_INERTIA] if turns else 0.0
+    return 1.0 / properties[i, tb.INVERSE_MASS], inertia

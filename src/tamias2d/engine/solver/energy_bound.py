@@ -9,6 +9,7 @@ its motion is damped. The bound is tested where there is restitution, or where t
 in all than there may be. Cost: some visits to each body.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.solver.angular_momentum import keep_angular_momentum
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
@@ -24,50 +25,7 @@ from tamias2d.engine.solver.support import (
     reference_at,
     support_joined,
 )
-from tamias2d.engine.tables import (
-    ACTIVE,
-    BEFORE_RESTITUTION,
-    BLOCKS,
-    BODY_A,
-    BODY_B,
-    BOUNCING,
-    DANGLE,
-    DX,
-    DY,
-    DYNAMIC,
-    ENERGY_AFTER,
-    ENERGY_BEFORE,
-    ENERGY_BOUND,
-    ENERGY_KEPT,
-    ENERGY_OF_CHANGE,
-    ENERGY_START,
-    FILLED,
-    FIRST_RESTITUTION,
-    FREE_ISLANDS,
-    GRAVITY_X,
-    GRAVITY_Y,
-    INVERSE_MASS,
-    KEPT_SHARE,
-    P_NORMAL_IMPULSE,
-    P_TOTAL_IMPULSE,
-    PART_TIME,
-    POINT_SIZE,
-    POINTS,
-    ROOT,
-    SHARED,
-    SPIN,
-    STEP_START,
-    SUPPORT,
-    VX,
-    VY,
-    WORK,
-    Bodies,
-    Constraints,
-    Control,
-    Islands,
-    Joints,
-    Touching,
-)
+from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import kinetic_energy
 from tamias2d.generated.island_energy import (
     accumulated_impulse_kept,
@@ -92,10 +50,10 @@ def note_before_restitution(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
     """Note the velocities of all bodies with contacts before restitution."""
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         for n in range(3):
-            islands.energy[i, BEFORE_RESTITUTION + n] = bodies.motion[i, n]
+            islands.energy[i, tb.BEFORE_RESTITUTION + n] = bodies.motion[i, n]
 
 
 def bound_energy(
@@ -114,7 +72,7 @@ def bound_energy(
     if choose_kept_shares(bodies, touching, constraints, islands):
         keep_shares(bodies, touching, constraints, islands)
         keep_impulse_shares(bodies, constraints, islands)
-    if constraints.counts[FREE_ISLANDS] > 0:
+    if constraints.counts[tb.FREE_ISLANDS] > 0:
         keep_angular_momentum(bodies, touching, constraints, islands)
     if choose_islands_to_damp(bodies, touching, constraints, islands):
         sum_island_motions(bodies, touching, constraints, islands)
@@ -129,29 +87,33 @@ def sum_island_energies(
     islands: Islands,
 ) -> None:
     """Add up the kinetic energies of all islands, and the work of forces, J."""
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_root(i, bodies, islands):
-            for n in range(ENERGY_START, ENERGY_OF_CHANGE + 1):
+            for n in range(tb.ENERGY_START, tb.ENERGY_OF_CHANGE + 1):
                 islands.energy[i, n] = 0.0
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if bodies.kind[i] == DYNAMIC:
+        if bodies.kind[i] == tb.DYNAMIC:
             velocity, spin = reference_at(i, bodies, islands)
-            row = islands.energy[islands.links[i, ROOT]]
-            row[WORK] += work_seen(i, velocity, spin, control, bodies)
+            row = islands.energy[islands.links[i, tb.ROOT]]
+            row[tb.WORK] += work_seen(i, velocity, spin, control, bodies)
             sum_body_energy(i, velocity, spin, bodies, row)
-            if constraints.counts[BOUNCING] > 0:
+            if constraints.counts[tb.BOUNCING] > 0:
                 sum_restitution_energy(i, velocity, spin, bodies, islands.energy[i], row)
 
 
 def work_seen(i: int, velocity: Vector, spin: float, control: Control, bodies: Bodies) -> float:
     """Return the work of forces on a body as seen from the reference, J."""
-    gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
-    time_step = control.progress[PART_TIME]
-    motion, load, mass = bodies.motion[i], bodies.load[i], 1.0 / bodies.properties[i, INVERSE_MASS]
-    shift = shift_seen((motion[DX], motion[DY]), velocity, time_step)
-    turn = turn_seen(motion[DANGLE], spin, time_step)
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
+    time_step = control.progress[tb.PART_TIME]
+    motion, load, mass = (
+        bodies.motion[i],
+        bodies.load[i],
+        1.0 / bodies.properties[i, tb.INVERSE_MASS],
+    )
+    shift = shift_seen((motion[tb.DX], motion[tb.DY]), velocity, time_step)
+    turn = turn_seen(motion[tb.DANGLE], spin, time_step)
     return work(mass, gravity, (load[0], load[1]), load[2], shift, turn)
 
 
@@ -159,12 +121,12 @@ def sum_body_energy(i: int, velocity: Vector, spin: float, bodies: Bodies, row: 
     """Add the energies of a body, then and now, to those of its island."""
     mass, inertia = mass_and_inertia(i, bodies.properties)
     then, now = bodies.substep_state[i], bodies.motion[i]
-    seen = velocity_seen((then[STEP_START], then[STEP_START + 1]), velocity)
-    spin_seen = angular_velocity_seen(then[STEP_START + 2], spin)
-    row[ENERGY_START] += kinetic_energy(mass, seen, inertia, spin_seen)
-    seen = velocity_seen((now[VX], now[VY]), velocity)
-    spin_seen = angular_velocity_seen(now[SPIN], spin)
-    row[ENERGY_AFTER] += kinetic_energy(mass, seen, inertia, spin_seen)
+    seen = velocity_seen((then[tb.STEP_START], then[tb.STEP_START + 1]), velocity)
+    spin_seen = angular_velocity_seen(then[tb.STEP_START + 2], spin)
+    row[tb.ENERGY_START] += kinetic_energy(mass, seen, inertia, spin_seen)
+    seen = velocity_seen((now[tb.VX], now[tb.VY]), velocity)
+    spin_seen = angular_velocity_seen(now[tb.SPIN], spin)
+    row[tb.ENERGY_AFTER] += kinetic_energy(mass, seen, inertia, spin_seen)
 
 
 def sum_restitution_energy(
@@ -172,12 +134,14 @@ def sum_restitution_energy(
 ) -> None:
     """Add the energies of a body before restitution, and of its change, to those of its island."""
     mass, inertia = mass_and_inertia(i, bodies.properties)
-    now, spin_before = bodies.motion[i], before[BEFORE_RESTITUTION + 2]
-    was = velocity_seen((before[BEFORE_RESTITUTION], before[BEFORE_RESTITUTION + 1]), velocity)
+    now, spin_before = bodies.motion[i], before[tb.BEFORE_RESTITUTION + 2]
+    was = velocity_seen(
+        (before[tb.BEFORE_RESTITUTION], before[tb.BEFORE_RESTITUTION + 1]), velocity
+    )
     spin_seen = angular_velocity_seen(spin_before, spin)
-    row[ENERGY_BEFORE] += kinetic_energy(mass, was, inertia, spin_seen)
-    change = velocity_seen(velocity_seen((now[VX], now[VY]), velocity), was)
-    row[ENERGY_OF_CHANGE] += kinetic_energy(mass, change, inertia, now[SPIN] - spin_before)
+    row[tb.ENERGY_BEFORE] += kinetic_energy(mass, was, inertia, spin_seen)
+    change = velocity_seen(velocity_seen((now[tb.VX], now[tb.VY]), velocity), was)
+    row[tb.ENERGY_OF_CHANGE] += kinetic_energy(mass, change, inertia, now[tb.SPIN] - spin_before)
 
 
 def choose_kept_shares(
@@ -185,20 +149,24 @@ def choose_kept_shares(
 ) -> bool:
     """Write which share of restitution each island keeps; return whether one loses any."""
     some = False
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if not is_root(i, bodies, islands):
             continue
         row = islands.energy[i]
-        before, after, change = row[ENERGY_BEFORE], row[ENERGY_AFTER], row[ENERGY_OF_CHANGE]
-        row[ENERGY_BOUND] = kinetic_energy_most(row[ENERGY_START], row[WORK])
-        most = max(bounce_energy_most(row[ENERGY_START], row[WORK]), before)
-        row[KEPT_SHARE], row[ENERGY_KEPT] = 1.0, after
-        bounded = constraints.counts[BOUNCING] > 0 and row[SUPPORT] != SUPPORTED_BY_MORE
+        before, after, change = (
+            row[tb.ENERGY_BEFORE],
+            row[tb.ENERGY_AFTER],
+            row[tb.ENERGY_OF_CHANGE],
+        )
+        row[tb.ENERGY_BOUND] = kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK])
+        most = max(bounce_energy_most(row[tb.ENERGY_START], row[tb.WORK]), before)
+        row[tb.KEPT_SHARE], row[tb.ENERGY_KEPT] = 1.0, after
+        bounded = constraints.counts[tb.BOUNCING] > 0 and row[tb.SUPPORT] != SUPPORTED_BY_MORE
         if bounded and after > most * (1.0 + GRACE):
             share = kept_share(before, after, change, most)
-            row[KEPT_SHARE] = share
-            row[ENERGY_KEPT] = kinetic_energy_kept(before, after, change, share)
+            row[tb.KEPT_SHARE] = share
+            row[tb.ENERGY_KEPT] = kinetic_energy_kept(before, after, change, share)
             some = True
     return some
 
@@ -215,32 +183,34 @@ def keep_shares(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
     """Leave each body the share of restitution that its island keeps."""
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if bodies.kind[i] == DYNAMIC:
-            share = islands.energy[islands.links[i, ROOT], KEPT_SHARE]
+        if bodies.kind[i] == tb.DYNAMIC:
+            share = islands.energy[islands.links[i, tb.ROOT], tb.KEPT_SHARE]
             if share < 1.0:
-                before, now = islands.energy[i, BEFORE_RESTITUTION:], bodies.motion[i]
-                now[VX], now[VY] = velocity_kept((before[0], before[1]), (now[VX], now[VY]), share)
-                now[SPIN] = angular_velocity_kept(before[2], now[SPIN], share)
+                before, now = islands.energy[i, tb.BEFORE_RESTITUTION :], bodies.motion[i]
+                now[tb.VX], now[tb.VY] = velocity_kept(
+                    (before[0], before[1]), (now[tb.VX], now[tb.VY]), share
+                )
+                now[tb.SPIN] = angular_velocity_kept(before[2], now[tb.SPIN], share)
 
 
 def keep_impulse_shares(bodies: Bodies, constraints: Constraints, islands: Islands) -> None:
     """Leave each contact the share of its impulse of restitution that its island keeps."""
     lanes = constraints.lanes
-    for b in range(constraints.counts[BLOCKS]):
+    for b in range(constraints.counts[tb.BLOCKS]):
         row = constraints.blocks[b]
-        for m in range(lanes[b, FILLED]):
-            i = lanes[b, BODY_A + m]
-            i = i if bodies.kind[i] == DYNAMIC else lanes[b, BODY_B + m]
-            share = islands.energy[islands.links[i, ROOT], KEPT_SHARE]
+        for m in range(lanes[b, tb.FILLED]):
+            i = lanes[b, tb.BODY_A + m]
+            i = i if bodies.kind[i] == tb.DYNAMIC else lanes[b, tb.BODY_B + m]
+            share = islands.energy[islands.links[i, tb.ROOT], tb.KEPT_SHARE]
             if share < 1.0:
-                for n in range(lanes[b, POINTS]):
-                    at = SHARED + n * POINT_SIZE + m
-                    impulse = row[FIRST_RESTITUTION + n * LANES + m]
-                    row[at + P_NORMAL_IMPULSE] = accumulated_impulse_kept(
-                        row[at + P_NORMAL_IMPULSE], impulse, share
+                for n in range(lanes[b, tb.POINTS]):
+                    at = tb.SHARED + n * tb.POINT_SIZE + m
+                    impulse = row[tb.FIRST_RESTITUTION + n * LANES + m]
+                    row[at + tb.P_NORMAL_IMPULSE] = accumulated_impulse_kept(
+                        row[at + tb.P_NORMAL_IMPULSE], impulse, share
                     )
-                    row[at + P_TOTAL_IMPULSE] = accumulated_impulse_kept(
-                        row[at + P_TOTAL_IMPULSE], impulse, share
+                    row[at + tb.P_TOTAL_IMPULSE] = accumulated_impulse_kept(
+                        row[at + tb.P_TOTAL_IMPULSE], impulse, share
                     )

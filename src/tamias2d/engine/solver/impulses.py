@@ -1,31 +1,9 @@
 """Impulses stored from blocks to manifolds: for the next step's warm start, and for users."""
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.part_impulses import store_impulse_of_part
 from tamias2d.engine.solver.blocks import lane_of, points_of
-from tamias2d.engine.tables import (
-    IS_TOUCHING,
-    LEVEL,
-    NORMAL_IMPULSE,
-    P_NORMAL_IMPULSE,
-    P_TANGENT_IMPULSE,
-    P_TOTAL_IMPULSE,
-    POINT,
-    POINT_SIZE,
-    PX,
-    PY,
-    SHARED,
-    TANGENT_IMPULSE,
-    TOTAL_IMPULSE,
-    TOUCHES,
-    WORLD_POINT,
-    Bodies,
-    Constraints,
-    Contacts,
-    Control,
-    Touching,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Constraints, Contacts, Control, Touching
 
 
 def store_impulses(
@@ -42,22 +20,22 @@ def store_impulses(
     A contact with an impulse touched. The impulses of the parts of a step are added up as each
     ends (`add_up_impulses`).
     """
-    in_parts = control.counts[LEVEL] > 0
+    in_parts = control.counts[tb.LEVEL] > 0
     for place in range(first, last):
         k = touching.by_slab[place]
         p, pose = touching.contact[k], bodies.pose[touching.body_a[k]]
         b, m = lane_of(k, touching)
         row, manifold = constraints.blocks[b], contacts.manifolds[p]
         for n in range(points_of(k, touching)):
-            at, to = SHARED + n * POINT_SIZE + m, POINT * n
-            total = row[at + P_TOTAL_IMPULSE]
+            at, to = tb.SHARED + n * tb.POINT_SIZE + m, tb.POINT * n
+            total = row[at + tb.P_TOTAL_IMPULSE]
             if in_parts:
                 store_impulse_of_part(n, total, pose, manifold, contacts.flags[p])
             else:
-                manifold[TOTAL_IMPULSE + to] = total
-                manifold[WORLD_POINT + to] = pose[X] + manifold[PX + to]
-                manifold[WORLD_POINT + to + 1] = pose[Y] + manifold[PY + to]
+                manifold[tb.TOTAL_IMPULSE + to] = total
+                manifold[tb.WORLD_POINT + to] = pose[tb.X] + manifold[tb.PX + to]
+                manifold[tb.WORLD_POINT + to + 1] = pose[tb.Y] + manifold[tb.PY + to]
                 if total > 0.0:
-                    contacts.flags[p, TOUCHES] |= IS_TOUCHING
-            manifold[NORMAL_IMPULSE + to] = row[at + P_NORMAL_IMPULSE]
-            manifold[TANGENT_IMPULSE + to] = row[at + P_TANGENT_IMPULSE]
+                    contacts.flags[p, tb.TOUCHES] |= tb.IS_TOUCHING
+            manifold[tb.NORMAL_IMPULSE + to] = row[at + tb.P_NORMAL_IMPULSE]
+            manifold[tb.TANGENT_IMPULSE + to] = row[at + tb.P_TANGENT_IMPULSE]

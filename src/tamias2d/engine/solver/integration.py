@@ -3,32 +3,8 @@
 Cost: a visit to each body in each half of a substep.
 """
 
-from tamias2d.engine.tables import (
-    ANGULAR,
-    CONTACT_CHANGE,
-    DANGLE,
-    DECAY,
-    DRAG_FACTOR,
-    DX,
-    DY,
-    DYNAMIC,
-    GAIN,
-    GRAVITY_X,
-    GRAVITY_Y,
-    INCREMENT,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    ONE_SUBSTEP,
-    PROPAGATOR,
-    SPIN,
-    STEP_START,
-    SUBSTEP_START,
-    VX,
-    VY,
-    Bodies,
-    Control,
-    Touching,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Bodies, Control, Touching
 from tamias2d.generated.definitions import (
     acceleration,
     angular_acceleration,
@@ -40,27 +16,27 @@ from tamias2d.generated.soft_contact import shift_later, turn_later
 
 def begin_step(first: int, last: int, control: Control, bodies: Bodies, touching: Touching) -> None:
     """Note velocities before the warm start, and what gravity, loads and drag do in a substep."""
-    gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     for k in range(first, last):
         i = touching.active_by_slab[k]
         state, load, properties = bodies.substep_state[i], bodies.load[i], bodies.properties[i]
         for n in range(3):
-            state[CONTACT_CHANGE + n], state[SUBSTEP_START + n] = 0.0, bodies.motion[i, n]
-            state[STEP_START + n] = bodies.motion[i, n]
-            state[DRAG_FACTOR + n], state[INCREMENT + n] = 1.0, 0.0
-        if bodies.kind[i] == DYNAMIC:
-            by_x, by_y = acceleration(gravity, (load[0], load[1]), properties[INVERSE_MASS])
-            by_angle = angular_acceleration(load[2], properties[INVERSE_INERTIA])
-            through = bodies.propagators[int(properties[PROPAGATOR])]
-            decay, gain = through[ONE_SUBSTEP + DECAY], through[ONE_SUBSTEP + GAIN]
-            state[DRAG_FACTOR] = state[DRAG_FACTOR + 1] = decay
-            state[INCREMENT], state[INCREMENT + 1] = (
+            state[tb.CONTACT_CHANGE + n], state[tb.SUBSTEP_START + n] = 0.0, bodies.motion[i, n]
+            state[tb.STEP_START + n] = bodies.motion[i, n]
+            state[tb.DRAG_FACTOR + n], state[tb.INCREMENT + n] = 1.0, 0.0
+        if bodies.kind[i] == tb.DYNAMIC:
+            by_x, by_y = acceleration(gravity, (load[0], load[1]), properties[tb.INVERSE_MASS])
+            by_angle = angular_acceleration(load[2], properties[tb.INVERSE_INERTIA])
+            through = bodies.propagators[int(properties[tb.PROPAGATOR])]
+            decay, gain = through[tb.ONE_SUBSTEP + tb.DECAY], through[tb.ONE_SUBSTEP + tb.GAIN]
+            state[tb.DRAG_FACTOR] = state[tb.DRAG_FACTOR + 1] = decay
+            state[tb.INCREMENT], state[tb.INCREMENT + 1] = (
                 coordinate_velocity_gain(gain, by_x),
                 coordinate_velocity_gain(gain, by_y),
             )
-            gain = through[ONE_SUBSTEP + ANGULAR + GAIN]
-            state[DRAG_FACTOR + 2] = through[ONE_SUBSTEP + ANGULAR + DECAY]
-            state[INCREMENT + 2] = coordinate_velocity_gain(gain, by_angle)
+            gain = through[tb.ONE_SUBSTEP + tb.ANGULAR + tb.GAIN]
+            state[tb.DRAG_FACTOR + 2] = through[tb.ONE_SUBSTEP + tb.ANGULAR + tb.DECAY]
+            state[tb.INCREMENT + 2] = coordinate_velocity_gain(gain, by_angle)
 
 
 def apply_forces(again: bool, first: int, last: int, bodies: Bodies, touching: Touching) -> None:
@@ -74,11 +50,13 @@ def apply_forces(again: bool, first: int, last: int, bodies: Bodies, touching: T
         i = touching.active_by_slab[k]
         state = bodies.substep_state[i]
         for n in range(3):
-            state[CONTACT_CHANGE + n] += bodies.motion[i, n] - state[SUBSTEP_START + n]
-            before = bodies.motion[i, n] if again else state[SUBSTEP_START + n]
-            free = coordinate_velocity_later(state[DRAG_FACTOR + n], before, state[INCREMENT + n])
-            bodies.motion[i, n] = free + state[CONTACT_CHANGE + n]
-            state[SUBSTEP_START + n] = bodies.motion[i, n]
+            state[tb.CONTACT_CHANGE + n] += bodies.motion[i, n] - state[tb.SUBSTEP_START + n]
+            before = bodies.motion[i, n] if again else state[tb.SUBSTEP_START + n]
+            free = coordinate_velocity_later(
+                state[tb.DRAG_FACTOR + n], before, state[tb.INCREMENT + n]
+            )
+            bodies.motion[i, n] = free + state[tb.CONTACT_CHANGE + n]
+            state[tb.SUBSTEP_START + n] = bodies.motion[i, n]
 
 
 def integrate_positions(
@@ -88,5 +66,7 @@ def integrate_positions(
     for k in range(first, last):
         i = touching.active_by_slab[k]
         now = bodies.motion[i]
-        now[DX], now[DY] = shift_later((now[DX], now[DY]), (now[VX], now[VY]), substep)
-        now[DANGLE] = turn_later(now[DANGLE], now[SPIN], substep)
+        now[tb.DX], now[tb.DY] = shift_later(
+            (now[tb.DX], now[tb.DY]), (now[tb.VX], now[tb.VY]), substep
+        )
+        now[tb.DANGLE] = turn_later(now[tb.DANGLE], now[tb.SPIN], substep)

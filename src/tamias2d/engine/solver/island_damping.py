@@ -4,36 +4,10 @@ A free island comes nearer to its rigid motion, with its momentum and angular mo
 with a support to the motion of that. Cost: some visits to each body.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
 from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_MORE, is_root, reference_at
-from tamias2d.engine.tables import (
-    ACTIVE,
-    ANGULAR_MOMENTUM,
-    DAMPED_SHARE,
-    DX,
-    DY,
-    DYNAMIC,
-    ENERGY_BOUND,
-    ENERGY_KEPT,
-    ISLAND_MASS,
-    MOMENT_OF_INERTIA,
-    MOMENT_X,
-    MOMENT_Y,
-    MOMENTUM_X,
-    MOMENTUM_Y,
-    REFERENCE,
-    ROOT,
-    SPIN,
-    SUPPORT,
-    VX,
-    VY,
-    Bodies,
-    Constraints,
-    Islands,
-    Touching,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
 from tamias2d.generated.definitions import (
     angular_momentum,
     kinetic_energy,
@@ -60,13 +34,13 @@ def choose_islands_to_damp(
 ) -> bool:
     """Choose the islands that still have too much energy; return whether there are any."""
     some = False
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_root(i, bodies, islands):
             row = islands.energy[i]
-            bounded = row[SUPPORT] != SUPPORTED_BY_MORE
-            much = bounded and row[ENERGY_KEPT] > row[ENERGY_BOUND] * (1.0 + GRACE)
-            row[DAMPED_SHARE] = 0.0 if much else 1.0
+            bounded = row[tb.SUPPORT] != SUPPORTED_BY_MORE
+            much = bounded and row[tb.ENERGY_KEPT] > row[tb.ENERGY_BOUND] * (1.0 + GRACE)
+            row[tb.DAMPED_SHARE] = 0.0 if much else 1.0
             some = some or much
     return some
 
@@ -75,19 +49,19 @@ def sum_island_motions(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
     """Find the rigid motion of the chosen islands, and how far they are damped."""
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_root(i, bodies, islands):
-            for n in range(ISLAND_MASS, MOMENT_OF_INERTIA + 1):
+            for n in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
                 islands.energy[i, n] = 0.0
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        row = islands.energy[islands.links[i, ROOT]]
-        if bodies.kind[i] == DYNAMIC and row[DAMPED_SHARE] != 1.0 and row[SUPPORT] == FREE:
-            sum_body_motion(i, islands.links[i, ROOT], bodies, row)
-    for k in range(constraints.counts[ACTIVE]):
+        row = islands.energy[islands.links[i, tb.ROOT]]
+        if bodies.kind[i] == tb.DYNAMIC and row[tb.DAMPED_SHARE] != 1.0 and row[tb.SUPPORT] == FREE:
+            sum_body_motion(i, islands.links[i, tb.ROOT], bodies, row)
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if is_root(i, bodies, islands) and islands.energy[i, DAMPED_SHARE] != 1.0:
+        if is_root(i, bodies, islands) and islands.energy[i, tb.DAMPED_SHARE] != 1.0:
             find_rigid_motion(islands.energy[i])
 
 
@@ -95,8 +69,8 @@ def sum_body_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:
     """Add mass, momentum and moments of a body to those of its island, as seen from the root."""
     mass, inertia = mass_and_inertia(i, bodies.properties)
     now, place = bodies.motion[i], place_from(root, i, bodies)
-    velocity = velocity_seen((now[VX], now[VY]), (row[REFERENCE], row[REFERENCE + 1]))
-    add_to_island(mass, inertia, place, velocity, now[SPIN], row)
+    velocity = velocity_seen((now[tb.VX], now[tb.VY]), (row[tb.REFERENCE], row[tb.REFERENCE + 1]))
+    add_to_island(mass, inertia, place, velocity, now[tb.SPIN], row)
 
 
 def add_to_island(
@@ -108,49 +82,49 @@ def add_to_island(
     kg m^2.
     """
     along, moment = momentum(mass, velocity), mass_moment(mass, place)
-    row[ISLAND_MASS] += mass
-    row[MOMENTUM_X] += along[0]
-    row[MOMENTUM_Y] += along[1]
-    row[ANGULAR_MOMENTUM] += angular_momentum(mass, place, velocity, inertia, spin)
-    row[MOMENT_X] += moment[0]
-    row[MOMENT_Y] += moment[1]
-    row[MOMENT_OF_INERTIA] += inertia_origin(mass, place, inertia)
+    row[tb.ISLAND_MASS] += mass
+    row[tb.MOMENTUM_X] += along[0]
+    row[tb.MOMENTUM_Y] += along[1]
+    row[tb.ANGULAR_MOMENTUM] += angular_momentum(mass, place, velocity, inertia, spin)
+    row[tb.MOMENT_X] += moment[0]
+    row[tb.MOMENT_Y] += moment[1]
+    row[tb.MOMENT_OF_INERTIA] += inertia_origin(mass, place, inertia)
 
 
 def find_rigid_motion(row: Array) -> None:
     """Make the rigid motion of an island its reference; write the factor of all other motion."""
     least = 0.0
-    if row[SUPPORT] == FREE:
-        mass = row[ISLAND_MASS]
-        place = position_island((row[MOMENT_X], row[MOMENT_Y]), mass)
-        velocity = velocity_island((row[MOMENTUM_X], row[MOMENTUM_Y]), mass)
-        inertia = inertia_island(row[MOMENT_OF_INERTIA], mass, place)
+    if row[tb.SUPPORT] == FREE:
+        mass = row[tb.ISLAND_MASS]
+        place = position_island((row[tb.MOMENT_X], row[tb.MOMENT_Y]), mass)
+        velocity = velocity_island((row[tb.MOMENTUM_X], row[tb.MOMENTUM_Y]), mass)
+        inertia = inertia_island(row[tb.MOMENT_OF_INERTIA], mass, place)
         spin = 0.0
         if inertia > 0.0:
-            spin = angular_velocity_island(row[ANGULAR_MOMENTUM], mass, place, velocity, inertia)
+            spin = angular_velocity_island(row[tb.ANGULAR_MOMENTUM], mass, place, velocity, inertia)
         least = kinetic_energy(mass, velocity, inertia, spin)
         by_x, by_y = point_velocity(velocity, spin, (-place[0], -place[1]))
-        row[REFERENCE] += by_x
-        row[REFERENCE + 1] += by_y
-        row[REFERENCE + 2] = spin
-    row[DAMPED_SHARE] = 0.0
-    if row[ENERGY_BOUND] > least and row[ENERGY_KEPT] > least:
-        row[DAMPED_SHARE] = damped_share(row[ENERGY_KEPT], row[ENERGY_BOUND], least)
+        row[tb.REFERENCE] += by_x
+        row[tb.REFERENCE + 1] += by_y
+        row[tb.REFERENCE + 2] = spin
+    row[tb.DAMPED_SHARE] = 0.0
+    if row[tb.ENERGY_BOUND] > least and row[tb.ENERGY_KEPT] > least:
+        row[tb.DAMPED_SHARE] = damped_share(row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND], least)
 
 
 def damp_islands(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
     """Scale the motion of bodies relative to the reference of their island."""
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if bodies.kind[i] == DYNAMIC:
-            factor = islands.energy[islands.links[i, ROOT], DAMPED_SHARE]
+        if bodies.kind[i] == tb.DYNAMIC:
+            factor = islands.energy[islands.links[i, tb.ROOT], tb.DAMPED_SHARE]
             if factor < 1.0:
                 velocity, spin = motion_as_one(i, bodies, islands)
                 now = bodies.motion[i]
-                now[VX], now[VY] = velocity_damped((now[VX], now[VY]), velocity, factor)
-                now[SPIN] = angular_velocity_damped(now[SPIN], spin, factor)
+                now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), velocity, factor)
+                now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, factor)
 
 
 def motion_as_one(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, float]:
@@ -158,11 +132,11 @@ def motion_as_one(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, flo
 
     A free island has its angular momentum where it is at the end of the step.
     """
-    root = islands.links[i, ROOT]
+    root = islands.links[i, tb.ROOT]
     row = islands.energy[root]
-    if row[SUPPORT] != FREE:
+    if row[tb.SUPPORT] != FREE:
         return reference_at(i, bodies, islands)
-    velocity, spin = (row[REFERENCE], row[REFERENCE + 1]), row[REFERENCE + 2]
+    velocity, spin = (row[tb.REFERENCE], row[tb.REFERENCE + 1]), row[tb.REFERENCE + 2]
     return point_velocity(velocity, spin, place_from(root, i, bodies)), float(spin)
 
 
@@ -170,5 +144,5 @@ def place_from(root: int, i: int, bodies: Bodies) -> Vector:
     """Return where a body is from another one at the end of the step, m."""
     pose, now = bodies.pose[i], bodies.motion[i]
     origin, moved = bodies.pose[root], bodies.motion[root]
-    x, y = pose[X] - origin[X], pose[Y] - origin[Y]
-    return x + (now[DX] - moved[DX]), y + (now[DY] - moved[DY])
+    x, y = pose[tb.X] - origin[tb.X], pose[tb.Y] - origin[tb.Y]
+    return x + (now[tb.DX] - moved[tb.DX]), y + (now[tb.DY] - moved[tb.DY])

@@ -7,58 +7,8 @@ Source: Catto (2024), soft step.
 
 from typing import NamedTuple
 
-from tamias2d.engine.tables import (
-    B_ANGLE_A,
-    B_ANGLE_B,
-    B_DX_A,
-    B_DX_B,
-    B_DY_A,
-    B_DY_B,
-    B_SPIN_A,
-    B_SPIN_B,
-    B_UNSETTLED,
-    B_VX_A,
-    B_VX_B,
-    B_VY_A,
-    B_VY_B,
-    BLOCKS,
-    BODY_A,
-    BODY_B,
-    FIRST_POINT,
-    FIRST_RESTITUTION,
-    P_APPROACH,
-    P_GAP,
-    P_GAP_NOW,
-    P_NORMAL_ARM_A,
-    P_NORMAL_ARM_B,
-    P_NORMAL_IMPULSE,
-    P_NORMAL_MASS,
-    P_TANGENT_ARM_A,
-    P_TANGENT_ARM_B,
-    P_TANGENT_IMPULSE,
-    P_TANGENT_MASS,
-    P_TOTAL_IMPULSE,
-    POINTS,
-    R_BIAS_LEAST,
-    R_BIAS_RATE,
-    R_FRICTION,
-    R_IMPULSE_SHARE,
-    R_INERTIA_A,
-    R_INERTIA_B,
-    R_MASS_A,
-    R_MASS_B,
-    R_MASS_SHARE,
-    R_NX,
-    R_NY,
-    R_RADIUS_A,
-    R_RADIUS_B,
-    R_RESTITUTION,
-    SECOND_POINT,
-    SECOND_RESTITUTION,
-    Bodies,
-    Constraints,
-    Integers,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Bodies, Constraints, Integers
 from tamias2d.generated.soft_contact import (
     angular_velocity_a_after,
     angular_velocity_b_after,
@@ -82,20 +32,20 @@ SETTLED_RESTITUTION = 2.0**-40  # of its impulses: a change that does not count
 
 def load_velocities(lane: Integers, motion: Array, scratch: Array) -> None:
     """Load the velocities of the bodies of a block into the scratch array."""
-    load_half(lane, BODY_A, motion, scratch, B_VX_A)
-    load_half(lane, BODY_B, motion, scratch, B_VX_B)
+    load_half(lane, tb.BODY_A, motion, scratch, tb.B_VX_A)
+    load_half(lane, tb.BODY_B, motion, scratch, tb.B_VX_B)
 
 
 def load_motions(lane: Integers, motion: Array, scratch: Array) -> None:
     """Load the velocities of the bodies of a block, and their displacements in the step."""
-    load_rows(lane, BODY_A, motion, scratch, B_VX_A)
-    load_rows(lane, BODY_B, motion, scratch, B_VX_B)
+    load_rows(lane, tb.BODY_A, motion, scratch, tb.B_VX_A)
+    load_rows(lane, tb.BODY_B, motion, scratch, tb.B_VX_B)
 
 
 def store_velocities(lane: Integers, motion: Array, scratch: Array) -> None:
     """Store the velocities of the bodies of a block."""
-    store_half(lane, BODY_A, motion, scratch, B_VX_A)
-    store_half(lane, BODY_B, motion, scratch, B_VX_B)
+    store_half(lane, tb.BODY_A, motion, scratch, tb.B_VX_A)
+    store_half(lane, tb.BODY_B, motion, scratch, tb.B_VX_B)
 
 
 class Velocities(NamedTuple):
@@ -111,20 +61,20 @@ class Velocities(NamedTuple):
 def velocities_of(m: int, scratch: Array) -> Velocities:
     """Return the velocities of the bodies of a lane."""
     return Velocities(
-        (scratch[B_VX_A + m], scratch[B_VY_A + m]),
-        scratch[B_SPIN_A + m],
-        (scratch[B_VX_B + m], scratch[B_VY_B + m]),
-        scratch[B_SPIN_B + m],
+        (scratch[tb.B_VX_A + m], scratch[tb.B_VY_A + m]),
+        scratch[tb.B_SPIN_A + m],
+        (scratch[tb.B_VX_B + m], scratch[tb.B_VY_B + m]),
+        scratch[tb.B_SPIN_B + m],
     )
 
 
 @inlined
 def set_velocities(m: int, now: Velocities, scratch: Array) -> None:
     """Set the velocities of the bodies of a lane."""
-    scratch[B_VX_A + m], scratch[B_VY_A + m] = now.a
-    scratch[B_SPIN_A + m] = now.spin_a
-    scratch[B_VX_B + m], scratch[B_VY_B + m] = now.b
-    scratch[B_SPIN_B + m] = now.spin_b
+    scratch[tb.B_VX_A + m], scratch[tb.B_VY_A + m] = now.a
+    scratch[tb.B_SPIN_A + m] = now.spin_a
+    scratch[tb.B_VX_B + m], scratch[tb.B_VY_B + m] = now.b
+    scratch[tb.B_SPIN_B + m] = now.spin_b
 
 
 @inlined
@@ -133,57 +83,57 @@ def pushed(
 ) -> Velocities:
     """Return velocities after an impulse, N s, along a line; turning arms in m."""
     return Velocities(
-        velocity_a_after(now.a, amount, line, row[R_MASS_A + m]),
-        angular_velocity_a_after(now.spin_a, amount, arm_a, row[R_INERTIA_A + m]),
-        velocity_b_after(now.b, amount, line, row[R_MASS_B + m]),
-        angular_velocity_b_after(now.spin_b, amount, arm_b, row[R_INERTIA_B + m]),
+        velocity_a_after(now.a, amount, line, row[tb.R_MASS_A + m]),
+        angular_velocity_a_after(now.spin_a, amount, arm_a, row[tb.R_INERTIA_A + m]),
+        velocity_b_after(now.b, amount, line, row[tb.R_MASS_B + m]),
+        angular_velocity_b_after(now.spin_b, amount, arm_b, row[tb.R_INERTIA_B + m]),
     )
 
 
 @inlined
 def pushed_apart(m: int, at: int, amount: float, now: Velocities, row: Array) -> Velocities:
     """Return velocities after an impulse, N s, along the normal of a point."""
-    line = (row[R_NX + m], row[R_NY + m])
-    arm_a, arm_b = row[at + P_NORMAL_ARM_A + m], row[at + P_NORMAL_ARM_B + m]
+    line = (row[tb.R_NX + m], row[tb.R_NY + m])
+    arm_a, arm_b = row[at + tb.P_NORMAL_ARM_A + m], row[at + tb.P_NORMAL_ARM_B + m]
     return pushed(m, amount, line, arm_a, arm_b, now, row)
 
 
 @inlined
 def pushed_along(m: int, at: int, amount: float, now: Velocities, row: Array) -> Velocities:
     """Return velocities after an impulse, N s, along the tangent of a point."""
-    line = (-row[R_NY + m], row[R_NX + m])
-    arm_a, arm_b = row[at + P_TANGENT_ARM_A + m], row[at + P_TANGENT_ARM_B + m]
+    line = (-row[tb.R_NY + m], row[tb.R_NX + m])
+    arm_a, arm_b = row[at + tb.P_TANGENT_ARM_A + m], row[at + tb.P_TANGENT_ARM_B + m]
     return pushed(m, amount, line, arm_a, arm_b, now, row)
 
 
 @inlined
 def normal_speed(m: int, at: int, now: Velocities, row: Array) -> float:
     """Return the normal velocity of a point, m/s, at which its gap opens."""
-    arm_a, arm_b = row[at + P_NORMAL_ARM_A + m], row[at + P_NORMAL_ARM_B + m]
-    line = (row[R_NX + m], row[R_NY + m])
+    arm_a, arm_b = row[at + tb.P_NORMAL_ARM_A + m], row[at + tb.P_NORMAL_ARM_B + m]
+    line = (row[tb.R_NX + m], row[tb.R_NY + m])
     return row_velocity(now.a, now.spin_a, arm_a, now.b, now.spin_b, arm_b, line)
 
 
 @inlined
 def friction_impulse(m: int, at: int, now: Velocities, row: Array) -> float:
     """Return the tangent impulse of a point, N s, within what friction allows."""
-    arm_a, arm_b = row[at + P_TANGENT_ARM_A + m], row[at + P_TANGENT_ARM_B + m]
-    line = (-row[R_NY + m], row[R_NX + m])
+    arm_a, arm_b = row[at + tb.P_TANGENT_ARM_A + m], row[at + tb.P_TANGENT_ARM_B + m]
+    line = (-row[tb.R_NY + m], row[tb.R_NX + m])
     return limited_tangent_impulse(
-        row[at + P_TANGENT_IMPULSE + m],
+        row[at + tb.P_TANGENT_IMPULSE + m],
         row_velocity(now.a, now.spin_a, arm_a, now.b, now.spin_b, arm_b, line),
-        row[at + P_TANGENT_MASS + m],
-        row[R_FRICTION + m],
-        row[at + P_NORMAL_IMPULSE + m],
+        row[at + tb.P_TANGENT_MASS + m],
+        row[tb.R_FRICTION + m],
+        row[at + tb.P_NORMAL_IMPULSE + m],
     )
 
 
 @inlined
 def after_friction(m: int, at: int, now: Velocities, row: Array) -> Velocities:
     """Correct the tangent impulse of a point; return the velocities after it."""
-    before = row[at + P_TANGENT_IMPULSE + m]
+    before = row[at + tb.P_TANGENT_IMPULSE + m]
     after = friction_impulse(m, at, now, row)
-    row[at + P_TANGENT_IMPULSE + m] = after
+    row[at + tb.P_TANGENT_IMPULSE + m] = after
     return pushed_along(m, at, after - before, now, row)
 
 
@@ -191,16 +141,16 @@ def after_friction(m: int, at: int, now: Velocities, row: Array) -> Velocities:
 def gap_in_substep(m: int, at: int, row: Array, scratch: Array) -> float:
     """Return the gap of a point, m, where bodies are in this substep."""
     return separation_later(
-        row[at + P_GAP + m],
-        (scratch[B_DX_A + m], scratch[B_DY_A + m]),
-        scratch[B_ANGLE_A + m],
-        row[at + P_NORMAL_ARM_A + m],
-        row[at + P_TANGENT_ARM_A + m] - row[R_RADIUS_A + m],
-        (scratch[B_DX_B + m], scratch[B_DY_B + m]),
-        scratch[B_ANGLE_B + m],
-        row[at + P_NORMAL_ARM_B + m],
-        row[at + P_TANGENT_ARM_B + m] + row[R_RADIUS_B + m],
-        (row[R_NX + m], row[R_NY + m]),
+        row[at + tb.P_GAP + m],
+        (scratch[tb.B_DX_A + m], scratch[tb.B_DY_A + m]),
+        scratch[tb.B_ANGLE_A + m],
+        row[at + tb.P_NORMAL_ARM_A + m],
+        row[at + tb.P_TANGENT_ARM_A + m] - row[tb.R_RADIUS_A + m],
+        (scratch[tb.B_DX_B + m], scratch[tb.B_DY_B + m]),
+        scratch[tb.B_ANGLE_B + m],
+        row[at + tb.P_NORMAL_ARM_B + m],
+        row[at + tb.P_TANGENT_ARM_B + m] + row[tb.R_RADIUS_B + m],
+        (row[tb.R_NX + m], row[tb.R_NY + m]),
     )
 
 
@@ -210,15 +160,15 @@ def after_soft(
 ) -> Velocities:
     """Correct the normal impulse of a soft constraint; the substep in s."""
     gap = gap_in_substep(m, at, row, scratch)
-    row[at + P_GAP_NOW + m] = gap
-    bias = bias_velocity(gap, row[R_BIAS_RATE + m], row[R_BIAS_LEAST + m], substep)
+    row[at + tb.P_GAP_NOW + m] = gap
+    bias = bias_velocity(gap, row[tb.R_BIAS_RATE + m], row[tb.R_BIAS_LEAST + m], substep)
     is_open = gap > 0.0
-    mass_share = 1.0 if is_open else row[R_MASS_SHARE + m]
-    impulse_share = 0.0 if is_open else row[R_IMPULSE_SHARE + m]
-    before, speed = row[at + P_NORMAL_IMPULSE + m], normal_speed(m, at, now, row)
-    mass = row[at + P_NORMAL_MASS + m]
+    mass_share = 1.0 if is_open else row[tb.R_MASS_SHARE + m]
+    impulse_share = 0.0 if is_open else row[tb.R_IMPULSE_SHARE + m]
+    before, speed = row[at + tb.P_NORMAL_IMPULSE + m], normal_speed(m, at, now, row)
+    mass = row[at + tb.P_NORMAL_MASS + m]
     after = soft_normal_impulse(before, speed, bias, mass, mass_share, impulse_share)
-    row[at + P_NORMAL_IMPULSE + m] = after
+    row[at + tb.P_NORMAL_IMPULSE + m] = after
     return pushed_apart(m, at, after - before, now, row)
 
 
@@ -231,11 +181,11 @@ def after_relaxing(
     A share of it is counted: 1 where it is what a substep leaves, 0 elsewhere.
     """
     speed = normal_speed(m, at, now, row)
-    bias = bias_velocity_later(row[at + P_GAP_NOW + m], speed, substep)
-    before = row[at + P_NORMAL_IMPULSE + m]
-    after = soft_normal_impulse(before, speed, bias, row[at + P_NORMAL_MASS + m], 1.0, 0.0)
-    row[at + P_NORMAL_IMPULSE + m] = after
-    row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + share * after
+    bias = bias_velocity_later(row[at + tb.P_GAP_NOW + m], speed, substep)
+    before = row[at + tb.P_NORMAL_IMPULSE + m]
+    after = soft_normal_impulse(before, speed, bias, row[at + tb.P_NORMAL_MASS + m], 1.0, 0.0)
+    row[at + tb.P_NORMAL_IMPULSE + m] = after
+    row[at + tb.P_TOTAL_IMPULSE + m] = row[at + tb.P_TOTAL_IMPULSE + m] + share * after
     return pushed_apart(m, at, after - before, now, row)
 
 
@@ -243,8 +193,8 @@ def warm_start_lanes(at: int, row: Array, scratch: Array) -> None:
     """Apply the impulses of the last substep again."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = pushed_apart(m, at, row[at + P_NORMAL_IMPULSE + m], now, row)
-        now = pushed_along(m, at, row[at + P_TANGENT_IMPULSE + m], now, row)
+        now = pushed_apart(m, at, row[at + tb.P_NORMAL_IMPULSE + m], now, row)
+        now = pushed_along(m, at, row[at + tb.P_TANGENT_IMPULSE + m], now, row)
         set_velocities(m, now, scratch)
 
 
@@ -252,8 +202,8 @@ def soft_lanes(row: Array, scratch: Array, substep: float) -> None:
     """Correct the impulses of contacts with one point; the substep in s."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = after_friction(m, FIRST_POINT, now, row)
-        now = after_soft(m, FIRST_POINT, now, row, scratch, substep)
+        now = after_friction(m, tb.FIRST_POINT, now, row)
+        now = after_soft(m, tb.FIRST_POINT, now, row, scratch, substep)
         set_velocities(m, now, scratch)
 
 
@@ -261,10 +211,10 @@ def soft_lanes_of_two(row: Array, scratch: Array, substep: float) -> None:
     """Correct the impulses of contacts with two points; the substep in s."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = after_friction(m, FIRST_POINT, now, row)
-        now = after_friction(m, SECOND_POINT, now, row)
-        now = after_soft(m, FIRST_POINT, now, row, scratch, substep)
-        now = after_soft(m, SECOND_POINT, now, row, scratch, substep)
+        now = after_friction(m, tb.FIRST_POINT, now, row)
+        now = after_friction(m, tb.SECOND_POINT, now, row)
+        now = after_soft(m, tb.FIRST_POINT, now, row, scratch, substep)
+        now = after_soft(m, tb.SECOND_POINT, now, row, scratch, substep)
         set_velocities(m, now, scratch)
 
 
@@ -272,8 +222,8 @@ def relax_lanes(row: Array, scratch: Array, substep: float, share: float) -> Non
     """Relax contacts with one point; the substep in s."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = after_friction(m, FIRST_POINT, now, row)
-        now = after_relaxing(m, FIRST_POINT, now, row, substep, share)
+        now = after_friction(m, tb.FIRST_POINT, now, row)
+        now = after_relaxing(m, tb.FIRST_POINT, now, row, substep, share)
         set_velocities(m, now, scratch)
 
 
@@ -281,10 +231,10 @@ def relax_lanes_of_two(row: Array, scratch: Array, substep: float, share: float)
     """Relax contacts with two points; the substep in s."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = after_friction(m, FIRST_POINT, now, row)
-        now = after_friction(m, SECOND_POINT, now, row)
-        now = after_relaxing(m, FIRST_POINT, now, row, substep, share)
-        now = after_relaxing(m, SECOND_POINT, now, row, substep, share)
+        now = after_friction(m, tb.FIRST_POINT, now, row)
+        now = after_friction(m, tb.SECOND_POINT, now, row)
+        now = after_relaxing(m, tb.FIRST_POINT, now, row, substep, share)
+        now = after_relaxing(m, tb.SECOND_POINT, now, row, substep, share)
         set_velocities(m, now, scratch)
 
 
@@ -295,42 +245,42 @@ def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest:
     """
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        before = row[at + P_NORMAL_IMPULSE + m]
+        before = row[at + tb.P_NORMAL_IMPULSE + m]
         meets = (
-            (row[at + P_APPROACH + m] < -slowest)
-            & (row[at + P_TOTAL_IMPULSE + m] > 0.0)
-            & (row[R_RESTITUTION + m] > 0.0)
+            (row[at + tb.P_APPROACH + m] < -slowest)
+            & (row[at + tb.P_TOTAL_IMPULSE + m] > 0.0)
+            & (row[tb.R_RESTITUTION + m] > 0.0)
         )
         bounced = restitution_impulse(
             before,
             normal_speed(m, at, now, row),
-            row[at + P_APPROACH + m],
-            row[R_RESTITUTION + m],
-            row[at + P_NORMAL_MASS + m],
+            row[at + tb.P_APPROACH + m],
+            row[tb.R_RESTITUTION + m],
+            row[at + tb.P_NORMAL_MASS + m],
         )
         after = bounced if meets else before
-        row[at + P_NORMAL_IMPULSE + m] = after
+        row[at + tb.P_NORMAL_IMPULSE + m] = after
         row[bounce + m] += after - before
         least = SETTLED_RESTITUTION * abs(row[bounce + m])
-        scratch[B_UNSETTLED + m] = abs(after - before) - least
-        row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + (after - before)
+        scratch[tb.B_UNSETTLED + m] = abs(after - before) - least
+        row[at + tb.P_TOTAL_IMPULSE + m] = row[at + tb.P_TOTAL_IMPULSE + m] + (after - before)
         now = pushed_apart(m, at, after - before, now, row)
         set_velocities(m, now, scratch)
 
 
 def some_closed(at: int, closed: int, least: float, row: Array) -> bool:
     """Return whether a lane with a normal impulse has a gap, or a bounce, above the least."""
-    return both_above(row, closed, least, at + P_NORMAL_IMPULSE, 0.0)
+    return both_above(row, closed, least, at + tb.P_NORMAL_IMPULSE, 0.0)
 
 
 def closed_friction_lanes(at: int, closed: int, least: float, row: Array, scratch: Array) -> None:
     """Correct the tangent impulses of points that have met or bounced in this substep."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        before, limited = row[at + P_TANGENT_IMPULSE + m], friction_impulse(m, at, now, row)
-        met = (row[closed + m] > least) & (row[at + P_NORMAL_IMPULSE + m] > 0.0)
+        before, limited = row[at + tb.P_TANGENT_IMPULSE + m], friction_impulse(m, at, now, row)
+        met = (row[closed + m] > least) & (row[at + tb.P_NORMAL_IMPULSE + m] > 0.0)
         after = limited if met else before
-        row[at + P_TANGENT_IMPULSE + m] = after
+        row[at + tb.P_TANGENT_IMPULSE + m] = after
         now = pushed_along(m, at, after - before, now, row)
         set_velocities(m, now, scratch)
 
@@ -339,13 +289,13 @@ def apply_closed_friction(
     lane: Integers, first: int, second: int, least: float, row: Array, scratch: Array
 ) -> None:
     """Apply friction to points whose column, of gaps or bounces, is above the least, if any is."""
-    two = lane[POINTS] == 2
-    if some_closed(FIRST_POINT, first, least, row) or (
-        two and some_closed(SECOND_POINT, second, least, row)
+    two = lane[tb.POINTS] == 2
+    if some_closed(tb.FIRST_POINT, first, least, row) or (
+        two and some_closed(tb.SECOND_POINT, second, least, row)
     ):
-        closed_friction_lanes(FIRST_POINT, first, least, row, scratch)
+        closed_friction_lanes(tb.FIRST_POINT, first, least, row, scratch)
         if two:
-            closed_friction_lanes(SECOND_POINT, second, least, row, scratch)
+            closed_friction_lanes(tb.SECOND_POINT, second, least, row, scratch)
 
 
 def warm_start(first: int, last: int, bodies: Bodies, constraints: Constraints) -> None:
@@ -354,9 +304,9 @@ def warm_start(first: int, last: int, bodies: Bodies, constraints: Constraints) 
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
         load_velocities(lane, motion, scratch)
-        warm_start_lanes(FIRST_POINT, row, scratch)
-        if lane[POINTS] == 2:
-            warm_start_lanes(SECOND_POINT, row, scratch)
+        warm_start_lanes(tb.FIRST_POINT, row, scratch)
+        if lane[tb.POINTS] == 2:
+            warm_start_lanes(tb.SECOND_POINT, row, scratch)
         store_velocities(lane, motion, scratch)
 
 
@@ -368,7 +318,7 @@ def solve_soft(
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
         load_motions(lane, motion, scratch)
-        if lane[POINTS] == 2:
+        if lane[tb.POINTS] == 2:
             soft_lanes_of_two(row, scratch, substep)
         else:
             soft_lanes(row, scratch, substep)
@@ -392,22 +342,22 @@ def relax(
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
         load_velocities(lane, motion, scratch)
-        if lane[POINTS] == 2:
+        if lane[tb.POINTS] == 2:
             relax_lanes_of_two(row, scratch, substep, share)
         else:
             relax_lanes(row, scratch, substep, share)
         apply_closed_friction(
-            lane, FIRST_POINT + P_GAP_NOW, SECOND_POINT + P_GAP_NOW, OPEN, row, scratch
+            lane, tb.FIRST_POINT + tb.P_GAP_NOW, tb.SECOND_POINT + tb.P_GAP_NOW, OPEN, row, scratch
         )
         store_velocities(lane, motion, scratch)
 
 
 def clear_restitution(constraints: Constraints) -> None:
     """Let restitution have given no impulse yet."""
-    for b in range(constraints.counts[BLOCKS]):
+    for b in range(constraints.counts[tb.BLOCKS]):
         for m in range(LANES):
-            constraints.blocks[b, FIRST_RESTITUTION + m] = 0.0
-            constraints.blocks[b, SECOND_RESTITUTION + m] = 0.0
+            constraints.blocks[b, tb.FIRST_RESTITUTION + m] = 0.0
+            constraints.blocks[b, tb.SECOND_RESTITUTION + m] = 0.0
 
 
 def apply_restitution(
@@ -419,19 +369,19 @@ def apply_restitution(
     """
     motion, scratch = bodies.motion, constraints.scratch
     settled = True
-    for b in range(constraints.counts[BLOCKS]):
+    for b in range(constraints.counts[tb.BLOCKS]):
         row, lane = constraints.blocks[b], constraints.lanes[b]
         if again and not (
-            some_above(row, FIRST_RESTITUTION) or some_above(row, SECOND_RESTITUTION)
+            some_above(row, tb.FIRST_RESTITUTION) or some_above(row, tb.SECOND_RESTITUTION)
         ):
             continue
         load_velocities(lane, motion, scratch)
-        restitution_lanes(FIRST_POINT, FIRST_RESTITUTION, row, scratch, slowest)
-        settled = settled and not some_above(scratch, B_UNSETTLED)
-        if lane[POINTS] == 2:
-            restitution_lanes(SECOND_POINT, SECOND_RESTITUTION, row, scratch, slowest)
-            settled = settled and not some_above(scratch, B_UNSETTLED)
-        apply_closed_friction(lane, FIRST_RESTITUTION, SECOND_RESTITUTION, 0.0, row, scratch)
+        restitution_lanes(tb.FIRST_POINT, tb.FIRST_RESTITUTION, row, scratch, slowest)
+        settled = settled and not some_above(scratch, tb.B_UNSETTLED)
+        if lane[tb.POINTS] == 2:
+            restitution_lanes(tb.SECOND_POINT, tb.SECOND_RESTITUTION, row, scratch, slowest)
+            settled = settled and not some_above(scratch, tb.B_UNSETTLED)
+        apply_closed_friction(lane, tb.FIRST_RESTITUTION, tb.SECOND_RESTITUTION, 0.0, row, scratch)
         store_velocities(lane, motion, scratch)
     return settled
 

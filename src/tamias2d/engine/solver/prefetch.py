@@ -1,6 +1,7 @@
 """Prefetching: a loop that only reads has many cache lines on their way from memory at once."""
 
-from tamias2d.engine.tables import NX, POINT_SIZE, POINTS, SHARED, Contacts, Integers, Touching
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Contacts, Integers, Touching
 from tamias2d.state import Array
 
 CACHE_LINE_NUMBERS = 8  # in a cache line
@@ -10,7 +11,7 @@ def prefetch_blocks(first: int, last: int, blocks: Array, lanes: Integers) -> fl
     """Read a number of each cache line of some blocks; return their sum."""
     total = 0.0
     for b in range(first, last):
-        for at in range(0, SHARED + POINT_SIZE * lanes[b, POINTS], CACHE_LINE_NUMBERS):
+        for at in range(0, tb.SHARED + tb.POINT_SIZE * lanes[b, tb.POINTS], CACHE_LINE_NUMBERS):
             total += blocks[b, at]
     return total
 
@@ -19,5 +20,5 @@ def prefetch_manifolds(first: int, last: int, contacts: Contacts, touching: Touc
     """Read a number of each of some manifolds, which are listed by slabs; return their sum."""
     total = 0.0
     for place in range(first, last):
-        total += contacts.manifolds[touching.contact[touching.by_slab[place]], NX]
+        total += contacts.manifolds[touching.contact[touching.by_slab[place]], tb.NX]
     return total

@@ -3,67 +3,8 @@
 Source: Catto (2024), soft step; the softness under a load, and the preload, are DD28 to DD31.
 """
 
-from tamias2d.engine.tables import (
-    BODY_A,
-    BODY_B,
-    F_FIRST_POINT,
-    F_GAP,
-    F_NORMAL_IMPULSE,
-    F_NX,
-    F_NY,
-    F_PRELOAD,
-    F_SECOND_POINT,
-    F_SPAN_X,
-    F_SPAN_Y,
-    F_TANGENT_IMPULSE,
-    F_X,
-    F_Y,
-    FILLED,
-    FIRST_POINT,
-    FORESEEN,
-    IMPULSE_RATIO,
-    LANE_CONTACT,
-    P_APPROACH,
-    P_GAP,
-    P_NORMAL_ARM_A,
-    P_NORMAL_ARM_B,
-    P_NORMAL_IMPULSE,
-    P_NORMAL_MASS,
-    P_TANGENT_ARM_A,
-    P_TANGENT_ARM_B,
-    P_TANGENT_IMPULSE,
-    P_TANGENT_MASS,
-    P_TOTAL_IMPULSE,
-    POINT,
-    POINT_SIZE,
-    POINTS,
-    PRELOAD,
-    R_ALLOWED,
-    R_BIAS_LEAST,
-    R_BIAS_RATE,
-    R_IMPULSE_SHARE,
-    R_INERTIA_A,
-    R_INERTIA_B,
-    R_MASS_A,
-    R_MASS_B,
-    R_MASS_SHARE,
-    R_NX,
-    R_NY,
-    R_RADIUS_A,
-    R_RADIUS_B,
-    R_RESTITUTION,
-    R_SMALLER_RADIUS,
-    SECOND_POINT,
-    SHARED,
-    SUBSTEP_START,
-    Bodies,
-    Constraints,
-    Contacts,
-    Control,
-    Integers,
-    X,
-    Y,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Bodies, Constraints, Contacts, Control, Integers
 from tamias2d.generated.soft_contact import (
     angular_frequency_even,
     angular_frequency_loaded,
@@ -101,18 +42,18 @@ def fill_blocks(
     constraints: Constraints,
 ) -> None:
     """Write the manifolds of touching contacts to their blocks."""
-    ratio, found = control.progress[IMPULSE_RATIO], constraints.scratch
+    ratio, found = control.progress[tb.IMPULSE_RATIO], constraints.scratch
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
         load_manifolds(lane, bodies, contacts, found)
         for m in range(LANES):
-            row[R_NX + m], row[R_NY + m] = found[F_NX + m], found[F_NY + m]
-        arm_lanes(FIRST_POINT, F_FIRST_POINT, row, found)
-        impulse_lanes(FIRST_POINT, F_FIRST_POINT, ratio, row, found)
-        if lane[POINTS] == 2:
-            arm_lanes(SECOND_POINT, F_SECOND_POINT, row, found)
-            impulse_lanes(SECOND_POINT, F_SECOND_POINT, ratio, row, found)
-        for m in range(lane[FILLED]):
+            row[tb.R_NX + m], row[tb.R_NY + m] = found[tb.F_NX + m], found[tb.F_NY + m]
+        arm_lanes(tb.FIRST_POINT, tb.F_FIRST_POINT, row, found)
+        impulse_lanes(tb.FIRST_POINT, tb.F_FIRST_POINT, ratio, row, found)
+        if lane[tb.POINTS] == 2:
+            arm_lanes(tb.SECOND_POINT, tb.F_SECOND_POINT, row, found)
+            impulse_lanes(tb.SECOND_POINT, tb.F_SECOND_POINT, ratio, row, found)
+        for m in range(lane[tb.FILLED]):
             finish_lane(m, lane, row, bodies, contacts, found)
 
 
@@ -122,21 +63,24 @@ def load_manifolds(lane: Integers, bodies: Bodies, contacts: Contacts, found: Ar
 
     A manifold that is foreseen is that of the poses in which bodies will be then.
     """
-    manifolds, start = contacts.manifolds, SUBSTEP_START
-    load_part(lane, LANE_CONTACT, manifolds, 0, found, F_NX)
-    if lane[POINTS] == 2:
-        load_part(lane, LANE_CONTACT, manifolds, POINT, found, F_SECOND_POINT - 2 * LANES)
+    manifolds, start = contacts.manifolds, tb.SUBSTEP_START
+    load_part(lane, tb.LANE_CONTACT, manifolds, 0, found, tb.F_NX)
+    if lane[tb.POINTS] == 2:
+        load_part(lane, tb.LANE_CONTACT, manifolds, tb.POINT, found, tb.F_SECOND_POINT - 2 * LANES)
     for m in range(LANES):
-        a, b = bodies.pose[lane[BODY_A + m]], bodies.pose[lane[BODY_B + m]]
-        found[F_SPAN_X + m], found[F_SPAN_Y + m] = b[X] - a[X], b[Y] - a[Y]
-    for m in range(lane[FILLED]):
-        ahead = manifolds[lane[LANE_CONTACT + m], FORESEEN]
+        a, b = bodies.pose[lane[tb.BODY_A + m]], bodies.pose[lane[tb.BODY_B + m]]
+        found[tb.F_SPAN_X + m], found[tb.F_SPAN_Y + m] = b[tb.X] - a[tb.X], b[tb.Y] - a[tb.Y]
+    for m in range(lane[tb.FILLED]):
+        ahead = manifolds[lane[tb.LANE_CONTACT + m], tb.FORESEEN]
         if ahead > 0.0:
-            a, b = bodies.substep_state[lane[BODY_A + m]], bodies.substep_state[lane[BODY_B + m]]
-            found[F_SPAN_X + m] += ahead * (b[start] - a[start])
-            found[F_SPAN_Y + m] += ahead * (b[start + 1] - a[start + 1])
-    for m in range(lane[FILLED], LANES):
-        for at in range(F_NX + m, F_SPAN_X, LANES):
+            a, b = (
+                bodies.substep_state[lane[tb.BODY_A + m]],
+                bodies.substep_state[lane[tb.BODY_B + m]],
+            )
+            found[tb.F_SPAN_X + m] += ahead * (b[start] - a[start])
+            found[tb.F_SPAN_Y + m] += ahead * (b[start + 1] - a[start + 1])
+    for m in range(lane[tb.FILLED], LANES):
+        for at in range(tb.F_NX + m, tb.F_SPAN_X, LANES):
             found[at] = 0.0
 
 
@@ -147,30 +91,30 @@ def arm_lanes(at: int, of: int, row: Array, found: Array) -> None:
     when the gap closes.
     """
     for m in range(LANES):
-        normal = (row[R_NX + m], row[R_NY + m])
-        x, y = found[of + F_X + m], found[of + F_Y + m]
-        bound = (row[R_MASS_A + m] == 0.0) | (row[R_MASS_B + m] == 0.0)
-        half = 0.5 * max(found[of + F_GAP + m], 0.0) if bound else 0.0
-        row[at + P_NORMAL_ARM_A + m] = turning_arm((x, y), normal)
-        row[at + P_TANGENT_ARM_A + m] = bend((x, y), normal) - half
-        x, y = x - found[F_SPAN_X + m], y - found[F_SPAN_Y + m]
-        row[at + P_NORMAL_ARM_B + m] = turning_arm((x, y), normal)
-        row[at + P_TANGENT_ARM_B + m] = bend((x, y), normal) + half
+        normal = (row[tb.R_NX + m], row[tb.R_NY + m])
+        x, y = found[of + tb.F_X + m], found[of + tb.F_Y + m]
+        bound = (row[tb.R_MASS_A + m] == 0.0) | (row[tb.R_MASS_B + m] == 0.0)
+        half = 0.5 * max(found[of + tb.F_GAP + m], 0.0) if bound else 0.0
+        row[at + tb.P_NORMAL_ARM_A + m] = turning_arm((x, y), normal)
+        row[at + tb.P_TANGENT_ARM_A + m] = bend((x, y), normal) - half
+        x, y = x - found[tb.F_SPAN_X + m], y - found[tb.F_SPAN_Y + m]
+        row[at + tb.P_NORMAL_ARM_B + m] = turning_arm((x, y), normal)
+        row[at + tb.P_TANGENT_ARM_B + m] = bend((x, y), normal) + half
 
 
 def impulse_lanes(at: int, of: int, ratio: float, row: Array, found: Array) -> None:
     """Write the gaps and the impulses of points, and learn the preloads."""
     for m in range(LANES):
-        gap, normal = found[of + F_GAP + m], found[of + F_NORMAL_IMPULSE + m]
-        most = PRELOADED * row[R_SMALLER_RADIUS + m]
-        before = found[of + F_PRELOAD + m]
-        learnt = preload_later(before, gap, LEARNT, row[R_ALLOWED + m], most)
+        gap, normal = found[of + tb.F_GAP + m], found[of + tb.F_NORMAL_IMPULSE + m]
+        most = PRELOADED * row[tb.R_SMALLER_RADIUS + m]
+        before = found[of + tb.F_PRELOAD + m]
+        learnt = preload_later(before, gap, LEARNT, row[tb.R_ALLOWED + m], most)
         preload = learnt if normal > 0.0 else 0.0
-        found[of + F_PRELOAD + m] = preload
-        row[at + P_GAP + m] = gap - preload
-        row[at + P_NORMAL_IMPULSE + m] = ratio * normal
-        row[at + P_TANGENT_IMPULSE + m] = ratio * found[of + F_TANGENT_IMPULSE + m]
-        row[at + P_TOTAL_IMPULSE + m] = 0.0
+        found[of + tb.F_PRELOAD + m] = preload
+        row[at + tb.P_GAP + m] = gap - preload
+        row[at + tb.P_NORMAL_IMPULSE + m] = ratio * normal
+        row[at + tb.P_TANGENT_IMPULSE + m] = ratio * found[of + tb.F_TANGENT_IMPULSE + m]
+        row[at + tb.P_TOTAL_IMPULSE + m] = 0.0
 
 
 @inlined
@@ -178,48 +122,48 @@ def finish_lane(
     m: int, lane: Integers, row: Array, bodies: Bodies, contacts: Contacts, found: Array
 ) -> None:
     """Keep the preloads of a contact; find its gaps if it is foreseen, and how fast it meets."""
-    manifold, state = contacts.manifolds[lane[LANE_CONTACT + m]], bodies.substep_state
-    a, b, ahead = state[lane[BODY_A + m]], state[lane[BODY_B + m]], manifold[FORESEEN]
-    manifold[PRELOAD] = found[F_FIRST_POINT + F_PRELOAD + m]
-    if lane[POINTS] == 2:
-        manifold[PRELOAD + POINT] = found[F_SECOND_POINT + F_PRELOAD + m]
-    for n in range(lane[POINTS]):
-        at = SHARED + n * POINT_SIZE + m
+    manifold, state = contacts.manifolds[lane[tb.LANE_CONTACT + m]], bodies.substep_state
+    a, b, ahead = state[lane[tb.BODY_A + m]], state[lane[tb.BODY_B + m]], manifold[tb.FORESEEN]
+    manifold[tb.PRELOAD] = found[tb.F_FIRST_POINT + tb.F_PRELOAD + m]
+    if lane[tb.POINTS] == 2:
+        manifold[tb.PRELOAD + tb.POINT] = found[tb.F_SECOND_POINT + tb.F_PRELOAD + m]
+    for n in range(lane[tb.POINTS]):
+        at = tb.SHARED + n * tb.POINT_SIZE + m
         if ahead > 0.0:
-            row[at + P_GAP] = gap_before(m, at, row, a, b, ahead)
-        if row[R_RESTITUTION + m] > 0.0:
-            row[at + P_APPROACH] = approach_velocity(m, at, row, a, b)
+            row[at + tb.P_GAP] = gap_before(m, at, row, a, b, ahead)
+        if row[tb.R_RESTITUTION + m] > 0.0:
+            row[at + tb.P_APPROACH] = approach_velocity(m, at, row, a, b)
 
 
 def gap_before(m: int, at: int, row: Array, a: Array, b: Array, ahead: float) -> float:
     """Return the gap of a point that has a known one after a time, s, at these velocities."""
-    start = SUBSTEP_START
+    start = tb.SUBSTEP_START
     closed = separation_later(
         0.0,
         (ahead * a[start], ahead * a[start + 1]),
         ahead * a[start + 2],
-        row[at + P_NORMAL_ARM_A],
-        row[at + P_TANGENT_ARM_A] - row[R_RADIUS_A + m],
+        row[at + tb.P_NORMAL_ARM_A],
+        row[at + tb.P_TANGENT_ARM_A] - row[tb.R_RADIUS_A + m],
         (ahead * b[start], ahead * b[start + 1]),
         ahead * b[start + 2],
-        row[at + P_NORMAL_ARM_B],
-        row[at + P_TANGENT_ARM_B] + row[R_RADIUS_B + m],
-        (row[R_NX + m], row[R_NY + m]),
+        row[at + tb.P_NORMAL_ARM_B],
+        row[at + tb.P_TANGENT_ARM_B] + row[tb.R_RADIUS_B + m],
+        (row[tb.R_NX + m], row[tb.R_NY + m]),
     )
-    return float(row[at + P_GAP] - closed)
+    return float(row[at + tb.P_GAP] - closed)
 
 
 @inlined
 def approach_velocity(m: int, at: int, row: Array, a: Array, b: Array) -> float:
     """Return the normal velocity of a point before the step, m/s, from the states of its bodies."""
     return row_velocity(
-        (a[SUBSTEP_START], a[SUBSTEP_START + 1]),
-        a[SUBSTEP_START + 2],
-        row[at + P_NORMAL_ARM_A],
-        (b[SUBSTEP_START], b[SUBSTEP_START + 1]),
-        b[SUBSTEP_START + 2],
-        row[at + P_NORMAL_ARM_B],
-        (row[R_NX + m], row[R_NY + m]),
+        (a[tb.SUBSTEP_START], a[tb.SUBSTEP_START + 1]),
+        a[tb.SUBSTEP_START + 2],
+        row[at + tb.P_NORMAL_ARM_A],
+        (b[tb.SUBSTEP_START], b[tb.SUBSTEP_START + 1]),
+        b[tb.SUBSTEP_START + 2],
+        row[at + tb.P_NORMAL_ARM_B],
+        (row[tb.R_NX + m], row[tb.R_NY + m]),
     )
 
 
@@ -227,27 +171,27 @@ def prepare_blocks(first: int, last: int, substep: float, blocks: Array, lanes: 
     """Write the effective masses and the softness of some blocks."""
     for b in range(first, last):
         row = blocks[b]
-        effective_mass_lanes(FIRST_POINT, row)
-        unload_parting_lanes(FIRST_POINT, row)
-        if lanes[b, POINTS] == 2:
-            effective_mass_lanes(SECOND_POINT, row)
-            unload_parting_lanes(SECOND_POINT, row)
-        soften_lanes(row, lanes[b, POINTS], substep)
+        effective_mass_lanes(tb.FIRST_POINT, row)
+        unload_parting_lanes(tb.FIRST_POINT, row)
+        if lanes[b, tb.POINTS] == 2:
+            effective_mass_lanes(tb.SECOND_POINT, row)
+            unload_parting_lanes(tb.SECOND_POINT, row)
+        soften_lanes(row, lanes[b, tb.POINTS], substep)
 
 
 def effective_mass_lanes(at: int, row: Array) -> None:
     """Write the effective masses along normal and tangent; 0 in an idle lane."""
     for m in range(LANES):
-        a, b = row[R_MASS_A + m], row[R_MASS_B + m]
-        turn_a, turn_b = row[R_INERTIA_A + m], row[R_INERTIA_B + m]
+        a, b = row[tb.R_MASS_A + m], row[tb.R_MASS_B + m]
+        turn_a, turn_b = row[tb.R_INERTIA_A + m], row[tb.R_INERTIA_B + m]
         idle = a + b == 0.0
         b = 1.0 if idle else b
-        normal_a, normal_b = row[at + P_NORMAL_ARM_A + m], row[at + P_NORMAL_ARM_B + m]
+        normal_a, normal_b = row[at + tb.P_NORMAL_ARM_A + m], row[at + tb.P_NORMAL_ARM_B + m]
         normal = row_mass(a, turn_a, normal_a, b, turn_b, normal_b)
-        tangent_a, tangent_b = row[at + P_TANGENT_ARM_A + m], row[at + P_TANGENT_ARM_B + m]
+        tangent_a, tangent_b = row[at + tb.P_TANGENT_ARM_A + m], row[at + tb.P_TANGENT_ARM_B + m]
         tangent = row_mass(a, turn_a, tangent_a, b, turn_b, tangent_b)
-        row[at + P_NORMAL_MASS + m] = 0.0 if idle else normal
-        row[at + P_TANGENT_MASS + m] = 0.0 if idle else tangent
+        row[at + tb.P_NORMAL_MASS + m] = 0.0 if idle else normal
+        row[at + tb.P_TANGENT_MASS + m] = 0.0 if idle else tangent
 
 
 def unload_parting_lanes(at: int, row: Array) -> None:
@@ -256,11 +200,11 @@ def unload_parting_lanes(at: int, row: Array) -> None:
     Friction would act by the impulse of a blow that is over.
     """
     for m in range(LANES):
-        normal = row[at + P_NORMAL_IMPULSE + m]
-        parting = row[at + P_NORMAL_MASS + m] * row[at + P_APPROACH + m]
-        parts = (row[R_RESTITUTION + m] > 0.0) & (parting > PARTING * normal)
-        row[at + P_NORMAL_IMPULSE + m] = 0.0 if parts else normal
-        row[at + P_TANGENT_IMPULSE + m] = 0.0 if parts else row[at + P_TANGENT_IMPULSE + m]
+        normal = row[at + tb.P_NORMAL_IMPULSE + m]
+        parting = row[at + tb.P_NORMAL_MASS + m] * row[at + tb.P_APPROACH + m]
+        parts = (row[tb.R_RESTITUTION + m] > 0.0) & (parting > PARTING * normal)
+        row[at + tb.P_NORMAL_IMPULSE + m] = 0.0 if parts else normal
+        row[at + tb.P_TANGENT_IMPULSE + m] = 0.0 if parts else row[at + tb.P_TANGENT_IMPULSE + m]
 
 
 def soften_lanes(row: Array, points: int, substep: float) -> None:
@@ -272,13 +216,13 @@ def soften_lanes(row: Array, points: int, substep: float) -> None:
     each = 1.0 / points  # 1 or a half: the product is exact
     even = angular_frequency_even(substep)
     for m in range(LANES):
-        a, b = row[R_MASS_A + m], row[R_MASS_B + m]
-        second = row[SECOND_POINT + P_NORMAL_IMPULSE + m] if points == 2 else 0.0
-        load = (row[FIRST_POINT + P_NORMAL_IMPULSE + m] + second) * each
+        a, b = row[tb.R_MASS_A + m], row[tb.R_MASS_B + m]
+        second = row[tb.SECOND_POINT + tb.P_NORMAL_IMPULSE + m] if points == 2 else 0.0
+        load = (row[tb.FIRST_POINT + tb.P_NORMAL_IMPULSE + m] + second) * each
         frequency = even if (a > 0.0) & (b > 0.0) else FIRMER * even
-        radius = row[R_SMALLER_RADIUS + m] if row[R_SMALLER_RADIUS + m] > 0.0 else 1.0
+        radius = row[tb.R_SMALLER_RADIUS + m] if row[tb.R_SMALLER_RADIUS + m] > 0.0 else 1.0
         frequency = angular_frequency_loaded(frequency, load, a, b, substep, REST, radius, FIRMEST)
-        row[R_BIAS_RATE + m] = bias_rate(frequency, DAMPING, substep)
-        row[R_MASS_SHARE + m] = mass_share(frequency, DAMPING, substep)
-        row[R_IMPULSE_SHARE + m] = impulse_share(frequency, DAMPING, substep)
-        row[R_BIAS_LEAST + m] = bias_velocity_least(FASTEST, radius, substep)
+        row[tb.R_BIAS_RATE + m] = bias_rate(frequency, DAMPING, substep)
+        row[tb.R_MASS_SHARE + m] = mass_share(frequency, DAMPING, substep)
+        row[tb.R_IMPULSE_SHARE + m] = impulse_share(frequency, DAMPING, substep)
+        row[tb.R_BIAS_LEAST + m] = bias_velocity_least(FASTEST, radius, substep)

@@ -6,26 +6,8 @@ through a large scene once, as a front of some slabs, instead of once in each st
 Source: Wonnacott (2002), time skewing.
 """
 
-from tamias2d.engine.tables import (
-    ACTIVE,
-    BOUNDING_RADIUS,
-    DYNAMIC,
-    MOST_SLABS,
-    S_BODY,
-    S_CONTACT,
-    S_TREE,
-    SLABS,
-    TOUCHING,
-    TREE,
-    TREE_NUMBER,
-    Bodies,
-    Constraints,
-    Direct,
-    Integers,
-    Touching,
-    X,
-    Y,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Bodies, Constraints, Direct, Integers, Touching
 
 CONTACTS_IN_SLAB = 1024  # about
 WIDTH = 2.5  # bounding radii of the largest body: bodies farther apart do not touch
@@ -45,9 +27,9 @@ def divide_into_slabs(
     because they reach from any slab to any other.
     """
     number = 1 if one else assign_slabs(tree_count, bodies, touching, constraints, direct)
-    constraints.counts[SLABS] = number
+    constraints.counts[tb.SLABS] = number
     for q in range(number + 1):
-        constraints.slabs[q, S_TREE] = -(-q * tree_count // number)
+        constraints.slabs[q, tb.S_TREE] = -(-q * tree_count // number)
     if number == 1:
         list_all(bodies, touching, constraints)
     else:
@@ -56,9 +38,9 @@ def divide_into_slabs(
 
 def list_all(bodies: Bodies, touching: Touching, constraints: Constraints) -> None:
     """List all contacts and active bodies as one slab."""
-    constraints.slabs[1, S_CONTACT] = touching.counts[TOUCHING]
-    constraints.slabs[1, S_BODY] = constraints.counts[ACTIVE]
-    for k in range(touching.counts[TOUCHING]):
+    constraints.slabs[1, tb.S_CONTACT] = touching.counts[tb.TOUCHING]
+    constraints.slabs[1, tb.S_BODY] = constraints.counts[tb.ACTIVE]
+    for k in range(touching.counts[tb.TOUCHING]):
         touching.by_slab[k] = k
     listed = 0
     for i in range(len(bodies.moved)):
@@ -72,22 +54,22 @@ def list_by_slab(bodies: Bodies, touching: Touching, constraints: Constraints) -
     slabs, slab_of_body, number = (
         constraints.slabs,
         constraints.slab_of_body,
-        constraints.counts[SLABS],
+        constraints.counts[tb.SLABS],
     )
-    clear_column(S_CONTACT, number, slabs)
-    for k in range(touching.counts[TOUCHING]):
-        slabs[slab_of(k, bodies, touching, slab_of_body) + 2, S_CONTACT] += 1
-    add_up_column(S_CONTACT, number, slabs)
-    for k in range(touching.counts[TOUCHING]):
+    clear_column(tb.S_CONTACT, number, slabs)
+    for k in range(touching.counts[tb.TOUCHING]):
+        slabs[slab_of(k, bodies, touching, slab_of_body) + 2, tb.S_CONTACT] += 1
+    add_up_column(tb.S_CONTACT, number, slabs)
+    for k in range(touching.counts[tb.TOUCHING]):
         q = slab_of(k, bodies, touching, slab_of_body)
-        touching.by_slab[next_place(q, S_CONTACT, slabs)] = k
-    clear_column(S_BODY, number, slabs)
-    for k in range(constraints.counts[ACTIVE]):
-        slabs[slab_of_body[touching.active[k]] + 2, S_BODY] += 1
-    add_up_column(S_BODY, number, slabs)
+        touching.by_slab[next_place(q, tb.S_CONTACT, slabs)] = k
+    clear_column(tb.S_BODY, number, slabs)
+    for k in range(constraints.counts[tb.ACTIVE]):
+        slabs[slab_of_body[touching.active[k]] + 2, tb.S_BODY] += 1
+    add_up_column(tb.S_BODY, number, slabs)
     for i in range(len(bodies.moved)):
         if bodies.moved[i] == 1:
-            touching.active_by_slab[next_place(slab_of_body[i], S_BODY, slabs)] = i
+            touching.active_by_slab[next_place(slab_of_body[i], tb.S_BODY, slabs)] = i
 
 
 def clear_column(column: int, number: int, slabs: Integers) -> None:
@@ -116,18 +98,18 @@ def assign_slabs(
 
     If a body moves that cannot be pushed, there is one slab only: its contacts may be anywhere.
     """
-    wanted = min(touching.counts[TOUCHING] // CONTACTS_IN_SLAB, MOST_SLABS)
+    wanted = min(touching.counts[tb.TOUCHING] // CONTACTS_IN_SLAB, tb.MOST_SLABS)
     if wanted < 2:
         return 1
     along, low, extent, radius = find_extent(bodies, touching, constraints)
     number = int(min(extent / (WIDTH * radius), float(wanted)))
     if number < 2 or not all_dynamic(bodies, touching, constraints):
         return 1
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        root = direct.trees[i, TREE]
-        if root >= 0 and direct.trees[root, TREE_NUMBER] >= 0:
-            slab = direct.trees[root, TREE_NUMBER] * number // tree_count
+        root = direct.trees[i, tb.TREE]
+        if root >= 0 and direct.trees[root, tb.TREE_NUMBER] >= 0:
+            slab = direct.trees[root, tb.TREE_NUMBER] * number // tree_count
         else:
             slab = min(int((bodies.pose[i, along] - low) / (extent / number)), number - 1)
         constraints.slab_of_body[i] = slab
@@ -139,29 +121,34 @@ def find_extent(
 ) -> tuple[int, float, float, float]:
     """Return along which axis active bodies reach farther, from where, how far; largest radius."""
     pose, first = bodies.pose, touching.active[0]
-    low_x, high_x, low_y, high_y = pose[first, X], pose[first, X], pose[first, Y], pose[first, Y]
+    low_x, high_x, low_y, high_y = (
+        pose[first, tb.X],
+        pose[first, tb.X],
+        pose[first, tb.Y],
+        pose[first, tb.Y],
+    )
     radius = 0.0
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        low_x, high_x = min(low_x, pose[i, X]), max(high_x, pose[i, X])
-        low_y, high_y = min(low_y, pose[i, Y]), max(high_y, pose[i, Y])
-        radius = max(radius, bodies.properties[i, BOUNDING_RADIUS])
+        low_x, high_x = min(low_x, pose[i, tb.X]), max(high_x, pose[i, tb.X])
+        low_y, high_y = min(low_y, pose[i, tb.Y]), max(high_y, pose[i, tb.Y])
+        radius = max(radius, bodies.properties[i, tb.BOUNDING_RADIUS])
     if high_x - low_x > high_y - low_y:
-        return X, low_x, high_x - low_x, radius
-    return Y, low_y, high_y - low_y, radius
+        return tb.X, low_x, high_x - low_x, radius
+    return tb.Y, low_y, high_y - low_y, radius
 
 
 def all_dynamic(bodies: Bodies, touching: Touching, constraints: Constraints) -> bool:
     """Return whether all active bodies are dynamic."""
     dynamic = 0
-    for k in range(constraints.counts[ACTIVE]):
-        dynamic += bodies.kind[touching.active[k]] == DYNAMIC
-    return dynamic == constraints.counts[ACTIVE]
+    for k in range(constraints.counts[tb.ACTIVE]):
+        dynamic += bodies.kind[touching.active[k]] == tb.DYNAMIC
+    return dynamic == constraints.counts[tb.ACTIVE]
 
 
 def slab_of(k: int, bodies: Bodies, touching: Touching, slab_of_body: Integers) -> int:
     """Return the slab of a touching contact: of two dynamic bodies, the lower one."""
     i, j = touching.body_a[k], touching.body_b[k]
-    if bodies.kind[i] == DYNAMIC and bodies.kind[j] == DYNAMIC:
+    if bodies.kind[i] == tb.DYNAMIC and bodies.kind[j] == tb.DYNAMIC:
         return int(min(slab_of_body[i], slab_of_body[j]))
-    return int(slab_of_body[i] if bodies.kind[i] == DYNAMIC else slab_of_body[j])
+    return int(slab_of_body[i] if bodies.kind[i] == tb.DYNAMIC else slab_of_body[j])

@@ -5,50 +5,9 @@ supports move against each other has no bound. A free island is seen from its ce
 moved when the step began: there, gravity does no work that contacts could take for theirs.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.solver.energy import UNLIMITED
-from tamias2d.engine.tables import (
-    ACTIVE,
-    DX,
-    DYNAMIC,
-    ENERGY_START,
-    FREE_OF_CONTACTS,
-    GRAVITY_X,
-    GRAVITY_Y,
-    I_NODE,
-    INVERSE_MASS,
-    ISLAND_MASS,
-    J_MEMBER,
-    J_NODE,
-    JOINED_SLOT,
-    KEPT_WAY,
-    LIFT_WORK,
-    M_DRIVEN,
-    M_JOINT,
-    M_STATUS,
-    MECHANISMS,
-    MOMENTUM_X,
-    MOMENTUM_Y,
-    PART_SUBSTEPS,
-    REFERENCE,
-    ROOT,
-    SPIN,
-    STANDS_STILL,
-    STEP_START,
-    SUBSTEP,
-    SUPPORT,
-    TOUCHING,
-    VX,
-    VY,
-    WORK,
-    Bodies,
-    Constraints,
-    Control,
-    Islands,
-    Joints,
-    Touching,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import momentum, point_velocity
 from tamias2d.generated.island_energy import lift_work, velocity_island
 from tamias2d.generated.joint_step import kept_way, kinetic_energy_most
@@ -63,63 +22,68 @@ def find_references(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
     """Write the reference motion of each island at its root."""
-    for k in range(constraints.counts[ACTIVE]):
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_root(i, bodies, islands):
             row = islands.energy[i]
-            row[SUPPORT] = FREE
-            row[ISLAND_MASS] = row[MOMENTUM_X] = row[MOMENTUM_Y] = 0.0
-    for k in range(constraints.counts[ACTIVE]):
+            row[tb.SUPPORT] = FREE
+            row[tb.ISLAND_MASS] = row[tb.MOMENTUM_X] = row[tb.MOMENTUM_Y] = 0.0
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if bodies.kind[i] == DYNAMIC:
-            row, state = islands.energy[islands.links[i, ROOT]], bodies.substep_state[i]
-            mass = 1.0 / bodies.properties[i, INVERSE_MASS]
-            x, y = momentum(mass, (state[STEP_START], state[STEP_START + 1]))
-            row[MOMENTUM_X] += x
-            row[MOMENTUM_Y] += y
-            row[ISLAND_MASS] += mass
-    for k in range(constraints.counts[ACTIVE]):
+        if bodies.kind[i] == tb.DYNAMIC:
+            row, state = islands.energy[islands.links[i, tb.ROOT]], bodies.substep_state[i]
+            mass = 1.0 / bodies.properties[i, tb.INVERSE_MASS]
+            x, y = momentum(mass, (state[tb.STEP_START], state[tb.STEP_START + 1]))
+            row[tb.MOMENTUM_X] += x
+            row[tb.MOMENTUM_Y] += y
+            row[tb.ISLAND_MASS] += mass
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_root(i, bodies, islands):
             row = islands.energy[i]
-            whole = (row[MOMENTUM_X], row[MOMENTUM_Y])
-            row[REFERENCE], row[REFERENCE + 1] = velocity_island(whole, row[ISLAND_MASS])
-            row[REFERENCE + 2] = 0.0
-    for k in range(touching.counts[TOUCHING]):
+            whole = (row[tb.MOMENTUM_X], row[tb.MOMENTUM_Y])
+            row[tb.REFERENCE], row[tb.REFERENCE + 1] = velocity_island(whole, row[tb.ISLAND_MASS])
+            row[tb.REFERENCE + 2] = 0.0
+    for k in range(touching.counts[tb.TOUCHING]):
         i, j = touching.body_a[k], touching.body_b[k]
-        if bodies.kind[i] != DYNAMIC:
+        if bodies.kind[i] != tb.DYNAMIC:
             i, j = j, i
-        if bodies.kind[j] != DYNAMIC:
-            support_island(j, islands.links[i, ROOT], bodies, islands)
+        if bodies.kind[j] != tb.DYNAMIC:
+            support_island(j, islands.links[i, tb.ROOT], bodies, islands)
 
 
 def is_root(i: int, bodies: Bodies, islands: Islands) -> bool:
     """Return whether a body is the root of an island."""
-    return bool(bodies.kind[i] == DYNAMIC and islands.links[i, ROOT] == i)
+    return bool(bodies.kind[i] == tb.DYNAMIC and islands.links[i, tb.ROOT] == i)
 
 
 def support_island(j: int, root: int, bodies: Bodies, islands: Islands) -> None:
     """Let an island be seen from a body that does not move freely."""
-    row, motion, spin = islands.energy[root], bodies.motion[j], bodies.motion[j, SPIN]
-    x, y = bodies.pose[root, X] - bodies.pose[j, X], bodies.pose[root, Y] - bodies.pose[j, Y]
-    by_x, by_y = point_velocity((motion[VX], motion[VY]), spin, (x, y))
-    if row[SUPPORT] == FREE:
-        row[SUPPORT] = SUPPORTED_BY_ONE
-        row[REFERENCE], row[REFERENCE + 1], row[REFERENCE + 2] = by_x, by_y, spin
-    apart = abs(row[REFERENCE] - by_x) + abs(row[REFERENCE + 1] - by_y)
-    speed = abs(by_x) + abs(by_y) + abs(motion[VX]) + abs(motion[VY])
-    if apart > ALIKE * speed or abs(row[REFERENCE + 2] - spin) > ALIKE * abs(spin):
-        row[SUPPORT] = SUPPORTED_BY_MORE
+    row, motion, spin = islands.energy[root], bodies.motion[j], bodies.motion[j, tb.SPIN]
+    x, y = (
+        bodies.pose[root, tb.X] - bodies.pose[j, tb.X],
+        bodies.pose[root, tb.Y] - bodies.pose[j, tb.Y],
+    )
+    by_x, by_y = point_velocity((motion[tb.VX], motion[tb.VY]), spin, (x, y))
+    if row[tb.SUPPORT] == FREE:
+        row[tb.SUPPORT] = SUPPORTED_BY_ONE
+        row[tb.REFERENCE], row[tb.REFERENCE + 1], row[tb.REFERENCE + 2] = by_x, by_y, spin
+    apart = abs(row[tb.REFERENCE] - by_x) + abs(row[tb.REFERENCE + 1] - by_y)
+    speed = abs(by_x) + abs(by_y) + abs(motion[tb.VX]) + abs(motion[tb.VY])
+    if apart > ALIKE * speed or abs(row[tb.REFERENCE + 2] - spin) > ALIKE * abs(spin):
+        row[tb.SUPPORT] = SUPPORTED_BY_MORE
 
 
 def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
     """Let the islands of mechanisms that are tied to what stands still be seen from there."""
-    for n in range(joints.counts[MECHANISMS]):
-        root = islands.links[joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT], ROOT]
-        for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for n in range(joints.counts[tb.MECHANISMS]):
+        root = islands.links[
+            joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT], tb.ROOT
+        ]
+        for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
             for end in range(3):
-                if joints.joints[j, J_NODE + end] == STANDS_STILL:
-                    support = joints.members[joints.joints[j, J_MEMBER + end], JOINED_SLOT]
+                if joints.joints[j, tb.J_NODE + end] == tb.STANDS_STILL:
+                    support = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
                     support_island(support, root, bodies, islands)
 
 
@@ -138,26 +102,28 @@ def charge_joined(
     of it. One that is driven may give any energy, and one that no contact touches has its own
     bound.
     """
-    if joints.counts[MECHANISMS] == 0:
+    if joints.counts[tb.MECHANISMS] == 0:
         return
     sum_lift_work(control, bodies, touching, constraints, islands)
-    for n in range(joints.counts[MECHANISMS]):
-        root = islands.links[joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT], ROOT]
+    for n in range(joints.counts[tb.MECHANISMS]):
+        root = islands.links[
+            joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT], tb.ROOT
+        ]
         row = islands.energy[root]
-        bounded = joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS
-        if bounded or joints.mechanisms[n, M_DRIVEN] == 1:
-            row[WORK] = UNLIMITED
-        elif row[WORK] < 0.0:
-            least = kept_way(row[ENERGY_START], row[LIFT_WORK], row[WORK])
-            row[KEPT_WAY] = least if rests_on_ground(row) else 1.0
-            row[ENERGY_START] = kinetic_energy_most(row[ENERGY_START], row[WORK])
-            row[WORK] = 0.0
-    for k in range(constraints.counts[ACTIVE]):
+        bounded = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
+        if bounded or joints.mechanisms[n, tb.M_DRIVEN] == 1:
+            row[tb.WORK] = UNLIMITED
+        elif row[tb.WORK] < 0.0:
+            least = kept_way(row[tb.ENERGY_START], row[tb.LIFT_WORK], row[tb.WORK])
+            row[tb.KEPT_WAY] = least if rests_on_ground(row) else 1.0
+            row[tb.ENERGY_START] = kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK])
+            row[tb.WORK] = 0.0
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        row = islands.energy[islands.links[i, ROOT]]
-        if bodies.kind[i] == DYNAMIC and row[KEPT_WAY] < 1.0 and row[WORK] == 0.0:
+        row = islands.energy[islands.links[i, tb.ROOT]]
+        if bodies.kind[i] == tb.DYNAMIC and row[tb.KEPT_WAY] < 1.0 and row[tb.WORK] == 0.0:
             for m in range(3):
-                bodies.motion[i, DX + m] *= row[KEPT_WAY]
+                bodies.motion[i, tb.DX + m] *= row[tb.KEPT_WAY]
 
 
 def sum_lift_work(
@@ -168,29 +134,32 @@ def sum_lift_work(
     islands: Islands,
 ) -> None:
     """Add up what the overlaps of each island may give back, J; let it keep its way at first."""
-    gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
-    for k in range(constraints.counts[ACTIVE]):
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
+    for k in range(constraints.counts[tb.ACTIVE]):
         row = islands.energy[touching.active[k]]
-        row[KEPT_WAY], row[LIFT_WORK] = 1.0, 0.0
-    for k in range(constraints.counts[ACTIVE]):
+        row[tb.KEPT_WAY], row[tb.LIFT_WORK] = 1.0, 0.0
+    for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if bodies.kind[i] == DYNAMIC:
-            load, mass = bodies.load[i], 1.0 / bodies.properties[i, INVERSE_MASS]
-            of_substep = lift_work(mass, gravity, (load[0], load[1]), control.settings[SUBSTEP])
-            substeps = control.counts[PART_SUBSTEPS]
-            islands.energy[islands.links[i, ROOT], LIFT_WORK] += substeps * of_substep
+        if bodies.kind[i] == tb.DYNAMIC:
+            load, mass = bodies.load[i], 1.0 / bodies.properties[i, tb.INVERSE_MASS]
+            of_substep = lift_work(mass, gravity, (load[0], load[1]), control.settings[tb.SUBSTEP])
+            substeps = control.counts[tb.PART_SUBSTEPS]
+            islands.energy[islands.links[i, tb.ROOT], tb.LIFT_WORK] += substeps * of_substep
 
 
 def rests_on_ground(row: Array) -> bool:
     """Return whether an island is seen from a support that stands still."""
-    moves = abs(row[REFERENCE]) + abs(row[REFERENCE + 1]) + abs(row[REFERENCE + 2])
-    return bool(row[SUPPORT] == SUPPORTED_BY_ONE and moves == 0.0)
+    moves = abs(row[tb.REFERENCE]) + abs(row[tb.REFERENCE + 1]) + abs(row[tb.REFERENCE + 2])
+    return bool(row[tb.SUPPORT] == SUPPORTED_BY_ONE and moves == 0.0)
 
 
 def reference_at(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, float]:
     """Return the velocity, at a body, and the spin of the reference motion of its island."""
-    root = islands.links[i, ROOT]
+    root = islands.links[i, tb.ROOT]
     row = islands.energy[root]
-    x, y = bodies.pose[i, X] - bodies.pose[root, X], bodies.pose[i, Y] - bodies.pose[root, Y]
-    spin = row[REFERENCE + 2]
-    return point_velocity((row[REFERENCE], row[REFERENCE + 1]), spin, (x, y)), spin
+    x, y = (
+        bodies.pose[i, tb.X] - bodies.pose[root, tb.X],
+        bodies.pose[i, tb.Y] - bodies.pose[root, tb.Y],
+    )
+    spin = row[tb.REFERENCE + 2]
+    return point_velocity((row[tb.REFERENCE], row[tb.REFERENCE + 1]), spin, (x, y)), spin
