@@ -5,42 +5,9 @@ It is what `tamias2d.contact.gap` does, operation by operation.
 
 from math import inf, sqrt
 
+from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.length import hypot
-from tamias2d.event_driven.tables import (
-    AXIS_GAP,
-    AXIS_X,
-    AXIS_Y,
-    BEGIN,
-    CORNERS,
-    GAP,
-    HIGH,
-    LOW,
-    P_X,
-    P_Y,
-    PLACED_NORMAL_X,
-    PLACED_NORMAL_Y,
-    PLACED_X,
-    PLACED_Y,
-    Q_X,
-    Q_Y,
-    RATE,
-    REACH,
-    REACH_P,
-    REACH_Q,
-    ROUND,
-    ROUND_STAND,
-    SIDE,
-    SIDE_OFFSET,
-    SIDES,
-    SIZE,
-    SPIN,
-    SWAPPED,
-    VX,
-    VY,
-    World,
-    X,
-    Y,
-)
+from tamias2d.event_driven.tables import World
 from tamias2d.generated import impact
 from tamias2d.kernels.assembled import inlined
 
@@ -50,17 +17,17 @@ IN_LINE = 1e-12  # of the sizes: by how much rounding may make collinear cores s
 def find_axes(a: int, b: int, world: World) -> int:
     """List the axes of two bodies at hand; return how many. One of them has sides."""
     forms, count = world.hulls.forms, 0
-    if forms[a, SIDES] > 0 and forms[b, CORNERS] > 0:
+    if forms[a, tb.SIDES] > 0 and forms[b, tb.CORNERS] > 0:
         count = add_sides(a, b, 0, count, world)
-    if forms[b, SIDES] > 0 and forms[a, CORNERS] > 0:
+    if forms[b, tb.SIDES] > 0 and forms[a, tb.CORNERS] > 0:
         count = add_sides(b, a, 1, count, world)
-    if forms[a, CORNERS] == 1:
+    if forms[a, tb.CORNERS] == 1:
         return with_corner(b, a, 1, count, world)
-    if forms[b, CORNERS] == 1:
+    if forms[b, tb.CORNERS] == 1:
         return with_corner(a, b, 0, count, world)
     p, q = world.hulls.stands[a], world.hulls.stands[b]
-    round_ends = p[ROUND] > 0.0 or q[ROUND] > 0.0
-    if round_ends or min(forms[a, CORNERS], forms[b, CORNERS]) == 2:
+    round_ends = p[tb.ROUND] > 0.0 or q[tb.ROUND] > 0.0
+    if round_ends or min(forms[a, tb.CORNERS], forms[b, tb.CORNERS]) == 2:
         return with_nearest(a, b, count, world)
     return count
 
@@ -69,7 +36,7 @@ def best_axis(count: int, world: World) -> int:
     """Return the first of the axes with the largest gap."""
     best = 0
     for k in range(1, count):
-        if world.hulls.axes[k, AXIS_GAP] > world.hulls.axes[best, AXIS_GAP]:
+        if world.hulls.axes[k, tb.AXIS_GAP] > world.hulls.axes[best, tb.AXIS_GAP]:
             best = k
     return best
 
@@ -77,20 +44,20 @@ def best_axis(count: int, world: World) -> int:
 def add_sides(p: int, q: int, swapped: int, count: int, world: World) -> int:
     """Add the axes that the sides of P have; return how many there are then."""
     body, other = world.hulls.stands[p], world.hulls.stands[q]
-    dx, dy = other[X] - body[X], other[Y] - body[Y]
-    begin, corners = world.hulls.forms[p, BEGIN], world.hulls.forms[q, CORNERS]
-    for side in range(world.hulls.forms[p, SIDES]):
-        ux = world.hulls.placed[p, side, PLACED_NORMAL_X]
-        uy = world.hulls.placed[p, side, PLACED_NORMAL_Y]
+    dx, dy = other[tb.X] - body[tb.X], other[tb.Y] - body[tb.Y]
+    begin, corners = world.hulls.forms[p, tb.BEGIN], world.hulls.forms[q, tb.CORNERS]
+    for side in range(world.hulls.forms[p, tb.SIDES]):
+        ux = world.hulls.placed[p, side, tb.PLACED_NORMAL_X]
+        uy = world.hulls.placed[p, side, tb.PLACED_NORMAL_Y]
         nearest = inf
         for k in range(corners):
             corner = world.hulls.placed[q, k]
-            nearest = min(nearest, ux * corner[PLACED_X] + uy * corner[PLACED_Y])
-        offset = world.hulls.outline[begin + side, SIDE_OFFSET]
+            nearest = min(nearest, ux * corner[tb.PLACED_X] + uy * corner[tb.PLACED_Y])
+        offset = world.hulls.outline[begin + side, tb.SIDE_OFFSET]
         row, owner = world.hulls.axes[count], world.hulls.owners[count]
-        row[AXIS_X], row[AXIS_Y] = ux, uy
-        row[AXIS_GAP] = ux * dx + uy * dy + nearest - offset - other[ROUND]
-        owner[SWAPPED], owner[SIDE] = swapped, side
+        row[tb.AXIS_X], row[tb.AXIS_Y] = ux, uy
+        row[tb.AXIS_GAP] = ux * dx + uy * dy + nearest - offset - other[tb.ROUND]
+        owner[tb.SWAPPED], owner[tb.SIDE] = swapped, side
         count += 1
     return count
 
@@ -99,10 +66,10 @@ def add_sides(p: int, q: int, swapped: int, count: int, world: World) -> int:
 def between(x: float, y: float, base: float, swapped: int, world: World) -> int:
     """Replace all axes by the one along a vector from P to Q, m."""
     distance, row = hypot(x, y), world.hulls.axes[0]
-    row[AXIS_X], row[AXIS_Y], row[AXIS_GAP] = 1.0, 0.0, distance - base
+    row[tb.AXIS_X], row[tb.AXIS_Y], row[tb.AXIS_GAP] = 1.0, 0.0, distance - base
     if distance > 0.0:
-        row[AXIS_X], row[AXIS_Y] = x / distance, y / distance
-    world.hulls.owners[0, SWAPPED], world.hulls.owners[0, SIDE] = swapped, -1
+        row[tb.AXIS_X], row[tb.AXIS_Y] = x / distance, y / distance
+    world.hulls.owners[0, tb.SWAPPED], world.hulls.owners[0, tb.SIDE] = swapped, -1
     return 1
 
 
@@ -110,18 +77,18 @@ def with_corner(p: int, disc: int, swapped: int, count: int, world: World) -> in
     """Replace the axes by that from P's corner to a disc, if a corner is what is nearest to it."""
     best, body, other = best_axis(count, world), world.hulls.stands[p], world.hulls.stands[disc]
     axis, form = world.hulls.axes[best], world.hulls.forms[p]
-    side = world.hulls.outline[form[BEGIN] + world.hulls.owners[best, SIDE]]
-    radius = body[ROUND] + other[ROUND]
-    inside = axis[AXIS_GAP] + radius <= 0.0 and form[CORNERS] > 2
-    if inside or side[LOW] == -inf:
+    side = world.hulls.outline[form[tb.BEGIN] + world.hulls.owners[best, tb.SIDE]]
+    radius = body[tb.ROUND] + other[tb.ROUND]
+    inside = axis[tb.AXIS_GAP] + radius <= 0.0 and form[tb.CORNERS] > 2
+    if inside or side[tb.LOW] == -inf:
         return count
-    ux, uy = axis[AXIS_X], axis[AXIS_Y]
-    dx, dy = other[X] - body[X], other[Y] - body[Y]
+    ux, uy = axis[tb.AXIS_X], axis[tb.AXIS_Y]
+    dx, dy = other[tb.X] - body[tb.X], other[tb.Y] - body[tb.Y]
     along = dy * ux - dx * uy
-    if side[LOW] <= along <= side[HIGH]:
+    if side[tb.LOW] <= along <= side[tb.HIGH]:
         return count
-    t = side[LOW] if along < side[LOW] else side[HIGH]
-    offset = side[SIDE_OFFSET] - body[ROUND]
+    t = side[tb.LOW] if along < side[tb.LOW] else side[tb.HIGH]
+    offset = side[tb.SIDE_OFFSET] - body[tb.ROUND]
     x, y = offset * ux - t * uy, offset * uy + t * ux
     return between(dx - x, dy - y, radius, swapped, world)
 
@@ -129,18 +96,18 @@ def with_corner(p: int, disc: int, swapped: int, count: int, world: World) -> in
 def with_nearest(a: int, b: int, count: int, world: World) -> int:
     """Replace the axes by that from corner to corner, if these are nearest: of round ends."""
     p, q = world.hulls.stands[a], world.hulls.stands[b]
-    base = p[ROUND] + q[ROUND]
-    gap = world.hulls.axes[best_axis(count, world), AXIS_GAP]
-    crossed = gap + base < -IN_LINE * (p[SIZE] + q[SIZE])
-    if crossed or world.hulls.forms[a, CORNERS] == 0 or world.hulls.forms[b, CORNERS] == 0:
+    base = p[tb.ROUND] + q[tb.ROUND]
+    gap = world.hulls.axes[best_axis(count, world), tb.AXIS_GAP]
+    crossed = gap + base < -IN_LINE * (p[tb.SIZE] + q[tb.SIZE])
+    if crossed or world.hulls.forms[a, tb.CORNERS] == 0 or world.hulls.forms[b, tb.CORNERS] == 0:
         return count
-    dx, dy = q[X] - p[X], q[Y] - p[Y]
+    dx, dy = q[tb.X] - p[tb.X], q[tb.Y] - p[tb.Y]
     least, x, y = inf, 0.0, 0.0
-    for m in range(world.hulls.forms[a, CORNERS]):
-        for n in range(world.hulls.forms[b, CORNERS]):
+    for m in range(world.hulls.forms[a, tb.CORNERS]):
+        for n in range(world.hulls.forms[b, tb.CORNERS]):
             one, other = world.hulls.placed[a, m], world.hulls.placed[b, n]
-            to_x = dx + other[PLACED_X] - one[PLACED_X]
-            to_y = dy + other[PLACED_Y] - one[PLACED_Y]
+            to_x = dx + other[tb.PLACED_X] - one[tb.PLACED_X]
+            to_y = dy + other[tb.PLACED_Y] - one[tb.PLACED_Y]
             length = hypot(to_x, to_y)
             if length < least:
                 least, x, y = length, to_x, to_y
@@ -153,23 +120,23 @@ def with_nearest(a: int, b: int, count: int, world: World) -> int:
 def distance_to_sides(a: int, b: int, dx: float, dy: float, world: World) -> float:
     """Return how far the corners of each of two bodies are from sides that they stand beside, m."""
     best = inf
-    for m in range(world.hulls.forms[a, CORNERS]):
-        x, y = world.hulls.placed[a, m, PLACED_X], world.hulls.placed[a, m, PLACED_Y]
+    for m in range(world.hulls.forms[a, tb.CORNERS]):
+        x, y = world.hulls.placed[a, m, tb.PLACED_X], world.hulls.placed[a, m, tb.PLACED_Y]
         best = min(best, distance_to_outline(x, y, b, dx, dy, world))
-    for n in range(world.hulls.forms[b, CORNERS]):
-        x = dx + world.hulls.placed[b, n, PLACED_X]
-        y = dy + world.hulls.placed[b, n, PLACED_Y]
+    for n in range(world.hulls.forms[b, tb.CORNERS]):
+        x = dx + world.hulls.placed[b, n, tb.PLACED_X]
+        y = dy + world.hulls.placed[b, n, tb.PLACED_Y]
         best = min(best, distance_to_outline(x, y, a, 0.0, 0.0, world))
     return best
 
 
 def distance_to_outline(x: float, y: float, body: int, dx: float, dy: float, world: World) -> float:
     """Return the distance of a point from the nearest side that it stands beside, or infinity."""
-    best, count = inf, world.hulls.forms[body, CORNERS]
+    best, count = inf, world.hulls.forms[body, tb.CORNERS]
     for k in range(count):
         first, last = world.hulls.placed[body, k], world.hulls.placed[body, (k + 1) % count]
-        px, py = dx + first[PLACED_X], dy + first[PLACED_Y]
-        ex, ey = dx + last[PLACED_X] - px, dy + last[PLACED_Y] - py
+        px, py = dx + first[tb.PLACED_X], dy + first[tb.PLACED_Y]
+        ex, ey = dx + last[tb.PLACED_X] - px, dy + last[tb.PLACED_Y] - py
         along = (x - px) * ex + (y - py) * ey
         square = ex * ex + ey * ey
         if 0.0 < along < square:
@@ -179,34 +146,38 @@ def distance_to_outline(x: float, y: float, body: int, dx: float, dy: float, wor
 
 def find_gaps(axis: int, a: int, b: int, world: World) -> int:
     """List the gaps along an axis of two bodies at hand; return how many."""
-    p, q = (b, a) if world.hulls.owners[axis, SWAPPED] == 1 else (a, b)
-    ux, uy = world.hulls.axes[axis, AXIS_X], world.hulls.axes[axis, AXIS_Y]
+    p, q = (b, a) if world.hulls.owners[axis, tb.SWAPPED] == 1 else (a, b)
+    ux, uy = world.hulls.axes[axis, tb.AXIS_X], world.hulls.axes[axis, tb.AXIS_Y]
     body, other = world.hulls.stands[p], world.hulls.stands[q]
-    dx, dy, side = other[X] - body[X], other[Y] - body[Y], world.hulls.owners[axis, SIDE]
-    of_p, of_q = world.hulls.forms[p, BEGIN], world.hulls.forms[q, BEGIN]
+    dx, dy, side = (
+        other[tb.X] - body[tb.X],
+        other[tb.Y] - body[tb.Y],
+        world.hulls.owners[axis, tb.SIDE],
+    )
+    of_p, of_q = world.hulls.forms[p, tb.BEGIN], world.hulls.forms[q, tb.BEGIN]
     sided = side >= 0
-    base = world.hulls.outline[of_p + side, SIDE_OFFSET] if sided else body[ROUND]
-    base += other[ROUND]
-    count, v_p, v_q = 0, (body[VX], body[VY]), (other[VX], other[VY])
-    for m in range(1 if sided else world.hulls.forms[p, CORNERS]):
-        vx = 0.0 if sided else world.hulls.placed[p, m, PLACED_X]
-        vy = 0.0 if sided else world.hulls.placed[p, m, PLACED_Y]
-        for n in range(world.hulls.forms[q, CORNERS]):
-            wx, wy = world.hulls.placed[q, n, PLACED_X], world.hulls.placed[q, n, PLACED_Y]
+    base = world.hulls.outline[of_p + side, tb.SIDE_OFFSET] if sided else body[tb.ROUND]
+    base += other[tb.ROUND]
+    count, v_p, v_q = 0, (body[tb.VX], body[tb.VY]), (other[tb.VX], other[tb.VY])
+    for m in range(1 if sided else world.hulls.forms[p, tb.CORNERS]):
+        vx = 0.0 if sided else world.hulls.placed[p, m, tb.PLACED_X]
+        vy = 0.0 if sided else world.hulls.placed[p, m, tb.PLACED_Y]
+        for n in range(world.hulls.forms[q, tb.CORNERS]):
+            wx, wy = world.hulls.placed[q, n, tb.PLACED_X], world.hulls.placed[q, n, tb.PLACED_Y]
             x, y = dx + wx - vx, dy + wy - vy
             arm = (x, y) if sided else (vx, vy)
             row = world.hulls.gaps[count]
-            row[GAP] = ux * x + uy * y - base
-            row[RATE] = impact.normal_velocity(
-                v_p, body[SPIN], arm, v_q, other[SPIN], (wx, wy), (ux, uy)
+            row[tb.GAP] = ux * x + uy * y - base
+            row[tb.RATE] = impact.normal_velocity(
+                v_p, body[tb.SPIN], arm, v_q, other[tb.SPIN], (wx, wy), (ux, uy)
             )
-            row[REACH_P] = 0.0 if sided else reach_of(p, of_p + m, world)
-            row[REACH_Q] = reach_of(q, of_q + n, world)
-            row[Q_X], row[Q_Y], row[P_X], row[P_Y] = wx, wy, vx, vy
+            row[tb.REACH_P] = 0.0 if sided else reach_of(p, of_p + m, world)
+            row[tb.REACH_Q] = reach_of(q, of_q + n, world)
+            row[tb.Q_X], row[tb.Q_Y], row[tb.P_X], row[tb.P_Y] = wx, wy, vx, vy
             count += 1
     return count
 
 
 def reach_of(place: int, row: int, world: World) -> float:
     """Return how far a corner of a body at hand is from the centre, m."""
-    return 0.0 if place == ROUND_STAND else world.hulls.outline[row, REACH]
+    return 0.0 if place == tb.ROUND_STAND else world.hulls.outline[row, tb.REACH]

@@ -6,21 +6,10 @@ bound is when they meet; else it is that of the gap along the axis of now.
 
 from math import inf, sqrt
 
+from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.approach import MARGIN, resolution, root, size_of, state_at
 from tamias2d.event_driven.kinds import has_hull
-from tamias2d.event_driven.tables import (
-    AT_START,
-    AX,
-    AY,
-    NORMAL_X,
-    NORMAL_Y,
-    OFFSET,
-    PLANE,
-    RADIUS,
-    Moving,
-    Pair,
-    World,
-)
+from tamias2d.event_driven.tables import Moving, Pair, World
 from tamias2d.generated.continuous_collision import (
     advance_opening,
     centre_acceleration_least,
@@ -42,32 +31,32 @@ def earliest_meeting(i: int, j: int, start: float, limit: float, world: World) -
     """
     a, b = state_at(i, start, world.paths), state_at(j, start, world.paths)
     blur = BLURRED * resolution(a, b, size_of(i, world), size_of(j, world), limit)
-    if world.kinds[i] == PLANE:
+    if world.kinds[i] == tb.PLANE:
         return start + before_plane(i, j, b, blur, world)
-    if world.kinds[j] == PLANE:
+    if world.kinds[j] == tb.PLANE:
         return start + before_plane(j, i, a, blur, world)
-    base = world.bodies[i, RADIUS] + world.bodies[j, RADIUS]
+    base = world.bodies[i, tb.RADIUS] + world.bodies[j, tb.RADIUS]
     if blur > base * MARGIN:
         return start
     one, other = world.paths[i], world.paths[j]
-    pull = (other[AX] - one[AX], other[AY] - one[AY])
+    pull = (other[tb.AX] - one[tb.AX], other[tb.AY] - one[tb.AY])
     return start + before_disc(a, b, pull, base * (1.0 + MARGIN), may_part(i, j, world))
 
 
 @inlined
 def may_part(i: int, j: int, world: World) -> bool:
     """Return whether a pair that touches and parts does not meet: one with corners may turn."""
-    return bool(world.counts[AT_START] == 0 and not has_hull(i, j, world))
+    return bool(world.counts[tb.AT_START] == 0 and not has_hull(i, j, world))
 
 
 @inlined
 def before_plane(plane: int, k: int, state: Moving, blur: float, world: World) -> float:
     """Return how long a body in a state does not meet a half-plane, s."""
-    wall, path, radius = world.bodies[plane], world.paths[k], world.bodies[k, RADIUS]
-    ux, uy = wall[NORMAL_X], wall[NORMAL_Y]
+    wall, path, radius = world.bodies[plane], world.paths[k], world.bodies[k, tb.RADIUS]
+    ux, uy = wall[tb.NORMAL_X], wall[tb.NORMAL_Y]
     x, y = state[0] - world.paths[plane, 0], state[1] - world.paths[plane, 1]
-    gap = ux * x + uy * y - wall[OFFSET] - radius * (1.0 + MARGIN)
-    rate, least = ux * state[3] + uy * state[4], ux * path[AX] + uy * path[AY]
+    gap = ux * x + uy * y - wall[tb.OFFSET] - radius * (1.0 + MARGIN)
+    rate, least = ux * state[3] + uy * state[4], ux * path[tb.AX] + uy * path[tb.AY]
     if blur > radius * MARGIN:
         return 0.0
     if gap > 0.0:

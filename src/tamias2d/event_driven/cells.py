@@ -8,45 +8,27 @@ all.
 
 from math import floor, inf
 
+from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.approach import root, state_at
-from tamias2d.event_driven.tables import (
-    ACROSS,
-    AX,
-    AY,
-    BEFORE,
-    CELL,
-    NEXT,
-    NORMAL_X,
-    NORMAL_Y,
-    OFFSET,
-    ORIGIN_X,
-    ORIGIN_Y,
-    PLANE,
-    RADIUS,
-    SLACK,
-    UP,
-    World,
-    X,
-    Y,
-)
+from tamias2d.event_driven.tables import World
 from tamias2d.kernels.assembled import inlined
 
 
 def gather(k: int, world: World) -> int:
     """List the bodies that are near to one; return how many."""
     count = 0
-    if world.notes[k, ACROSS] < 0:
+    if world.notes[k, tb.ACROSS] < 0:
         for other in range(len(world.kinds)):
             if other != k:
                 world.near[count] = other
                 count += 1
         return count
     for other in world.everywhere:
-        if world.kinds[other] != PLANE or reaches(k, other, world):
+        if world.kinds[other] != tb.PLANE or reaches(k, other, world):
             world.near[count] = other
             count += 1
     across, up = world.cells.shape
-    left, low = world.notes[k, ACROSS], world.notes[k, UP]
+    left, low = world.notes[k, tb.ACROSS], world.notes[k, tb.UP]
     for column in range(max(left - 1, 0), min(left + 2, across)):
         for row in range(max(low - 1, 0), min(low + 2, up)):
             other = world.cells[column, row] - 1
@@ -54,7 +36,7 @@ def gather(k: int, world: World) -> int:
                 if other != k:
                     world.near[count] = other
                     count += 1
-                other = world.notes[other, NEXT] - 1
+                other = world.notes[other, tb.NEXT] - 1
     return count
 
 
@@ -62,16 +44,18 @@ def gather(k: int, world: World) -> int:
 def reaches(k: int, plane: int, world: World) -> bool:
     """Return whether a body may reach a half-plane from its cell."""
     across, up = world.cells.shape
-    column, row = world.notes[k, ACROSS], world.notes[k, UP]
+    column, row = world.notes[k, tb.ACROSS], world.notes[k, tb.UP]
     if column == 0 or row == 0 or column == across - 1 or row == up - 1:
         return True
-    half = world.numbers[CELL] / 2.0
-    x = world.numbers[ORIGIN_X] + world.numbers[CELL] * column + half
-    y = world.numbers[ORIGIN_Y] + world.numbers[CELL] * row + half
+    half = world.numbers[tb.CELL] / 2.0
+    x = world.numbers[tb.ORIGIN_X] + world.numbers[tb.CELL] * column + half
+    y = world.numbers[tb.ORIGIN_Y] + world.numbers[tb.CELL] * row + half
     body, wall = world.bodies[k], world.bodies[plane]
-    ux, uy = wall[NORMAL_X], wall[NORMAL_Y]
-    reach = (half + 2.0 * world.numbers[SLACK]) * (abs(ux) + abs(uy)) + body[RADIUS]
-    away = ux * (x - world.paths[plane, X]) + uy * (y - world.paths[plane, Y]) - wall[OFFSET]
+    ux, uy = wall[tb.NORMAL_X], wall[tb.NORMAL_Y]
+    reach = (half + 2.0 * world.numbers[tb.SLACK]) * (abs(ux) + abs(uy)) + body[tb.RADIUS]
+    away = (
+        ux * (x - world.paths[plane, tb.X]) + uy * (y - world.paths[plane, tb.Y]) - wall[tb.OFFSET]
+    )
     return bool(away <= reach)
 
 
@@ -80,13 +64,13 @@ def enter(k: int, time: float, world: World) -> None:
     """Put a body into the cell in which it is, and find when it leaves it."""
     state = state_at(k, time, world.paths)
     across, up = world.cells.shape
-    column = cell_of(state[0] - world.numbers[ORIGIN_X], across, world.numbers[CELL])
-    row = cell_of(state[1] - world.numbers[ORIGIN_Y], up, world.numbers[CELL])
+    column = cell_of(state[0] - world.numbers[tb.ORIGIN_X], across, world.numbers[tb.CELL])
+    row = cell_of(state[1] - world.numbers[tb.ORIGIN_Y], up, world.numbers[tb.CELL])
     note = world.notes[k]
-    note[ACROSS], note[UP], note[BEFORE] = column, row, 0
-    note[NEXT] = world.cells[column, row]
-    if note[NEXT] > 0:
-        world.notes[note[NEXT] - 1, BEFORE] = k + 1
+    note[tb.ACROSS], note[tb.UP], note[tb.BEFORE] = column, row, 0
+    note[tb.NEXT] = world.cells[column, row]
+    if note[tb.NEXT] > 0:
+        world.notes[note[tb.NEXT] - 1, tb.BEFORE] = k + 1
     world.cells[column, row] = k + 1
 
 
@@ -94,12 +78,12 @@ def enter(k: int, time: float, world: World) -> None:
 def leave(k: int, world: World) -> None:
     """Take a body out of its cell."""
     note = world.notes[k]
-    if note[BEFORE] > 0:
-        world.notes[note[BEFORE] - 1, NEXT] = note[NEXT]
+    if note[tb.BEFORE] > 0:
+        world.notes[note[tb.BEFORE] - 1, tb.NEXT] = note[tb.NEXT]
     else:
-        world.cells[note[ACROSS], note[UP]] = note[NEXT]
-    if note[NEXT] > 0:
-        world.notes[note[NEXT] - 1, BEFORE] = note[BEFORE]
+        world.cells[note[tb.ACROSS], note[tb.UP]] = note[tb.NEXT]
+    if note[tb.NEXT] > 0:
+        world.notes[note[tb.NEXT] - 1, tb.BEFORE] = note[tb.BEFORE]
 
 
 def cell_of(distance: float, count: int, size: float) -> int:
@@ -110,17 +94,23 @@ def cell_of(distance: float, count: int, size: float) -> int:
 @inlined
 def time_of_leaving(k: int, time: float, world: World) -> float:
     """Return when a body leaves its cell, s, if nothing happens to it; infinity if never."""
-    if world.notes[k, ACROSS] < 0:
+    if world.notes[k, tb.ACROSS] < 0:
         return inf
     x, y, _, u, v, _ = state_at(k, time, world.paths)
     across, up = world.cells.shape
     path, numbers = world.paths[k], world.numbers
-    column, row = world.notes[k, ACROSS], world.notes[k, UP]
+    column, row = world.notes[k, tb.ACROSS], world.notes[k, tb.UP]
     first = time_of_crossing(
-        x - numbers[ORIGIN_X], u, path[AX], column, across, numbers[CELL], numbers[SLACK]
+        x - numbers[tb.ORIGIN_X],
+        u,
+        path[tb.AX],
+        column,
+        across,
+        numbers[tb.CELL],
+        numbers[tb.SLACK],
     )
     second = time_of_crossing(
-        y - numbers[ORIGIN_Y], v, path[AY], row, up, numbers[CELL], numbers[SLACK]
+        y - numbers[tb.ORIGIN_Y], v, path[tb.AY], row, up, numbers[tb.CELL], numbers[tb.SLACK]
     )
     return time + min(first, second)
 

@@ -5,37 +5,14 @@ Cost of an event: O(log n), and a search for each body that is near to those of 
 
 from math import inf
 
+from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.cells import enter, gather, leave, time_of_leaving
 from tamias2d.event_driven.few import are_few, follow_few
 from tamias2d.event_driven.instant import is_full, meet, tell
 from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.meeting import look, meets, search
 from tamias2d.event_driven.queue import has_room, is_void, pop, push
-from tamias2d.event_driven.tables import (
-    ACROSS,
-    AT_START,
-    AX,
-    CHANGED,
-    COLUMNS,
-    CROWDED,
-    DONE,
-    END,
-    EVENTS,
-    FIRST,
-    FULL,
-    IMPACTS,
-    INSTANT,
-    LIMIT,
-    MEETING,
-    NOW,
-    NOWHERE,
-    OTHER,
-    SEARCH,
-    SECOND,
-    START,
-    World,
-    Worlds,
-)
+from tamias2d.event_driven.tables import World, Worlds
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
@@ -48,51 +25,51 @@ def follow(world: World) -> int:
     What is not decided is left as it is, for others to decide: the paths are those before it, and
     `counts` say who meets.
     """
-    while world.counts[CHANGED] > 0:
+    while world.counts[tb.CHANGED] > 0:
         if not has_room(most_events(world), world):
-            return CROWDED
-        world.counts[CHANGED] -= 1
-        if not set_out(world.changed[world.counts[CHANGED]], -1, world.numbers[NOW], world):
-            return SEARCH
-    world.counts[AT_START] = 0
+            return tb.CROWDED
+        world.counts[tb.CHANGED] -= 1
+        if not set_out(world.changed[world.counts[tb.CHANGED]], -1, world.numbers[tb.NOW], world):
+            return tb.SEARCH
+    world.counts[tb.AT_START] = 0
     for _ in range(MOST_EVENTS):
-        if world.counts[EVENTS] == 0 or world.queue[0] > world.numbers[LIMIT]:
-            world.numbers[NOW] = world.numbers[LIMIT]
-            return DONE
+        if world.counts[tb.EVENTS] == 0 or world.queue[0] > world.numbers[tb.LIMIT]:
+            world.numbers[tb.NOW] = world.numbers[tb.LIMIT]
+            return tb.DONE
         if not has_room(most_events(world), world):
-            return CROWDED
+            return tb.CROWDED
         if is_full(world):
-            return FULL
+            return tb.FULL
         status = happen(world)
-        if status != DONE:
+        if status != tb.DONE:
             return status
-    return FULL
+    return tb.FULL
 
 
 @inlined
 def happen(world: World) -> int:
     """Let the first event happen, unless it is void."""
     time, void = world.queue[0], is_void(0, world)
-    i, j = world.events[0, FIRST], world.events[0, SECOND]
+    i, j = world.events[0, tb.FIRST], world.events[0, tb.SECOND]
     pop(world)
     if void:
-        return DONE
+        return tb.DONE
     if i > j:
-        return DONE if search(j, i, limit_of(j, i, world), world) else SEARCH
-    world.numbers[NOW] = time
+        return tb.DONE if search(j, i, limit_of(j, i, world), world) else tb.SEARCH
+    world.numbers[tb.NOW] = time
     if i == j:
         leave(i, world)
-        world.leaving[i] = NOWHERE
-        return DONE if set_out(i, -1, time, world) else SEARCH
+        world.leaving[i] = tb.NOWHERE
+        return tb.DONE if set_out(i, -1, time, world) else tb.SEARCH
     if not meet(i, j, time, world):
-        world.counts[MEETING], world.counts[OTHER] = i, j
-        return INSTANT
+        world.counts[tb.MEETING], world.counts[tb.OTHER] = i, j
+        return tb.INSTANT
     first, second = (i, j) if is_pushed(i, world) else (j, i)
     both = is_pushed(second, world)  # when both leave their cells is known to the second search
     good = set_out(first, second if both else -1, time, world)
     if good and both:
         good = set_out(second, -1, time, world)
-    return DONE if good else SEARCH
+    return tb.DONE if good else tb.SEARCH
 
 
 def most_events(world: World) -> int:
@@ -105,7 +82,7 @@ def set_out(k: int, but: int, time: float, world: World) -> bool:
 
     It is put into its cell where it is in none yet.
     """
-    if world.leaving[k] == NOWHERE:
+    if world.leaving[k] == tb.NOWHERE:
         enter(k, time, world)
     world.leaving[k] = time_of_leaving(k, time, world)
     if world.leaving[k] < inf:
@@ -123,7 +100,7 @@ def set_out(k: int, but: int, time: float, world: World) -> bool:
 @inlined
 def limit_of(i: int, j: int, world: World) -> float:
     """Return until when a pair is searched, s: another search follows where a body leaves."""
-    return float(min(world.leaving[i], world.leaving[j], world.numbers[END]))
+    return float(min(world.leaving[i], world.leaving[j], world.numbers[tb.END]))
 
 
 def follow_worlds(worlds: Worlds) -> int:
@@ -133,7 +110,7 @@ def follow_worlds(worlds: Worlds) -> int:
         begin(worlds.bodies[w], worlds.laws[w], worlds.world)
         worlds.status[w] = 0
         ended = follow_few(worlds.world, worlds.few) if few else follow(worlds.world)
-        if ended == DONE:
+        if ended == tb.DONE:
             finish(worlds.world, worlds.samples[w])
             worlds.status[w] = 1
             done += 1
@@ -142,18 +119,18 @@ def follow_worlds(worlds: Worlds) -> int:
 
 def begin(bodies: Array, laws: Array, world: World) -> None:
     """Set a world to the start of one of many; none of its bodies is in a cell."""
-    copy(bodies, world.bodies, COLUMNS)
+    copy(bodies, world.bodies, tb.COLUMNS)
     copy(laws, world.laws, 2)
-    copy(bodies, world.paths, START)
-    world.paths[:, START] = 0.0
+    copy(bodies, world.paths, tb.START)
+    world.paths[:, tb.START] = 0.0
     world.notes[:, :] = 0
-    world.notes[:, ACROSS] = -1
+    world.notes[:, tb.ACROSS] = -1
     world.bounces[:, :] = 0.0
     world.leaving[:] = inf
-    world.numbers[NOW] = 0.0
-    world.counts[EVENTS] = world.counts[IMPACTS] = 0
-    world.counts[AT_START] = 1
-    world.counts[CHANGED] = len(world.kinds)
+    world.numbers[tb.NOW] = 0.0
+    world.counts[tb.EVENTS] = world.counts[tb.IMPACTS] = 0
+    world.counts[tb.AT_START] = 1
+    world.counts[tb.CHANGED] = len(world.kinds)
     for k in range(len(world.kinds)):
         world.changed[k] = k
 
@@ -162,7 +139,7 @@ def finish(world: World, samples: Array) -> None:
     """Write down all samples that are left, and hand them out."""
     for k in range(len(world.kinds)):
         tell(k, inf, world)
-    copy(world.samples, samples, AX)  # the states
+    copy(world.samples, samples, tb.AX)  # the states
 
 
 def copy(source: Array, target: Array, columns: int) -> None:

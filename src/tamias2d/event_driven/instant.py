@@ -7,55 +7,13 @@ happens at an instant, a contact that lasts above all, is not decided here.
 from math import inf
 
 from tamias2d.contact.rest_time import better_estimate
+from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.approach import EPSILON, state_at
 from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.laws import friction_of, restitution_of
 from tamias2d.event_driven.length import hypot
 from tamias2d.event_driven.settling import settle
-from tamias2d.event_driven.tables import (
-    ALONG_X,
-    ALONG_Y,
-    AX,
-    AY,
-    BEST,
-    DEPARTURES,
-    DOUBT,
-    HELD_BY,
-    IMPACTS,
-    IMPULSE,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    LAST,
-    NORMAL_VELOCITY,
-    NOW,
-    PATH_COLUMNS,
-    PLANE,
-    POINT_X,
-    POINT_Y,
-    RADIUS,
-    ROUNDING,
-    SETTLES,
-    SEVERAL,
-    SPIN,
-    STALLED,
-    START,
-    TIME,
-    TOLD,
-    TURN,
-    TURNING,
-    VERSION,
-    VX,
-    VY,
-    WITH,
-    A,
-    B,
-    Moving,
-    Pair,
-    Point,
-    World,
-    X,
-    Y,
-)
+from tamias2d.event_driven.tables import Moving, Pair, Point, World
 from tamias2d.event_driven.touch import touch_of, touches_third
 from tamias2d.generated import friction, impact, rest
 from tamias2d.kernels.arrays import FloatRows
@@ -96,7 +54,7 @@ def collide(i: int, j: int, time: float, world: World) -> bool:
             return False
     noise = speed * (64 * EPSILON)
     q, arm = (a, arm_a) if swapped == 1 else (b, arm_b)
-    before = world.counts[IMPACTS]
+    before = world.counts[tb.IMPACTS]
     after_a, after_b, rate = rebound(a, b, arm_a, arm_b, normal, noise, restitution, i, j, world)
     staying = abs(rate) <= noise
     on_points = pressing(arm_a, arm_b, normal, i, j, world)
@@ -104,11 +62,18 @@ def collide(i: int, j: int, time: float, world: World) -> bool:
     opening = opening_acceleration(on_points, pair[0], pair[1], point, sided)
     if not staying and opening < 0.0:
         staying = rest.bounce_height(rate, opening) <= tolerance
-    if rate < -noise or before == world.counts[IMPACTS] or (staying and not world.counts[SETTLES]):
-        world.counts[IMPACTS] = before
+    if (
+        rate < -noise
+        or before == world.counts[tb.IMPACTS]
+        or (staying and not world.counts[tb.SETTLES])
+    ):
+        world.counts[tb.IMPACTS] = before
         return False
-    for row in range(before, world.counts[IMPACTS]):
-        world.impacts[row, POINT_X], world.impacts[row, POINT_Y] = q[0] + arm[0], q[1] + arm[1]
+    for row in range(before, world.counts[tb.IMPACTS]):
+        world.impacts[row, tb.POINT_X], world.impacts[row, tb.POINT_Y] = (
+            q[0] + arm[0],
+            q[1] + arm[1],
+        )
     forecast(i, j, time, rate, opening, restitution, tolerance, world)
     depart(i, time, after_a, world)
     depart(j, time, after_b, world)
@@ -118,8 +83,8 @@ def collide(i: int, j: int, time: float, world: World) -> bool:
 @inlined
 def is_full(world: World) -> bool:
     """Return whether the records have no room for what one instant may add."""
-    impacts = world.counts[IMPACTS] + MOST_IMPULSES > len(world.impacts)
-    few = world.counts[DEPARTURES] + 2 > len(world.departures)
+    impacts = world.counts[tb.IMPACTS] + MOST_IMPULSES > len(world.impacts)
+    few = world.counts[tb.DEPARTURES] + 2 > len(world.departures)
     return bool(impacts or (few and len(world.departures) > 0))
 
 
@@ -127,13 +92,15 @@ def is_full(world: World) -> bool:
 def is_bound(k: int, time: float, world: World) -> bool:
     """Return whether a body rests, bounces on several others, or does not get on in time."""
     note = world.notes[k]
-    repeats = note[STALLED] >= MOST_REPEATS and world.paths[k, START] >= time * (1 - 4 * EPSILON)
-    return bool(note[HELD_BY] > 0 or world.bounces[k, WITH] == SEVERAL or repeats)
+    repeats = note[tb.STALLED] >= MOST_REPEATS and world.paths[k, tb.START] >= time * (
+        1 - 4 * EPSILON
+    )
+    return bool(note[tb.HELD_BY] > 0 or world.bounces[k, tb.WITH] == tb.SEVERAL or repeats)
 
 
 def reach(k: int, world: World) -> float:
     """Return the radius of a body, m; of a half-plane it is infinite."""
-    return inf if world.kinds[k] == PLANE else world.bodies[k, RADIUS]
+    return inf if world.kinds[k] == tb.PLANE else world.bodies[k, tb.RADIUS]
 
 
 def arms(
@@ -142,7 +109,7 @@ def arms(
     """Return the arms of both bodies to where they touch, m."""
     p, q = (b, a) if swapped == 1 else (a, b)
     ux, uy, wx, wy, _, _ = point
-    radius = world.bodies[i, ROUNDING] if swapped == 1 else world.bodies[j, ROUNDING]
+    radius = world.bodies[i, tb.ROUNDING] if swapped == 1 else world.bodies[j, tb.ROUNDING]
     arm_q = (wx - radius * ux, wy - radius * uy)
     arm_p = (arm_q[0] + (q[0] - p[0]), arm_q[1] + (q[1] - p[1]))
     return (arm_q, arm_p) if swapped == 1 else (arm_p, arm_q)
@@ -218,7 +185,7 @@ def normal_velocity(a: Moving, b: Moving, arm_a: Pair, arm_b: Pair, normal: Pair
 @inlined
 def inverses(k: int, world: World) -> Pair:
     """Return the inverses of the mass, 1/kg, and of the inertia, 1/(kg m^2), of a body."""
-    return world.bodies[k, INVERSE_MASS], world.bodies[k, INVERSE_INERTIA]
+    return world.bodies[k, tb.INVERSE_MASS], world.bodies[k, tb.INVERSE_INERTIA]
 
 
 @inlined
@@ -307,11 +274,11 @@ def after_friction(
 @inlined
 def note_impact(i: int, j: int, normal: Pair, impulse: float, rate: float, world: World) -> None:
     """Record an impulse, but for where it acts."""
-    row = world.impacts[world.counts[IMPACTS]]
-    world.counts[IMPACTS] += 1
-    row[TIME], row[A], row[B] = world.numbers[NOW], i, j
-    row[ALONG_X], row[ALONG_Y] = normal
-    row[IMPULSE], row[NORMAL_VELOCITY] = impulse, rate
+    row = world.impacts[world.counts[tb.IMPACTS]]
+    world.counts[tb.IMPACTS] += 1
+    row[tb.TIME], row[tb.A], row[tb.B] = world.numbers[tb.NOW], i, j
+    row[tb.ALONG_X], row[tb.ALONG_Y] = normal
+    row[tb.IMPULSE], row[tb.NORMAL_VELOCITY] = impulse, rate
 
 
 @inlined
@@ -350,7 +317,7 @@ def pull_on(k: int, world: World) -> tuple[float, float, float]:
     if not is_pushed(k, world):
         return 0.0, 0.0, 0.0
     body = world.bodies[k]
-    return body[AX], body[AY], body[TURNING]
+    return body[tb.AX], body[tb.AY], body[tb.TURNING]
 
 
 @inlined
@@ -367,11 +334,11 @@ def forecast(
     """Note when the bounces of a pair end, s, if they go on as a geometric series (GD5)."""
     known = True
     for k, other in ((i, j), (j, i)):
-        known = known and (not is_pushed(k, world) or world.bounces[k, WITH] == other + 1)
+        known = known and (not is_pushed(k, world) or world.bounces[k, tb.WITH] == other + 1)
     last, best, doubt = 0.0, 0.0, -1.0
     if known:
         row = world.bounces[i if is_pushed(i, world) else j]
-        last, best, doubt = row[LAST], row[BEST], row[DOUBT]
+        last, best, doubt = row[tb.LAST], row[tb.BEST], row[tb.DOUBT]
     if opening * (1 - restitution) < 0.0:
         end = time + rest.time_to_rest(rate, opening, restitution)
         if end > 0.0:
@@ -380,8 +347,8 @@ def forecast(
     for k, other in ((i, j), (j, i)):
         if is_pushed(k, world):
             row = world.bounces[k]
-            row[WITH] = other + 1 if doubt >= 0.0 else 0.0
-            row[LAST], row[BEST], row[DOUBT] = last, best, doubt
+            row[tb.WITH] = other + 1 if doubt >= 0.0 else 0.0
+            row[tb.LAST], row[tb.BEST], row[tb.DOUBT] = last, best, doubt
 
 
 def depart(k: int, time: float, state: Moving, world: World) -> None:
@@ -390,29 +357,29 @@ def depart(k: int, time: float, state: Moving, world: World) -> None:
         return
     tell(k, time, world)
     path, body, note = world.paths[k], world.bodies[k], world.notes[k]
-    stalled = path[START] >= time * (1 - 4 * EPSILON)
-    note[STALLED] = note[STALLED] + 1 if stalled else 0
-    note[VERSION] += 1
-    path[X], path[Y], path[TURN], path[VX], path[VY], path[SPIN] = state
-    path[AX], path[AY], path[TURNING] = body[AX], body[AY], body[TURNING]
-    path[START] = time
+    stalled = path[tb.START] >= time * (1 - 4 * EPSILON)
+    note[tb.STALLED] = note[tb.STALLED] + 1 if stalled else 0
+    note[tb.VERSION] += 1
+    path[tb.X], path[tb.Y], path[tb.TURN], path[tb.VX], path[tb.VY], path[tb.SPIN] = state
+    path[tb.AX], path[tb.AY], path[tb.TURNING] = body[tb.AX], body[tb.AY], body[tb.TURNING]
+    path[tb.START] = time
     if len(world.departures) > 0:
-        note_departure(k, world.paths, world.departures[world.counts[DEPARTURES]])
-        world.counts[DEPARTURES] += 1
+        note_departure(k, world.paths, world.departures[world.counts[tb.DEPARTURES]])
+        world.counts[tb.DEPARTURES] += 1
 
 
 def note_departure(k: int, paths: FloatRows, row: Array) -> None:
     """Record the new path of a body."""
     row[0] = k
-    for column in range(PATH_COLUMNS):
+    for column in range(tb.PATH_COLUMNS):
         row[1 + column] = paths[k, column]
 
 
 def tell(k: int, until: float, world: World) -> None:
     """Write down the states of a body on its path at all samples before a time, s."""
     note, count = world.notes[k], len(world.kinds)
-    while note[TOLD] < len(world.times) and world.times[note[TOLD]] < until:
-        x, y, turn, u, v, spin = state_at(k, world.times[note[TOLD]], world.paths)
-        row = world.samples[count * note[TOLD] + k]
+    while note[tb.TOLD] < len(world.times) and world.times[note[tb.TOLD]] < until:
+        x, y, turn, u, v, spin = state_at(k, world.times[note[tb.TOLD]], world.paths)
+        row = world.samples[count * note[tb.TOLD] + k]
         row[0], row[1], row[2], row[3], row[4], row[5] = x, y, turn, u, v, spin
-        note[TOLD] += 1
+        note[tb.TOLD] += 1

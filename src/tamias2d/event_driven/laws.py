@@ -1,6 +1,7 @@
 """The restitution and the friction of a pair, as `Scene.restitution` and `Scene.friction` say."""
 
-from tamias2d.event_driven.tables import FRICTION, RESTITUTION, World
+from tamias2d.event_driven import tables as tb
+from tamias2d.event_driven.tables import World
 from tamias2d.generated import definitions
 
 
@@ -9,7 +10,7 @@ def restitution_of(i: int, j: int, world: World) -> float:
     place = place_of(i, j, world)
     if place >= 0 and world.laws[place, 0] >= 0.0:
         return float(world.laws[place, 0])
-    one, other = world.bodies[i, RESTITUTION], world.bodies[j, RESTITUTION]
+    one, other = world.bodies[i, tb.RESTITUTION], world.bodies[j, tb.RESTITUTION]
     if one < 0.0 or other < 0.0:
         return float(max(one, other))
     return float(definitions.pair_restitution(one, other))
@@ -20,7 +21,7 @@ def friction_of(i: int, j: int, world: World) -> float:
     place = place_of(i, j, world)
     if place >= 0 and world.laws[place, 1] >= 0.0:
         return float(world.laws[place, 1])
-    one, other = world.bodies[i, FRICTION], world.bodies[j, FRICTION]
+    one, other = world.bodies[i, tb.FRICTION], world.bodies[j, tb.FRICTION]
     if one < 0.0 or other < 0.0:
         return float(max(one, other, 0.0))
     return float(definitions.pair_friction(one, other))

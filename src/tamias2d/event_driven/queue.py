@@ -4,43 +4,38 @@ An event is void when one of its bodies has gone on another path since. It is dr
 up, or when the queue is full. Cost: O(log n) for an event.
 """
 
-from tamias2d.event_driven.tables import (
-    EVENT_COLUMNS,
-    EVENTS,
-    FIRST,
-    FIRST_VERSION,
-    SECOND,
-    SECOND_VERSION,
-    VERSION,
-    World,
-)
+from tamias2d.event_driven import tables as tb
+from tamias2d.event_driven.tables import World
 from tamias2d.kernels.assembled import inlined
 
 
 def has_room(count: int, world: World) -> bool:
     """Return whether some events more have room, after void ones were dropped if need be."""
-    if world.counts[EVENTS] + count > len(world.queue):
+    if world.counts[tb.EVENTS] + count > len(world.queue):
         drop_void(world)
-    return bool(world.counts[EVENTS] + count <= len(world.queue))
+    return bool(world.counts[tb.EVENTS] + count <= len(world.queue))
 
 
 @inlined
 def push(time: float, i: int, j: int, world: World) -> None:
     """Add an event of two bodies, or of one twice."""
-    place = world.counts[EVENTS]
-    world.counts[EVENTS] += 1
+    place = world.counts[tb.EVENTS]
+    world.counts[tb.EVENTS] += 1
     world.queue[place] = time
     row = world.events[place]
-    row[FIRST], row[SECOND] = i, j
-    row[FIRST_VERSION], row[SECOND_VERSION] = world.notes[i, VERSION], world.notes[j, VERSION]
+    row[tb.FIRST], row[tb.SECOND] = i, j
+    row[tb.FIRST_VERSION], row[tb.SECOND_VERSION] = (
+        world.notes[i, tb.VERSION],
+        world.notes[j, tb.VERSION],
+    )
     rise(place, world)
 
 
 @inlined
 def pop(world: World) -> None:
     """Remove the first event."""
-    world.counts[EVENTS] -= 1
-    last = world.counts[EVENTS]
+    world.counts[tb.EVENTS] -= 1
+    last = world.counts[tb.EVENTS]
     if last > 0:
         move(last, 0, world)
         sink(0, world)
@@ -50,18 +45,18 @@ def pop(world: World) -> None:
 def is_void(place: int, world: World) -> bool:
     """Return whether a body of an event has another path by now."""
     event = world.events[place]
-    first = world.notes[event[FIRST], VERSION] != event[FIRST_VERSION]
-    return bool(first or world.notes[event[SECOND], VERSION] != event[SECOND_VERSION])
+    first = world.notes[event[tb.FIRST], tb.VERSION] != event[tb.FIRST_VERSION]
+    return bool(first or world.notes[event[tb.SECOND], tb.VERSION] != event[tb.SECOND_VERSION])
 
 
 def drop_void(world: World) -> None:
     """Remove all events that have become void."""
     count = 0
-    for place in range(world.counts[EVENTS]):
+    for place in range(world.counts[tb.EVENTS]):
         if not is_void(place, world):
             move(place, count, world)
             count += 1
-    world.counts[EVENTS] = count
+    world.counts[tb.EVENTS] = count
     for place in range(count // 2 - 1, -1, -1):
         sink(place, world)
 
@@ -78,7 +73,7 @@ def rise(place: int, world: World) -> None:
 
 def sink(place: int, world: World) -> None:
     """Move an event down to where it belongs."""
-    count = world.counts[EVENTS]
+    count = world.counts[tb.EVENTS]
     while True:
         below = 2 * place + 1
         if below >= count:
@@ -97,9 +92,9 @@ def before(one: int, other: int, world: World) -> bool:
     if world.queue[one] != world.queue[other]:
         return bool(world.queue[one] < world.queue[other])
     first, second = world.events[one], world.events[other]
-    if first[FIRST] != second[FIRST]:
-        return bool(first[FIRST] < second[FIRST])
-    return bool(first[SECOND] < second[SECOND])
+    if first[tb.FIRST] != second[tb.FIRST]:
+        return bool(first[tb.FIRST] < second[tb.FIRST])
+    return bool(first[tb.SECOND] < second[tb.SECOND])
 
 
 @inlined
@@ -107,7 +102,7 @@ def swap(one: int, other: int, world: World) -> None:
     """Exchange two events."""
     world.queue[one], world.queue[other] = world.queue[other], world.queue[one]
     first, second = world.events[one], world.events[other]
-    for column in range(EVENT_COLUMNS):
+    for column in range(tb.EVENT_COLUMNS):
         first[column], second[column] = second[column], first[column]
 
 
@@ -115,5 +110,5 @@ def move(one: int, other: int, world: World) -> None:
     """Put an event into another place."""
     world.queue[other] = world.queue[one]
     source, target = world.events[one], world.events[other]
-    for column in range(EVENT_COLUMNS):
+    for column in range(tb.EVENT_COLUMNS):
         target[column] = source[column]

@@ -1,7 +1,7 @@
 """The tables of bodies that are followed from impact to impact.
 
 Every number that the compiled code reads or writes is in a group of arrays; each column has a name
-here.
+here, which the modules around read as `tb.NAME`.
 """
 
 from typing import NamedTuple, TypeAlias

@@ -1,5 +1,6 @@
 """In which one point a pair touches, if in one, and whether it touches a third body besides."""
 
+from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.approach import (
     MARGIN,
     axis_of,
@@ -13,26 +14,7 @@ from tamias2d.event_driven.cells import gather
 from tamias2d.event_driven.kinds import has_hull, is_pushed
 from tamias2d.event_driven.meeting import meets
 from tamias2d.event_driven.stand import resolution_of, stand, turn
-from tamias2d.event_driven.tables import (
-    AXIS_GAP,
-    AXIS_X,
-    AXIS_Y,
-    FIRST_STAND,
-    GAP,
-    P_X,
-    P_Y,
-    PLANE,
-    Q_X,
-    Q_Y,
-    RADIUS,
-    SECOND_STAND,
-    SIDE,
-    SWAPPED,
-    Moving,
-    Pair,
-    Point,
-    World,
-)
+from tamias2d.event_driven.tables import Moving, Pair, Point, World
 from tamias2d.kernels.assembled import inlined, separate
 
 NOT_ONE = -1.0
@@ -50,7 +32,7 @@ def touch_of(
         return touch_of_hulls(i, j, time, world)
     tolerance = resolution(a, b, size_of(i, world), size_of(j, world), time)
     ux, uy, gap, swapped = axis_of(a, b, i, j, world)
-    sided = 1 if world.kinds[i] == PLANE or world.kinds[j] == PLANE else 0
+    sided = 1 if world.kinds[i] == tb.PLANE or world.kinds[j] == tb.PLANE else 0
     good = gap <= tolerance
     return (ux, uy, 0.0, 0.0, 0.0, 0.0), swapped, sided, tolerance if good else NOT_ONE
 
@@ -60,31 +42,31 @@ def touch_of_hulls(i: int, j: int, time: float, world: World) -> tuple[Point, in
     """Return what `touch_of` does, for a pair with corners; undecided where several axes touch."""
     tolerance, count = axes_at(i, j, time, world)
     best = best_axis(count, world)
-    gap = world.hulls.axes[best, AXIS_GAP]
-    sided = 1 if world.hulls.owners[best, SIDE] >= 0 else 0
+    gap = world.hulls.axes[best, tb.AXIS_GAP]
+    sided = 1 if world.hulls.owners[best, tb.SIDE] >= 0 else 0
     good = gap <= tolerance
     for axis in range(count):
-        good = good and (axis == best or world.hulls.axes[axis, AXIS_GAP] < gap - tolerance)
+        good = good and (axis == best or world.hulls.axes[axis, tb.AXIS_GAP] < gap - tolerance)
     nearest, touching = 0, 0
-    for k in range(find_gaps(best, FIRST_STAND, SECOND_STAND, world)):
-        touching += 1 if world.hulls.gaps[k, GAP] <= gap + tolerance else 0
-        if world.hulls.gaps[k, GAP] < world.hulls.gaps[nearest, GAP]:
+    for k in range(find_gaps(best, tb.FIRST_STAND, tb.SECOND_STAND, world)):
+        touching += 1 if world.hulls.gaps[k, tb.GAP] <= gap + tolerance else 0
+        if world.hulls.gaps[k, tb.GAP] < world.hulls.gaps[nearest, tb.GAP]:
             nearest = k
     good = good and not (sided == 1 and touching > 1)
     axis, row = world.hulls.axes[best], world.hulls.gaps[nearest]
-    point = (axis[AXIS_X], axis[AXIS_Y], row[Q_X], row[Q_Y], row[P_X], row[P_Y])
-    return point, world.hulls.owners[best, SWAPPED], sided, tolerance if good else NOT_ONE
+    point = (axis[tb.AXIS_X], axis[tb.AXIS_Y], row[tb.Q_X], row[tb.Q_Y], row[tb.P_X], row[tb.P_Y])
+    return point, world.hulls.owners[best, tb.SWAPPED], sided, tolerance if good else NOT_ONE
 
 
 @separate
 def axes_at(i: int, j: int, time: float, world: World) -> tuple[float, int]:
     """List the axes of a pair with corners at a time, s; return its resolution, m, and how many."""
-    stand(FIRST_STAND, i, time, world)
-    stand(SECOND_STAND, j, time, world)
-    turn(FIRST_STAND, world)
-    turn(SECOND_STAND, world)
-    tolerance = resolution_of(FIRST_STAND, SECOND_STAND, time, world)
-    return tolerance, find_axes(FIRST_STAND, SECOND_STAND, world)
+    stand(tb.FIRST_STAND, i, time, world)
+    stand(tb.SECOND_STAND, j, time, world)
+    turn(tb.FIRST_STAND, world)
+    turn(tb.SECOND_STAND, world)
+    tolerance = resolution_of(tb.FIRST_STAND, tb.SECOND_STAND, time, world)
+    return tolerance, find_axes(tb.FIRST_STAND, tb.SECOND_STAND, world)
 
 
 @inlined
@@ -109,7 +91,7 @@ def gap_between(k: int, a: Moving, other: int, time: float, world: World) -> Pai
     """Return the gap between a body in a state and another one, and its resolution, m."""
     if has_hull(k, other, world):
         tolerance, count = axes_at(k, other, time, world)
-        return float(world.hulls.axes[best_axis(count, world), AXIS_GAP]), tolerance
+        return float(world.hulls.axes[best_axis(count, world), tb.AXIS_GAP]), tolerance
     b = state_at(other, time, world.paths)
     tolerance = resolution(a, b, size_of(k, world), size_of(other, world), time)
     _, _, gap, _ = axis_of(a, b, k, other, world)
@@ -119,8 +101,8 @@ def gap_between(k: int, a: Moving, other: int, time: float, world: World) -> Pai
 @inlined
 def is_far(a: Moving, i: int, j: int, time: float, world: World) -> bool:
     """Return whether a body in a state is well apart from another one at a time, s."""
-    if world.kinds[j] == PLANE:
+    if world.kinds[j] == tb.PLANE:
         return False
     x, y = position_at(j, time, world.paths)
-    apart = (world.bodies[i, RADIUS] + world.bodies[j, RADIUS]) * (1.0 + MARGIN)
+    apart = (world.bodies[i, tb.RADIUS] + world.bodies[j, tb.RADIUS]) * (1.0 + MARGIN)
     return bool((x - a[0]) * (x - a[0]) + (y - a[1]) * (y - a[1]) > apart * apart)
