@@ -5,11 +5,7 @@ import math
 import pytest
 
 import tamias2d as t2
-from tamias2d.contact import (
-    OverlapError,
-    UndecidedContactError,
-    UnlocatedContactError,
-)
+from tamias2d.contact import OverlapError, UndecidedContactError, UnlocatedContactError
 from tamias2d.errors import SceneError
 
 DISC = t2.Disc(radius=0.5)

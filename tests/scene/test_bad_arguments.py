@@ -9,17 +9,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.errors import InputError
-from tamias2d.scene import (
-    Box,
-    Capsule,
-    Compound,
-    Disc,
-    HalfPlane,
-    Part,
-    Polygon,
-    Scene,
-    Segment,
-)
+from tamias2d.scene import Box, Capsule, Compound, Disc, HalfPlane, Part, Polygon, Scene, Segment
 
 NAN, INF = float("nan"), float("inf")
 GOOD: dict[str, Any] = {

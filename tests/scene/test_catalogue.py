@@ -11,16 +11,7 @@ from tamias2d.contact import steps_because
 from tamias2d.contact.core import cores_of
 from tamias2d.contact.overlap import _overlaps
 from tamias2d.errors import SceneError
-from tamias2d.scene import (
-    Disc,
-    Polygon,
-    Scene,
-    catalogue,
-    in_pieces,
-    load,
-    needs,
-    scene_text,
-)
+from tamias2d.scene import Disc, Polygon, Scene, catalogue, in_pieces, load, needs, scene_text
 from tamias2d.state import State
 
 EXPECTED = [

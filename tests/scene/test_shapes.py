@@ -6,17 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from tamias2d.scene import (
-    Box,
-    Capsule,
-    Compound,
-    Disc,
-    HalfPlane,
-    Part,
-    Polygon,
-    Scene,
-    Segment,
-)
+from tamias2d.scene import Box, Capsule, Compound, Disc, HalfPlane, Part, Polygon, Scene, Segment
 
 
 def ring(corners: int, radius: float = 1.0) -> list[tuple[float, float]]:

@@ -7,10 +7,7 @@ from typing import Any
 import numpy as np
 
 import tamias2d as t2
-from tamias2d.scene import (
-    Revolute,
-    Scene,
-)
+from tamias2d.scene import Revolute, Scene
 from tamias2d.simulator import Simulator
 from tests.engine.scenes import ground
 

@@ -7,15 +7,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.errors import StepWarning
-from tamias2d.scene import (
-    Distance,
-    JointSpring,
-    Limits,
-    Motor,
-    Scene,
-    Wheel,
-    catalogue,
-)
+from tamias2d.scene import Distance, JointSpring, Limits, Motor, Scene, Wheel, catalogue
 from tests.engine.scenes import ground, plain
 from tests.simulator.mechanisms import G, governed, pendulum
 

@@ -8,12 +8,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.scene import (
-    Distance,
-    Groove,
-    Revolute,
-    Scene,
-)
+from tamias2d.scene import Distance, Groove, Revolute, Scene
 from tamias2d.simulator import Simulator
 from tests.engine.scenes import plain
 from tests.simulator.mechanisms import G, chain, energy, free_rods, links_on_the_ground

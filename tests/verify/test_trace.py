@@ -6,15 +6,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from tamias2d.errors import InputError
-from tamias2d.trace import (
-    WORST_FIRST,
-    Graph,
-    exit_code,
-    neighbourhood,
-    plan_table,
-    trace,
-    worst,
-)
+from tamias2d.trace import WORST_FIRST, Graph, exit_code, neighbourhood, plan_table, trace, worst
 from tamias2d.verify import results, verify
 from tamias2d.verify.items import items
 from tamias2d.verify.outcome import Outcome

@@ -16,14 +16,7 @@ import mpmath as mp
 import numpy as np
 
 from tamias2d.errors import SceneError, SimulationError
-from tamias2d.motion import (
-    ClosedForm,
-    Dop853,
-    Method,
-    Reference,
-    RungeKutta4,
-    VelocityVerlet,
-)
+from tamias2d.motion import ClosedForm, Dop853, Method, Reference, RungeKutta4, VelocityVerlet
 from tamias2d.run import Run
 from tamias2d.scene import Disc, HalfPlane, Scene, catalogue
 from tamias2d.simulate import simulate

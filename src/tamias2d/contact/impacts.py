@@ -7,11 +7,7 @@ from tamias2d.contact.frictional_impact import after_frictional_impulse, frictio
 from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.inelastic_impact import closing_impulses
 from tamias2d.contact.instant_inputs import InstantInputs
-from tamias2d.contact.jointed_impact import (
-    change_by_unit,
-    changed,
-    impulses as jointed_impulses,
-)
+from tamias2d.contact.jointed_impact import change_by_unit, changed, impulses as jointed_impulses
 from tamias2d.contact.manifold import Contact, normal_velocity, tangent_of
 from tamias2d.contact.modes import Patch
 from tamias2d.contact.refusal import (

@@ -15,11 +15,7 @@ from tamias2d.engine.joints.stages import (
     relax_joints,
     solve_joints,
 )
-from tamias2d.engine.solver.angular_momentum import (
-    add_moments,
-    add_moments_before,
-    begin_moments,
-)
+from tamias2d.engine.solver.angular_momentum import add_moments, add_moments_before, begin_moments
 from tamias2d.engine.solver.blocks import clear_lanes, fill_lanes
 from tamias2d.engine.solver.energy import makes_energy, sum_step_energy
 from tamias2d.engine.solver.energy_bound import bound_energy, note_before_restitution

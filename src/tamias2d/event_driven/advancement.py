@@ -7,13 +7,7 @@ operation.
 from math import inf, pi
 
 from tamias2d.event_driven import tables as tb
-from tamias2d.event_driven.approach import (
-    MOST_STEPS,
-    TINY_STEP,
-    TINY_STEPS,
-    UNDECIDED,
-    root,
-)
+from tamias2d.event_driven.approach import MOST_STEPS, TINY_STEP, TINY_STEPS, UNDECIDED, root
 from tamias2d.event_driven.axes import best_axis, find_axes, find_gaps
 from tamias2d.event_driven.length import hypot
 from tamias2d.event_driven.stand import resolution_of, round_off, stand, turn

@@ -6,14 +6,7 @@ here, which the modules around read as `tb.NAME`.
 
 from typing import NamedTuple, TypeAlias
 
-from tamias2d.kernels.arrays import (
-    FloatBlocks,
-    FloatRows,
-    Floats,
-    IndexRows,
-    Indices,
-    Ranks,
-)
+from tamias2d.kernels.arrays import FloatBlocks, FloatRows, Floats, IndexRows, Indices, Ranks
 
 Moving: TypeAlias = tuple[float, float, float, float, float, float]
 """x, y, m; orientation, rad; velocity, m/s; angular velocity, rad/s"""

@@ -9,15 +9,7 @@ import numpy as np
 from tamias2d.generated import definitions
 from tamias2d.scene.chain import Chain
 from tamias2d.scene.rules import RuleError, Vector, number, sequence, shown, vector
-from tamias2d.scene.shapes import (
-    Box,
-    Capsule,
-    Disc,
-    HalfPlane,
-    Polygon,
-    Segment,
-    Single,
-)
+from tamias2d.scene.shapes import Box, Capsule, Disc, HalfPlane, Polygon, Segment, Single
 from tamias2d.suggestions import suggests
 
 _LOST = 1e-3  # of a side, by which rounding may move one end against the other

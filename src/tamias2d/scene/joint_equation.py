@@ -9,13 +9,7 @@ from functools import cache
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError
 from tamias2d.spec.check import infer
-from tamias2d.spec.constraint import (
-    COORDINATES,
-    ENDS,
-    TIME,
-    Constraint,
-    Values,
-)
+from tamias2d.spec.constraint import COORDINATES, ENDS, TIME, Constraint, Values
 from tamias2d.spec.constraint_functions import ConstraintFunctions, Formula, Value
 from tamias2d.spec.evaluate import Program
 from tamias2d.spec.expression import Node, names, parse, substituted

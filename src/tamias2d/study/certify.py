@@ -10,13 +10,7 @@ from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
 from tamias2d.scene.rules import shown
 from tamias2d.study.bound import Bound, NoBoundError, Way, companion_of
-from tamias2d.study.embedded import (
-    embedded,
-    looser_than,
-    of_halves,
-    of_tighter,
-    whole_beside,
-)
+from tamias2d.study.embedded import embedded, looser_than, of_halves, of_tighter, whole_beside
 from tamias2d.study.error import scale
 from tamias2d.study.exact_bound import exact
 from tamias2d.study.penetration import crowded, penetrations

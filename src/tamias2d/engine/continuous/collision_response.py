@@ -9,23 +9,14 @@ from tamias2d.engine.continuous.bend import bend_paths, is_first, put_on_parabol
 from tamias2d.engine.continuous.clusters import leave
 from tamias2d.engine.continuous.events import manifold_at
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED
-from tamias2d.engine.continuous.impact import (
-    contact_point,
-    place_on_path,
-    rebound,
-    record_impact,
-)
+from tamias2d.engine.continuous.impact import contact_point, place_on_path, rebound, record_impact
 from tamias2d.engine.continuous.impact_points import (
     is_point,
     list_points,
     rebound_at_points,
     total_push,
 )
-from tamias2d.engine.continuous.meetings import (
-    gather_meetings,
-    is_first_listed,
-    measure_meeting,
-)
+from tamias2d.engine.continuous.meetings import gather_meetings, is_first_listed, measure_meeting
 from tamias2d.engine.narrow_phase.core import core_of, is_thin
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal

@@ -33,9 +33,7 @@ from tamias2d.engine.continuous.events import (
     smaller_radius,
     update_events_of,
 )
-from tamias2d.engine.continuous.meetings import (
-    is_first_listed,
-)
+from tamias2d.engine.continuous.meetings import is_first_listed
 from tamias2d.engine.tables import Bodies, BroadPhase, Contacts, Control, Events, Integers, Shapes
 
 MOST_IMPACTS = 256  # in a step in all

@@ -20,11 +20,7 @@ from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.touching import BULLET, opening
 from tamias2d.engine.tables import Bodies, BroadPhase, Contacts, Control, Events, Shapes
-from tamias2d.generated.continuous_collision import (
-    closing_bound,
-    fraction_closest,
-    motion_bound,
-)
+from tamias2d.generated.continuous_collision import closing_bound, fraction_closest, motion_bound
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 

@@ -17,11 +17,7 @@ from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.reuse import NEVER
-from tamias2d.engine.narrow_phase.seams import (
-    clear_grounds,
-    joins_ground,
-    leave_seams_out,
-)
+from tamias2d.engine.narrow_phase.seams import clear_grounds, joins_ground, leave_seams_out
 from tamias2d.engine.narrow_phase.touching import CLOSE, smallest_gap
 from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes, Touching, World
 

@@ -12,11 +12,7 @@ from tamias2d.engine.continuous.events import bounces, smaller_radius
 from tamias2d.engine.islands import both_sleep
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.collide import collide
-from tamias2d.engine.narrow_phase.touching import (
-    BULLET,
-    opening_speed,
-    speculative_margins,
-)
+from tamias2d.engine.narrow_phase.touching import BULLET, opening_speed, speculative_margins
 from tamias2d.engine.tables import Bodies, Contacts, Islands, Touching, World
 
 

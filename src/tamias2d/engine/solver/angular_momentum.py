@@ -16,10 +16,7 @@ from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.solver.island_damping import add_to_island, place_from
 from tamias2d.engine.solver.support import is_root
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Joints, Touching
-from tamias2d.generated.definitions import (
-    kinetic_energy,
-    point_velocity,
-)
+from tamias2d.generated.definitions import kinetic_energy, point_velocity
 from tamias2d.generated.island_energy import (
     angular_momentum_given,
     angular_velocity_island,
