@@ -1,8 +1,9 @@
 """Measurements: `python -m tools.measure NAME [--json]`; each is a module of tools/measurements.
 
-A measurement has `measure()`, which returns what JSON can hold, and `table(found)`, which makes
-heads and rows of it. It may have `options(parser)`, which `measure` then takes by name, and
-`notes(found)`, lines below the table. What they say depends on the machine; no test asks for it.
+A measurement has `measure()`, which returns what JSON can hold, and the `COLUMNS` of a table of
+its rows, or `table(found)`, which makes heads and rows of it. It may have `options(parser)`, which
+`measure` then takes by name, and `notes(found)`, lines below the table. What they say depends on
+the machine; no test asks for it.
 """
 
 import argparse
@@ -13,6 +14,7 @@ from types import ModuleType
 from typing import Any
 
 from tamias2d.commands.output import print_json, print_table, say
+from tools.measurements.columns import Table, table_of
 
 _FOLDER = Path(__file__).parent / "measurements"
 
@@ -33,6 +35,14 @@ def main() -> None:
     _print(_module(asked.pop("name")), asked.pop("json"), asked)
 
 
+def table(module: ModuleType, found: dict[str, Any]) -> Table:
+    """Return heads and rows of what a measurement found."""
+    if hasattr(module, "COLUMNS"):
+        return table_of(module.COLUMNS, found["rows"])
+    own: Table = module.table(found)
+    return own
+
+
 def _module(name: str) -> ModuleType:
     return import_module(f"tools.measurements.{name}")
 
@@ -42,7 +52,7 @@ def _print(module: ModuleType, json: bool, asked: dict[str, Any]) -> None:
     if json:
         print_json(found)
         return
-    print_table(*module.table(found))
+    print_table(*table(module, found))
     for line in module.notes(found) if hasattr(module, "notes") else ():
         say(line)
 

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from tools.measure import table
 from tools.measurements import contacts
 from tools.measurements.arena.race import Times
 
@@ -30,7 +31,7 @@ def test_every_scene_has_the_five_numbers(measured):
 
 def test_the_table_has_every_engine_on_every_scene(measured):
     found, folder = measured
-    heads, rows = contacts.table(found)
+    heads, rows = table(contacts, found)
     assert [row[1] for row in rows] == ["Tamias2D", "Pymunk", "pyb2d3"] * 2
     assert {len(row) for row in rows} == {len(heads)}
     page = (folder / "contacts.txt").read_text()
@@ -55,5 +56,5 @@ def test_what_is_stopped_tells_what_it_has(monkeypatch, capsys):
     found = contacts.measure(["two-discs"], repeats=1)
     assert found["scenes"] == {}
     assert "Stopped" in capsys.readouterr().err
-    assert contacts.table(found)[1] == []
+    assert table(contacts, found)[1] == []
     assert contacts.notes(found) == []

@@ -11,6 +11,7 @@ from multiprocessing.connection import Connection
 import pytest
 
 from tools.fuzz import runner
+from tools.measure import table
 from tools.measurements import closed_boxes, drops, fuzz, throws
 
 SEEDS = {
@@ -69,7 +70,7 @@ def test_a_hang_is_ended(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_command_runs_small() -> None:
     found = fuzz.measure(kind=["files"], count=3)
     assert json.loads(json.dumps(found)) == found
-    heads, rows = fuzz.table(found)
+    heads, rows = table(fuzz, found)
     assert {len(row) for row in rows} == {len(heads)}
     assert fuzz.notes(found) == []
 
@@ -77,7 +78,7 @@ def test_the_command_runs_small() -> None:
 def test_throws_run_small() -> None:
     found = throws.measure(count=3)
     assert json.loads(json.dumps(found)) == found
-    heads, rows = throws.table(found)
+    heads, rows = table(throws, found)
     assert {len(row) for row in rows} == {len(heads)}
     assert len(throws.notes(found)) == 2
 
@@ -85,7 +86,7 @@ def test_throws_run_small() -> None:
 def test_closed_boxes_run_small() -> None:
     found = closed_boxes.measure(first=5, count=8, bodies=4)
     assert json.loads(json.dumps(found)) == found
-    heads, rows = closed_boxes.table(found)
+    heads, rows = table(closed_boxes, found)
     assert {len(row) for row in rows} == {len(heads)}
     assert closed_boxes.notes(found) == ["8 of 8 boxes kept all bodies; 0 told that they may not"]
 
@@ -100,6 +101,6 @@ def test_a_box_with_a_hole_loses_a_body() -> None:
 def test_drops_run_small() -> None:
     found = drops.measure(count=1)
     assert json.loads(json.dumps(found)) == found
-    heads, rows = drops.table(found)
+    heads, rows = table(drops, found)
     assert {len(row) for row in rows} == {len(heads)}
     assert len(drops.notes(found)) == 1

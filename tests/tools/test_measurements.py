@@ -13,6 +13,7 @@ from tamias2d.scene import catalogue
 from tamias2d.study import candidates, work_precision
 from tamias2d.study.report import as_json, contacts_as_json
 from tamias2d.study.stored import study_from_json
+from tools.measure import table
 from tools.measurements import (
     asked,
     certificates,
@@ -32,7 +33,7 @@ def lines_of(module: Any) -> tuple[dict[str, Any], list[tuple[str, ...]]]:
     """What is found, as JSON and as a table."""
     found = module.measure()
     assert json.loads(json.dumps(found)) == found
-    heads, rows = module.table(found)
+    heads, rows = table(module, found)
     assert {len(row) for row in rows} == {len(heads)}
     return found, rows
 
@@ -67,7 +68,7 @@ def of_certificates(**asked: Any) -> dict[str, Any]:
     """What is found as JSON; a table and notes can be made of it."""
     found = certificates.measure(**asked)
     assert json.loads(json.dumps(found)) == found
-    heads, rows = certificates.table(found)
+    heads, rows = table(certificates, found)
     assert {len(row) for row in rows} == {len(heads)}
     assert len(certificates.notes(found)) >= 2
     return found
@@ -119,7 +120,7 @@ def test_certificates_that_are_stopped_are_told(monkeypatch: pytest.MonkeyPatch)
 def test_crowds() -> None:
     found = crowds.measure(bodies=9, steps=3)
     assert json.loads(json.dumps(found)) == found
-    heads, rows = crowds.table(found)
+    heads, rows = table(crowds, found)
     assert {len(row) for row in rows} == {len(heads)}
     assert len(rows) == 3 * len(crowds.CROWDS)
     assert crowds.notes(found)
@@ -184,7 +185,7 @@ def test_specialisation(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_jointed() -> None:
     found = jointed.measure(seconds=1, side=3, ragdolls=1, heap=1, random=2)
     assert len(found["rows"]) == 3 * 8
-    heads, rows = jointed.table(found)
+    heads, rows = table(jointed, found)
     assert {len(row) for row in rows} == {len(heads)}
     assert jointed.notes(found)
     assert all(row["last"] < 1e-3 for row in found["rows"] if row["program"] == "Tamias2D")

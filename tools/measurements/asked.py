@@ -24,6 +24,7 @@ from tamias2d.study.contact_study import contact_study
 from tamias2d.study.refusal import ToleranceError
 from tamias2d.study.stepped_plan import stepped_because
 from tamias2d.study.work_precision import study
+from tools.measurements.columns import Table
 
 TOLERANCE, QUALITY = 1e-2, 1e-2
 _PHASES = 4
@@ -65,7 +66,7 @@ def measure(
     }
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+def table(found: dict[str, Any]) -> Table:
     """Return heads and rows for people: a scene each."""
     asked = list(dict.fromkeys(row["asked"] for row in found["rows"]))
     of = {(row["scene"], row["asked"]): row for row in found["rows"]}

@@ -36,6 +36,7 @@ from tamias2d.study.error import history_error, scale
 from tamias2d.study.recommend import schemes_for, solved
 from tamias2d.study.refusal import ToleranceError
 from tools.measurements import certified_steps, held_out
+from tools.measurements.columns import Table
 from tools.measurements.exact import NotCoveredError, exact_history
 
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
@@ -158,7 +159,7 @@ class _Part:
             self.left_out.append(asked.name)
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+def table(found: dict[str, Any]) -> Table:
     """Return heads and rows for people: the catalogue, and what was held out."""
     heads = tuple(key for key in found if key not in _APART)
     rows = [

@@ -19,6 +19,7 @@ from rich.progress import track
 import tamias2d as t2
 from tamias2d.scene import Shape
 from tamias2d.state import Array
+from tools.measurements.columns import Columns
 
 WALLS = ("segments", "boards", "half-planes", "loop", "frame", "driven frame")
 ENDS = ("overlap", "just meet")  # at corners; half-planes overlap, and the sides of a loop meet
@@ -76,31 +77,16 @@ def _row(box: ClosedBox) -> dict[str, Any]:
     return {"walls": box.walls, "ends": box.ends, **counts}
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    heads = (
-        "walls",
-        "ends",
-        "boxes",
-        "bodies",
-        "fastest, radii a step",
-        "lost one",
-        "told",
-        "seeds",
-    )
-    return heads, [
-        (
-            row["walls"],
-            row["ends"],
-            str(row["boxes"]),
-            str(row["bodies"]),
-            f"{row['fastest']:.3g}",
-            str(len(row["leaky"])),
-            str(len(row["told"])),
-            " ".join(str(seed) for seed in row["leaky"][:5]),
-        )
-        for row in found["rows"]
-    ]
+COLUMNS: Columns = {
+    "walls": "{walls}",
+    "ends": "{ends}",
+    "boxes": "{boxes}",
+    "bodies": "{bodies}",
+    "fastest, radii a step": "{fastest:.3g}",
+    "lost one": lambda row: str(len(row["leaky"])),
+    "told": lambda row: str(len(row["told"])),
+    "seeds": lambda row: " ".join(str(seed) for seed in row["leaky"][:5]),
+}
 
 
 def notes(found: dict[str, Any]) -> list[str]:

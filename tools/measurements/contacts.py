@@ -28,6 +28,7 @@ from tools.measurements.arena.reading import share_of_a_step
 from tools.measurements.arena.scenes import SCENES
 from tools.measurements.arena.start import starts
 from tools.measurements.arena.towers import substeps_to_stand
+from tools.measurements.columns import Table
 
 Part: TypeAlias = Callable[[dict[str, Any]], None]
 """A part of the measurement, which adds to what was found."""
@@ -70,7 +71,7 @@ def measure(
     return found
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+def table(found: dict[str, Any]) -> Table:
     """Return heads and rows for people: each scene, and each engine on it."""
     return page.table(found)
 

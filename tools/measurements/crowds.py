@@ -23,6 +23,7 @@ from tamias2d.study.engines.own import Own
 from tools.measurements.arena import box2d_scenes, crowd_scenes
 from tools.measurements.arena.followed import Followed
 from tools.measurements.arena.race import TIME_STEP
+from tools.measurements.columns import Columns
 
 _ENGINES: tuple[Maker, ...] = (Own, Chipmunk, Box2D)
 _BODIES = 500  # in each crowd that is not Box2D's
@@ -61,26 +62,17 @@ def measure(
     return {"bodies": bodies, "steps": steps, "rows": rows}
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    heads = (
-        "crowd", "bodies", "engine", "ms a step", "worst/median", "hang", "centre", "overlap",
-        "gain",
-    )  # fmt: skip
-    return heads, [
-        (
-            row["crowd"],
-            str(row["bodies"]),
-            row["engine"],
-            f"{1e3 * row['seconds']:.2f}",
-            f"{row['worst'] / row['seconds']:.0f}",
-            f"{row['hang']:.2%}",
-            "" if row["centre"] is None else f"{row['centre']:.0e}",
-            f"{row['overlap']:.0%}",
-            "" if row["gain"] is None else f"{row['gain']:.0e}",
-        )
-        for row in found["rows"]
-    ]
+COLUMNS: Columns = {
+    "crowd": "{crowd}",
+    "bodies": "{bodies}",
+    "engine": "{engine}",
+    "ms a step": lambda row: f"{1e3 * row['seconds']:.2f}",
+    "worst/median": lambda row: f"{row['worst'] / row['seconds']:.0f}",
+    "hang": "{hang:.2%}",
+    "centre": lambda row: "" if row["centre"] is None else f"{row['centre']:.0e}",
+    "overlap": "{overlap:.0%}",
+    "gain": lambda row: "" if row["gain"] is None else f"{row['gain']:.0e}",
+}
 
 
 def notes(_: dict[str, Any]) -> list[str]:

@@ -19,6 +19,7 @@ from tamias2d.motion import (
     Yoshida4,
 )
 from tamias2d.study.drift import Drift, bounce_drift, orbit_drift
+from tools.measurements.columns import Columns
 
 _STEPS = 10_000_000
 ORBITERS: tuple[Method, ...] = (
@@ -39,22 +40,16 @@ def measure() -> dict[str, Any]:
     return {"rows": [_row(drift) for drift in rows]}
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    heads = ("scene", "method", "steps", "impacts", "swing", "largest", "trend", "verdict")
-    return heads, [
-        (
-            row["scene"],
-            row["method"],
-            f"{row['steps']:.0e}",
-            f"{row['impacts']}",
-            f"{row['swing']:.1e}",
-            f"{row['largest']:.1e}",
-            f"{row['trend']:+.1e}",
-            "no trend" if row["trendless"] else "trend",
-        )
-        for row in found["rows"]
-    ]
+COLUMNS: Columns = {
+    "scene": "{scene}",
+    "method": "{method}",
+    "steps": "{steps:.0e}",
+    "impacts": "{impacts}",
+    "swing": "{swing:.1e}",
+    "largest": "{largest:.1e}",
+    "trend": "{trend:+.1e}",
+    "verdict": lambda row: "no trend" if row["trendless"] else "trend",
+}
 
 
 def _row(drift: Drift) -> dict[str, Any]:

@@ -21,6 +21,7 @@ from tamias2d.study.engines.engine import Maker
 from tamias2d.study.engines.overlap import worst
 from tamias2d.study.engines.own import Own
 from tools.measurements.arena.followed import Followed
+from tools.measurements.columns import Columns
 
 _ENGINES: tuple[Maker, ...] = (Own, Chipmunk, Box2D)
 _STEPS = 180
@@ -96,20 +97,14 @@ def measure(count: int = 1000, first: int = 0) -> dict[str, Any]:
     return {"count": count, "first": first, "rows": rows}
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    heads = ("engine", f"deeper than {_DEEP:.0%}", "median", "worst", "its seed", "energy rises by")
-    return heads, [
-        (
-            row["engine"],
-            f"{row['deep']:.1%}",
-            f"{row['median']:.1%}",
-            f"{row['worst']:.1%}",
-            str(row["seed"]),
-            f"{row['gain']:.0e}",
-        )
-        for row in found["rows"]
-    ]
+COLUMNS: Columns = {
+    "engine": "{engine}",
+    f"deeper than {_DEEP:.0%}": "{deep:.1%}",
+    "median": "{median:.1%}",
+    "worst": "{worst:.1%}",
+    "its seed": "{seed}",
+    "energy rises by": "{gain:.0e}",
+}
 
 
 def notes(found: dict[str, Any]) -> list[str]:

@@ -21,6 +21,7 @@ from tamias2d.study.contact_candidates import RATES
 from tamias2d.study.contact_study import contact_study
 from tamias2d.study.report import as_json, contacts_as_json
 from tamias2d.study.stepped_plan import stepped_because
+from tools.measurements.columns import Table
 
 SCENES = {
     "projectiles": 2.0,
@@ -82,7 +83,7 @@ def _study(name: str, rates: Sequence[int]) -> dict[str, Any]:
     return as_json(found, tolerance=_LINE)
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+def table(found: dict[str, Any]) -> Table:
     """Return heads and rows for people: how many settings of each engine, and how they ended."""
     heads = ("scene", "s", "contacts", "settings", "failed", "floor", "horizon, s")
     return heads, [

@@ -13,6 +13,7 @@ from rich.console import Console
 from rich.progress import track
 
 from tools.fuzz.runner import KINDS, results
+from tools.measurements.columns import Columns
 
 
 def options(parser: ArgumentParser) -> None:
@@ -39,18 +40,12 @@ def measure(kind: list[str] | None = None, first: int = 0, count: int = 1000) ->
     return {"first": first, "count": count, "rows": rows}
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    heads = ("kind", "done", "refused", "wrong")
-    return heads, [
-        (
-            row["kind"],
-            str(row.get("done", 0)),
-            str(row.get("refused", 0)),
-            str(len(row["wrong"])),
-        )
-        for row in found["rows"]
-    ]
+COLUMNS: Columns = {
+    "kind": "{kind}",
+    "done": lambda row: str(row.get("done", 0)),
+    "refused": lambda row: str(row.get("refused", 0)),
+    "wrong": lambda row: str(len(row["wrong"])),
+}
 
 
 def notes(found: dict[str, Any]) -> list[str]:

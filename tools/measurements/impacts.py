@@ -23,6 +23,7 @@ from tamias2d.scene import Box, Disc, HalfPlane, Polygon, Scene
 from tamias2d.solve import solve
 from tamias2d.study.engines.chipmunk import Chipmunk
 from tamias2d.work_limit import Work
+from tools.measurements.columns import Columns
 
 COUNTS = (100, 1000, 10_000)
 POLYGONS = (10, 100, 1000)
@@ -99,25 +100,16 @@ def measure(
     return {"rows": rows, "share": _SHARE}
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    heads = (
-        "bodies", "shapes", "impacts", "a second", "pairs looked at", "energy", "Pymunk: a second",
-        "off by, of a radius",
-    )  # fmt: skip
-    return heads, [
-        (
-            f"{row['bodies']}",
-            row["shapes"],
-            f"{row['impacts']}",
-            f"{row['impacts_per_second']:.2g}",
-            f"{row['looked_at_per_impact']:.1f}",
-            f"{row['energy_error']:.0e}",
-            f"{row['pymunk_impacts_per_second']:.2g}",
-            f"{row['pymunk_error']:.1g}",
-        )
-        for row in found["rows"]
-    ]
+COLUMNS: Columns = {
+    "bodies": "{bodies}",
+    "shapes": "{shapes}",
+    "impacts": "{impacts}",
+    "a second": "{impacts_per_second:.2g}",
+    "pairs looked at": "{looked_at_per_impact:.1f}",
+    "energy": "{energy_error:.0e}",
+    "Pymunk: a second": "{pymunk_impacts_per_second:.2g}",
+    "off by, of a radius": "{pymunk_error:.1g}",
+}
 
 
 def _row(scene: Scene, impacts: int, steps: int) -> dict[str, Any]:

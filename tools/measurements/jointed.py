@@ -18,6 +18,7 @@ from rich.console import Console
 from tamias2d.errors import StepWarning
 from tamias2d.scene import Joint, Scene
 from tamias2d.simulator import Simulator
+from tools.measurements.columns import Columns, table_of
 from tools.measurements.mechanisms.faults import Energy, apart
 from tools.measurements.mechanisms.programs import JointedBox2D, JointedChipmunk, Own, rates_of
 from tools.measurements.mechanisms.random_mechanism import random_mechanism
@@ -72,15 +73,20 @@ def measure(
     rows: list[dict[str, Any]] = []
     for name, made in scenes.items():
         rows += _race(name, made(), seconds)
-        for row in rows[-3:]:
-            told.print("  ".join(_cells(row)), highlight=False)
+        for cells in table_of(COLUMNS, rows[-3:])[1]:
+            told.print("  ".join(cells), highlight=False)
     return {"rows": rows, "mechanisms": _mechanisms(random, seed, seconds)}
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    heads = ("scene", "joints", "program", "ms a step", "apart at the end", "at most", "gain")
-    return heads, [_cells(row) for row in found["rows"]]
+COLUMNS: Columns = {
+    "scene": "{scene}",
+    "joints": "{joints}",
+    "program": "{program}",
+    "ms a step": "{milliseconds:.3g}",
+    "apart at the end": "{last:.1e} m",
+    "at most": "{most:.1e} m",
+    "gain": "{gain:.0e}",
+}
 
 
 def notes(found: dict[str, Any]) -> list[str]:
@@ -93,18 +99,6 @@ def notes(found: dict[str, Any]) -> list[str]:
         f"{of['risen']} had ever more than 1e-9 more energy than at first, "
         f"at most {of['gain']:.1e}",
     ]
-
-
-def _cells(row: dict[str, Any]) -> tuple[str, ...]:
-    return (
-        row["scene"],
-        f"{row['joints']}",
-        row["program"],
-        f"{row['milliseconds']:.3g}",
-        f"{row['last']:.1e} m",
-        f"{row['most']:.1e} m",
-        f"{row['gain']:.0e}",
-    )
 
 
 def _race(name: str, scene: Scene, seconds: int) -> list[dict[str, Any]]:

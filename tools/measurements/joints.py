@@ -12,6 +12,7 @@ import numpy as np
 from tamias2d.motion import Dop853, PathMethod
 from tamias2d.scene import Revolute, Scene, catalogue
 from tamias2d.simulate import simulate
+from tools.measurements.columns import Columns
 
 PENDULUM = {
     10.0: (0.275087462576117, -0.961419205099125),
@@ -71,21 +72,15 @@ def measure(longest: float, most: int) -> dict[str, Any]:
     return {"rows": rows}
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    heads = ("mechanism", "duration", "error", "energy", "apart", "evaluations", "time")
-    return heads, [
-        (
-            row["what"],
-            f"{row['duration']:g} s",
-            f"{row['error']:.1e} m",
-            f"{row['energy']:.1e} J",
-            f"{row['apart']:.1e} m",
-            f"{row['evaluations']}",
-            f"{row['seconds']:.0f} s",
-        )
-        for row in found["rows"]
-    ]
+COLUMNS: Columns = {
+    "mechanism": "{what}",
+    "duration": "{duration:g} s",
+    "error": "{error:.1e} m",
+    "energy": "{energy:.1e} J",
+    "apart": "{apart:.1e} m",
+    "evaluations": "{evaluations}",
+    "time": "{seconds:.0f} s",
+}
 
 
 def _row(

@@ -26,6 +26,7 @@ from tamias2d.study.certify import certify
 from tamias2d.study.error import history_error, scale
 from tamias2d.study.recommend import solved
 from tools.measurements import held_out
+from tools.measurements.columns import Columns
 from tools.measurements.exact import NotCoveredError, exact_history
 
 SEED = 1618
@@ -71,17 +72,14 @@ def row(kind: str, claims: list[Claim]) -> dict[str, Any]:
     }
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    return ("kind of bound", "runs", "true", "bound over error, median"), [
-        (
-            one["kind"],
-            f"{one['runs']}",
-            f"{one['kept']}",
-            "-" if one["effectivity_median"] is None else f"{one['effectivity_median']:.3g}",
-        )
-        for one in found["rows"]
-    ]
+COLUMNS: Columns = {
+    "kind of bound": "{kind}",
+    "runs": "{runs}",
+    "true": "{kept}",
+    "bound over error, median": lambda row: (
+        "-" if row["effectivity_median"] is None else f"{row['effectivity_median']:.3g}"
+    ),
+}
 
 
 def _of_places() -> Iterator[Claim]:

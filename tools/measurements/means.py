@@ -29,6 +29,7 @@ from tamias2d import (
     ensemble_mean,
 )
 from tamias2d.motion import Method
+from tools.measurements.columns import Columns
 
 _G = 9.81  # m/s^2
 
@@ -96,22 +97,16 @@ def _row(known: Known, means: list[Mean]) -> dict[str, Any]:
     }
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    heads = ("scene", "within", "error/bound", "tolerance", "error", "levels", "cost", "at most")
-    return heads, [
-        (
-            row["scene"],
-            f"{row['within']:.1%}",
-            f"{row['worst']:.2f}",
-            f"{row['tolerance']:g}",
-            f"{row['error']:.2g}",
-            f"{row['levels']}",
-            f"{row['cost']:.3f}",
-            f"{row['dearest']:.3f}",
-        )
-        for row in found["rows"]
-    ]
+COLUMNS: Columns = {
+    "scene": "{scene}",
+    "within": "{within:.1%}",
+    "error/bound": "{worst:.2f}",
+    "tolerance": "{tolerance:g}",
+    "error": "{error:.2g}",
+    "levels": "{levels}",
+    "cost": "{cost:.3f}",
+    "at most": "{dearest:.3f}",
+}
 
 
 def notes(found: dict[str, Any]) -> list[str]:

@@ -20,6 +20,7 @@ from tamias2d.study.peers import simulate
 from tamias2d.study.phases import LEAST, phases
 from tamias2d.study.truth import floor_of, truth_of
 from tamias2d.study.work_precision import Point, point_of
+from tools.measurements.columns import Table
 
 _RATES = (60, 240, 960, 3840)  # steps in a second
 _OWN = {
@@ -35,7 +36,7 @@ def measure() -> dict[str, Any]:
     return {"rows": [_row(*one) for one in track(_scenes(), console=told, transient=True)]}
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+def table(found: dict[str, Any]) -> Table:
     """Return heads and rows for people: error in seconds of each way."""
     heads = ("scene", "Tamias2D", *(f"Pymunk, {rate} Hz" for rate in _RATES), "who is better")
     return heads, [

@@ -14,6 +14,7 @@ import numpy as np
 
 from tamias2d.kernels import Demand, compiled
 from tamias2d.kernels.source import BLOCK, arguments
+from tools.measurements.columns import Columns
 
 BODIES = (100, 1_000, 10_000, 100_000)
 _WORK = 10_000_000  # body-steps of one timing
@@ -57,17 +58,16 @@ def measure() -> dict[str, Any]:
     return {"scheme": _SCHEME, "rows": rows}
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return headings and rows for printing."""
-    heads = ("bodies", "kernel for", "arrays", "bytes", "ns", "gain", "memory's ns", "ratio")
-    return heads, [
-        (
-            str(row["bodies"]), row["demand"], str(row["arrays"]), str(row["bytes"]),
-            f"{row['ns']:.3f}", f"{row['gain']:.1f}",
-            f"{row['limit_ns']:.3f}", f"{row['of_limit']:.2f}",
-        )
-        for row in found["rows"]
-    ]  # fmt: skip
+COLUMNS: Columns = {
+    "bodies": "{bodies}",
+    "kernel for": "{demand}",
+    "arrays": "{arrays}",
+    "bytes": "{bytes}",
+    "ns": "{ns:.3f}",
+    "gain": "{gain:.1f}",
+    "memory's ns": "{limit_ns:.3f}",
+    "ratio": "{of_limit:.2f}",
+}
 
 
 def _arrays(demand: Demand) -> list[str]:

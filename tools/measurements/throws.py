@@ -17,6 +17,7 @@ from rich.progress import track
 import tamias2d as t2
 from tamias2d.scene import Shape
 from tamias2d.state import Array
+from tools.measurements.columns import Columns
 
 WAYS = ("stepped", "located")
 BODIES = ("segment", "board", "capsule", "disc", "needle", "polygon", "cross")
@@ -96,21 +97,15 @@ def _row(way: str, body: str, floor: str) -> dict[str, Any]:
     }
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    heads = ("way", "body", "floor", "throws", "refused", "passed", "seeds")
-    return heads, [
-        (
-            row["way"],
-            row["body"],
-            row["floor"],
-            str(row["throws"]),
-            str(row["refused"]),
-            str(len(row["passed"])),
-            " ".join(str(seed) for seed in row["passed"][:5]),
-        )
-        for row in found["rows"]
-    ]
+COLUMNS: Columns = {
+    "way": "{way}",
+    "body": "{body}",
+    "floor": "{floor}",
+    "throws": "{throws}",
+    "refused": "{refused}",
+    "passed": lambda row: str(len(row["passed"])),
+    "seeds": lambda row: " ".join(str(seed) for seed in row["passed"][:5]),
+}
 
 
 def notes(found: dict[str, Any]) -> list[str]:

@@ -22,6 +22,7 @@ from tamias2d.ensemble.stepped import stepped
 from tamias2d.ensemble.worlds import VariedWorlds, worlds_of
 from tamias2d.study.engines.refusal import imported
 from tools.measurements.arena.race import TIME_STEP, undisturbed
+from tools.measurements.columns import Columns
 
 _RADIUS, _WIDTH, _TOP = 0.15, 4.0, 3.0  # m
 _SPEED = 2.0  # m/s
@@ -171,22 +172,16 @@ def _walls(pymunk: Any, space: Any) -> None:
         space.add(wall)
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Return heads and rows for people."""
-    heads = ("discs", "restitution", "way", "us a world", "Pymunk", "ratio", "asked", "followed")
-    return heads, [
-        (
-            f"{row['discs']}",
-            f"{row['restitution']:g}",
-            row["way"],
-            f"{1e6 * row['seconds']:.1f}",
-            f"{1e6 * row['pymunk']:.0f}",
-            f"{row['ratio']:.2f}" if row["done"] > _MOST else "",
-            f"{_ASKED[row['discs']]:g}" if row["discs"] in _ASKED else "",
-            f"{row['done']:.1%}",
-        )
-        for row in found["rows"]
-    ]
+COLUMNS: Columns = {
+    "discs": "{discs}",
+    "restitution": "{restitution:g}",
+    "way": "{way}",
+    "us a world": lambda row: f"{1e6 * row['seconds']:.1f}",
+    "Pymunk": lambda row: f"{1e6 * row['pymunk']:.0f}",
+    "ratio": lambda row: f"{row['ratio']:.2f}" if row["done"] > _MOST else "",
+    "asked": lambda row: f"{_ASKED[row['discs']]:g}" if row["discs"] in _ASKED else "",
+    "followed": "{done:.1%}",
+}
 
 
 def notes(found: dict[str, Any]) -> list[str]:

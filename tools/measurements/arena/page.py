@@ -12,11 +12,12 @@ from platform import machine, python_version
 from typing import Any
 
 from tamias2d.storage import write_aside
+from tools.measurements.columns import Table
 
 _HEADS = ("scene", "engine", "ms/step", "ratio", "sag, m", "overlap, m", "of radius", "speed, m/s")
 
 
-def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+def table(found: dict[str, Any]) -> Table:
     """Return heads and rows: each scene, and each engine on it; ratios are to this library."""
     return _HEADS, list(_rows(found))
 
