@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
-from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor, freedom, ratchet
+from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Measure, Motor, freedom, ratchet
 from tamias2d.scene.rules import RuleError, Vector, VectorLike, number, sequence, shown, vector
 from tamias2d.suggestions import suggests
 
@@ -21,15 +21,25 @@ class _Kind:
     """What all kinds have."""
 
     model: ClassVar[str]
+    free: ClassVar[Measure | None] = None
+    """What its `limits`, `motor` and `spring` are of, if it has such fields."""
 
     @property
     def rigid(self) -> bool:
         """Whether its constraint is kept."""
         return True
 
-    def freedoms(self, of: str) -> tuple[Freedom, ...]:  # noqa: ARG002
+    @property
+    def given(self) -> Given:
+        """What its constraint has besides the anchors."""
+        return {}
+
+    def freedoms(self, of: str) -> tuple[Freedom, ...]:
         """Return what it limits, drives or springs, checked."""
-        return ()
+        if self.free is None:
+            return ()
+        said = {key: getattr(self, key) for key in ("limits", "motor", "spring")}
+        return freedom(self.free, of, **said)
 
 
 @suggests
@@ -41,15 +51,7 @@ class Revolute(_Kind):
     motor: Motor | None = None
     spring: JointSpring | None = None
     model: ClassVar[str] = "revolute"
-
-    @property
-    def given(self) -> Given:
-        """Nothing but the anchors."""
-        return {}
-
-    def freedoms(self, of: str) -> tuple[Freedom, ...]:
-        """Return the angle, if anything is said of it."""
-        return freedom("angle", of, limits=self.limits, motor=self.motor, spring=self.spring)
+    free: ClassVar[Measure] = "angle"
 
 
 @suggests
@@ -65,6 +67,7 @@ class Distance(_Kind):
     motor: Motor | None = None
     spring: JointSpring | None = None
     model: ClassVar[str] = "distance"
+    free: ClassVar[Measure] = "distance"
 
     def __post_init__(self) -> None:
         _set(self, length=_length(self.length, "a distance joint"))
@@ -84,10 +87,6 @@ class Distance(_Kind):
     def given(self) -> Given:
         """The length, if it is kept."""
         return {"joint_length": self.length} if self.rigid else {}
-
-    def freedoms(self, of: str) -> tuple[Freedom, ...]:
-        """Return the distance, if anything is said of it."""
-        return freedom("distance", of, limits=self.limits, motor=self.motor, spring=self.spring)
 
 
 @suggests
@@ -118,6 +117,7 @@ class Prismatic(_Kind):
     motor: Motor | None = None
     spring: JointSpring | None = None
     model: ClassVar[str] = "prismatic"
+    free: ClassVar[Measure] = "travel"
 
     def __post_init__(self) -> None:
         _set(self, axis=_axis(self.axis, "a prismatic joint"))
@@ -128,10 +128,6 @@ class Prismatic(_Kind):
         """The axis and the angle."""
         x, y = self.axis
         return {"guide_a": (float(x), float(y)), "joint_angle": self.angle}
-
-    def freedoms(self, of: str) -> tuple[Freedom, ...]:
-        """Return the travel, if anything is said of it."""
-        return freedom("travel", of, limits=self.limits, motor=self.motor, spring=self.spring)
 
 
 @suggests
@@ -144,6 +140,7 @@ class Groove(_Kind):
     motor: Motor | None = None
     spring: JointSpring | None = None
     model: ClassVar[str] = "groove"
+    free: ClassVar[Measure] = "travel"
 
     def __post_init__(self) -> None:
         _set(self, axis=_axis(self.axis, "a groove"))
@@ -153,10 +150,6 @@ class Groove(_Kind):
         """The axis."""
         x, y = self.axis
         return {"guide_a": (float(x), float(y))}
-
-    def freedoms(self, of: str) -> tuple[Freedom, ...]:
-        """Return the travel, if anything is said of it."""
-        return freedom("travel", of, limits=self.limits, motor=self.motor, spring=self.spring)
 
 
 @suggests
@@ -194,20 +187,16 @@ class Rotary(_Kind):
     motor: Motor | None = None
     spring: JointSpring | None = None
     model: ClassVar[str] = "angle"
+    free: ClassVar[Measure] = "angle"
 
     @property
     def rigid(self) -> bool:
         """The angle is not kept."""
         return False
 
-    @property
-    def given(self) -> Given:
-        """Nothing."""
-        return {}
-
     def freedoms(self, of: str) -> tuple[Freedom, ...]:
         """Return the angle."""
-        found = freedom("angle", of, limits=self.limits, motor=self.motor, spring=self.spring)
+        found = super().freedoms(of)
         if not found:
             raise RuleError(
                 f"{of}: nothing is said of the angle (GD21). Give limits, a motor or a spring.",
@@ -232,11 +221,6 @@ class Ratchet(_Kind):
     def rigid(self) -> bool:
         """The angle is not kept."""
         return False
-
-    @property
-    def given(self) -> Given:
-        """Nothing."""
-        return {}
 
     def freedoms(self, of: str) -> tuple[Freedom, ...]:
         """Return the angle, limited by a tooth that moves on."""
@@ -322,11 +306,6 @@ class Equation(_Kind):
         if not texts:
             raise RuleError(f"equations of {of}: found none (TM7). {remedy}", "equations")
         _set(self, equations=tuple(" ".join(str(text).split()) for text in texts))
-
-    @property
-    def given(self) -> Given:
-        """Nothing but the anchors."""
-        return {}
 
 
 Kind: TypeAlias = (

@@ -8,18 +8,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
-from tamias2d.spec.expression import (
-    Binary,
-    Both,
-    Call,
-    Measure,
-    Name,
-    Negative,
-    Node,
-    Number,
-    Power,
-    Relation,
-)
+from tamias2d.spec import expression as ex
+from tamias2d.spec.expression import Node
 from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.symbols import SymbolTable
 from tamias2d.spec.tex import plain
@@ -79,29 +69,29 @@ class _Checker:
     def type_of(self, node: Node) -> Type:
         """The type of any node: one case for each kind of it."""
         match node:
-            case Number(value=value):
+            case ex.Number(value=value):
                 return Type("scalar", None if value == 0 else ONE)
-            case Measure(unit=unit):
+            case ex.Measure(unit=unit):
                 return Type("scalar", unit.dimension)
-            case Name(name="pi"):
+            case ex.Name(name="pi"):
                 return Type("scalar")
-            case Name(name=name):
+            case ex.Name(name=name):
                 symbol = self.table.resolve(name, node.offset).symbol
                 return Type(symbol.shape, symbol.dimension)
-            case Negative(operand=operand):
+            case ex.Negative(operand=operand):
                 return self.value(operand)
-            case Binary(operator="+" | "-" as operator, left=left, right=right):
+            case ex.Binary(operator="+" | "-" as operator, left=left, right=right):
                 return self.alike(node, left, right, "add" if operator == "+" else "subtract")
-            case Binary():
+            case ex.Binary():
                 return self.product(node)
-            case Power(base=base, exponent=exponent):
+            case ex.Power(base=base, exponent=exponent):
                 dimension = self.scalar(base).dimension
                 return Type("scalar", dimension and dimension**exponent)
-            case Relation(operator=operator, left=left, right=right):
+            case ex.Relation(operator=operator, left=left, right=right):
                 return self.relation(node, operator, left, right)
-            case Both(parts=conditions):
+            case ex.Both(parts=conditions):
                 return self.both(conditions)
-            case Call():
+            case ex.Call():
                 return self.call(node)
         raise TypeError(node)
 
@@ -150,7 +140,7 @@ class _Checker:
             raise SpecFault(Code.UNIT_MISMATCH, text, node.offset)
         return b if a.dimension is None else a
 
-    def product(self, node: Binary) -> Type:
+    def product(self, node: ex.Binary) -> Type:
         a, b = self.value(node.left), self.value(node.right)
         if b.shape == "vector" and (a.shape == "vector" or node.operator == "/"):
             text = f"'{plain(node)}' combines {a} and {b}. Use dot or cross, and divide by scalars"
@@ -181,7 +171,7 @@ class _Checker:
                 )
         return TRUTH
 
-    def call(self, node: Call) -> Type:
+    def call(self, node: ex.Call) -> Type:
         """The type of a function of the language."""
         first, *rest = node.arguments
         match node.function:

@@ -15,23 +15,13 @@ from typing import Any
 
 import numpy as np
 
+from tamias2d.spec import expression as ex
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.check import infer
 from tamias2d.spec.derivative import differentiate
 from tamias2d.spec.equations import Report, parsed, placed, relation, typed
 from tamias2d.spec.evaluate import Value, evaluate
-from tamias2d.spec.expression import (
-    Binary,
-    Both,
-    Call,
-    Name,
-    Node,
-    Relation,
-    names,
-    rebuilt,
-    substituted,
-    walk,
-)
+from tamias2d.spec.expression import Node, names, rebuilt, substituted, walk
 from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.symbols import Range, SymbolTable
 from tamias2d.spec.tex import plain
@@ -52,7 +42,7 @@ def check_derivation(
 
     The items are all of the specification, by their ids.
     """
-    before: Relation | None = None
+    before: ex.Relation | None = None
     for number, step in enumerate(item.data.get("derivation", [])):
         where = ("derivation", number)
         now = relation(item, step["equation"], table, report, *where, "equation")
@@ -74,7 +64,7 @@ def check_derivation(
 
 def _check_start(
     item: Item,
-    first: Relation,
+    first: ex.Relation,
     given: dict[str, Node],
     items: Mapping[str, Item],
     table: SymbolTable,
@@ -84,7 +74,7 @@ def _check_start(
     source = items.get(cited.group()) if cited else None
     equations = list(_statements(source, table)) if source else []
     starts = (
-        Relation("==", substituted(each.left, given), substituted(each.right, given))
+        ex.Relation("==", substituted(each.left, given), substituted(each.right, given))
         for each in equations
     )
     if equations and not any(_implies(start, first, {}, table) for start in starts):
@@ -93,7 +83,7 @@ def _check_start(
         report(item.diagnostic(Code.DERIVATION_GAP, text, "derivation", 0, "equation"))
 
 
-def _statements(item: Item, table: SymbolTable) -> Iterator[Relation]:
+def _statements(item: Item, table: SymbolTable) -> Iterator[ex.Relation]:
     """All that an item says by equations, with its own intermediate quantities put in or not."""
 
     def faultless(_fault: object) -> None:
@@ -104,11 +94,11 @@ def _statements(item: Item, table: SymbolTable) -> Iterator[Relation]:
         yield from [stated] if stated else []
     own = dict(_own_equations(item, faultless))
     for name, tree in own.items():
-        yield Relation("==", Name(name), tree)
+        yield ex.Relation("==", ex.Name(name), tree)
         expanded = tree
         for _ in range(_DEEPEST):
             expanded = substituted(expanded, {key: own[key] for key in own if key != name})
-        yield Relation("==", Name(name), expanded)
+        yield ex.Relation("==", ex.Name(name), expanded)
     yield from _rates(item, faultless)
 
 
@@ -126,7 +116,7 @@ def _substitutions(
         node = parsed(item, text, report, *path, "where", name)
         if key is None or node is None:
             return None
-        if typed(item, Relation("==", key, node), table, report, *path, "where", name) is None:
+        if typed(item, ex.Relation("==", key, node), table, report, *path, "where", name) is None:
             return None
         if own and not _is_own(item, key, node, table, report):
             text = f"'{name}' is not put in as the item defines it. Make them agree"
@@ -139,11 +129,15 @@ def _substitutions(
 def _is_own(item: Item, key: Node, node: Node, table: SymbolTable, report: Report) -> bool:
     """Whether a quantity that the item itself defines is put in as defined."""
     own = dict(_own_equations(item, report)).get(plain(key))
-    return own is None or _implies(Relation("==", key, own), Relation("==", key, node), {}, table)
+    return own is None or _implies(
+        ex.Relation("==", key, own), ex.Relation("==", key, node), {}, table
+    )
 
 
-def _check_end(item: Item, last: Relation, table: SymbolTable, report: Report) -> None:
-    targets = [Relation("==", Name(name), tree) for name, tree in _own_equations(item, report)]
+def _check_end(item: Item, last: ex.Relation, table: SymbolTable, report: Report) -> None:
+    targets = [
+        ex.Relation("==", ex.Name(name), tree) for name, tree in _own_equations(item, report)
+    ]
     targets += _rates(item, report)
     if text := item.data.get("equation"):
         own = relation(item, text, table, report, "equation")
@@ -153,21 +147,23 @@ def _check_end(item: Item, last: Relation, table: SymbolTable, report: Report) -
         report(item.diagnostic(Code.DERIVATION_GAP, text, "derivation"))
 
 
-def _rates(item: Item, report: Report) -> Iterator[Relation]:
+def _rates(item: Item, report: Report) -> Iterator[ex.Relation]:
     for name, text in item.data.get("states", {}).items():
         rate = parsed(item, text, report, "states", name)
         if rate is not None:
-            yield Relation("==", Call("d", (Name(name), Name("time"))), rate)
+            yield ex.Relation("==", ex.Call("d", (ex.Name(name), ex.Name("time"))), rate)
 
 
 def _own_equations(item: Item, report: Report) -> Iterator[tuple[str, Node]]:
     for name, text in item.data.get("equations", {}).items():
         node = parsed(item, text, report, "equations", name)
-        if node is not None and not isinstance(node, (Relation, Both)):
+        if node is not None and not isinstance(node, (ex.Relation, ex.Both)):
             yield name, node
 
 
-def _implies(before: Relation, now: Relation, given: dict[str, Node], table: SymbolTable) -> bool:
+def _implies(
+    before: ex.Relation, now: ex.Relation, given: dict[str, Node], table: SymbolTable
+) -> bool:
     """Whether every tried solution of one equation solves the other, which is no identity."""
     atoms: dict[str, Node] = {}
     first, second = (_prepared(equation, given, atoms) for equation in (before, now))
@@ -188,12 +184,12 @@ def _implies(before: Relation, now: Relation, given: dict[str, Node], table: Sym
     return False
 
 
-def _prepared(equation: Relation, given: dict[str, Node], atoms: dict[str, Node]) -> Relation:
+def _prepared(equation: ex.Relation, given: dict[str, Node], atoms: dict[str, Node]) -> ex.Relation:
     """The equation after substitution, with derivatives and integrals as unknowns of their own."""
     sides = (_atomic(side, given, atoms) for side in (equation.left, equation.right))
-    prepared = Relation("==", *sides)
+    prepared = ex.Relation("==", *sides)
     for name in names(prepared):
-        atoms.setdefault(name, Name(name))
+        atoms.setdefault(name, ex.Name(name))
     return prepared
 
 
@@ -203,9 +199,9 @@ def _atomic(node: Node, given: dict[str, Node], atoms: dict[str, Node], depth: i
         if text in given and depth < _DEEPEST:
             rest = {name: tree for name, tree in given.items() if name != text}
             return _atomic(given[text], rest, atoms, depth + 1)
-        if isinstance(part, Call) and part.function in ("d", "integral"):
+        if isinstance(part, ex.Call) and part.function in ("d", "integral"):
             atoms[text] = part
-            return Name(text)
+            return ex.Name(text)
         return None
 
     return rebuilt(node, change)
@@ -213,7 +209,7 @@ def _atomic(node: Node, given: dict[str, Node], atoms: dict[str, Node], depth: i
 
 def _draw(node: Node, table: SymbolTable, generator: random.Random) -> Value:
     found = infer(node, table)
-    reference = table.resolve(node.name) if isinstance(node, Name) else None
+    reference = table.resolve(node.name) if isinstance(node, ex.Name) else None
     limits = reference.symbol.range if reference else Range()
     many = reference is not None and any(index.name in "ij" for index in reference.indices)
 
@@ -244,7 +240,7 @@ def _link_next(values: Values) -> None:
             )
 
 
-def _components(equation: Relation, values: Values) -> list[tuple[float, float]]:
+def _components(equation: ex.Relation, values: Values) -> list[tuple[float, float]]:
     left, right = evaluate(equation.left, values), evaluate(equation.right, values)
     lefts = left if isinstance(left, tuple) else (left,)
     rights = right if isinstance(right, tuple) else (right,) * len(lefts)
@@ -253,7 +249,7 @@ def _components(equation: Relation, values: Values) -> list[tuple[float, float]]
     return list(zip(lefts, rights, strict=True))
 
 
-def _holds(equation: Relation, values: Values) -> bool:
+def _holds(equation: ex.Relation, values: Values) -> bool:
     try:
         pairs = _components(equation, values)
         scale = _scale(equation, values)
@@ -262,12 +258,12 @@ def _holds(equation: Relation, values: Values) -> bool:
     return all(bool(np.all(np.abs(a - b) <= _TOLERANCE * scale)) for a, b in pairs)
 
 
-def _scale(equation: Relation, values: Values) -> float:
+def _scale(equation: ex.Relation, values: Values) -> float:
     """The largest size among the terms of both sides: cancellation is no fault."""
     sizes = [1e-300]
     for side in (equation.left, equation.right):
         for node in walk(side):
-            if node is side or isinstance(node, Binary):
+            if node is side or isinstance(node, ex.Binary):
                 value = evaluate(node, values)
                 sizes += [
                     float(np.max(np.abs(c)))
@@ -276,11 +272,11 @@ def _scale(equation: Relation, values: Values) -> float:
     return max(sizes)
 
 
-def _residual(equation: Relation, values: Values) -> Any:
+def _residual(equation: ex.Relation, values: Values) -> Any:
     return np.array([float(np.sum(a - b)) for a, b in _components(equation, values)])
 
 
-def _solve(equation: Relation, values: Values, wanted: tuple[str, ...]) -> Values | None:
+def _solve(equation: ex.Relation, values: Values, wanted: tuple[str, ...]) -> Values | None:
     """Change one unknown so that the equation holds; it must enter linearly."""
     inside = names(equation)
     for name in (*(n for n in inside if n in wanted), *(n for n in inside if n not in wanted)):
@@ -293,7 +289,7 @@ def _solve(equation: Relation, values: Values, wanted: tuple[str, ...]) -> Value
     return None
 
 
-def _solve_for(equation: Relation, values: Values, name: str) -> Values | None:
+def _solve_for(equation: ex.Relation, values: Values, name: str) -> Values | None:
     value = values[name]
     parts = value if isinstance(value, tuple) else (value,)
     if any(isinstance(part, np.ndarray) for part in parts):
@@ -332,7 +328,7 @@ def check_closed_form(item: Item, table: SymbolTable, report: Report) -> None:
         try:
             infer(form, table)
             solves = _same(differentiate(form, "time"), substituted(rate, forms), table)
-            starts = _same(form, Name(f"{name}_start"), table, time=0.0)
+            starts = _same(form, ex.Name(f"{name}_start"), table, time=0.0)
         except SpecFault as fault:
             report(placed(item, fault, "closed_form", name))
             continue
@@ -357,9 +353,9 @@ def check_closed_form(item: Item, table: SymbolTable, report: Report) -> None:
 def _same(left: Node, right: Node, table: SymbolTable, time: float | None = None) -> bool:
     """Whether two expressions agree at random points."""
     generator = random.Random(plain(left) + plain(right))
-    equation = Relation("==", left, right)
+    equation = ex.Relation("==", left, right)
     for _ in range(POINTS):
-        values = {name: _draw(Name(name), table, generator) for name in names(equation)}
+        values = {name: _draw(ex.Name(name), table, generator) for name in names(equation)}
         if time is not None:
             values["time"] = time
         if not _holds(equation, values):

@@ -10,19 +10,8 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from tamias2d.spec import functions as fn
-from tamias2d.spec.expression import (
-    Binary,
-    Both,
-    Call,
-    Measure,
-    Name,
-    Negative,
-    Node,
-    Number,
-    Power,
-    Relation,
-)
+from tamias2d.spec import expression as ex, functions as fn
+from tamias2d.spec.expression import Node
 
 Value = Any  # a float, an array, a pair of these, or a truth value
 
@@ -57,11 +46,11 @@ class Program:
             return self._place[node]
         constant: Value = None
         match node:
-            case Number() | Measure():
+            case ex.Number() | ex.Measure():
                 constant = node.number
-            case Name(name="pi"):
+            case ex.Name(name="pi"):
                 constant = math.pi
-            case Name(name=name):
+            case ex.Name(name=name):
                 self._names.append((len(self._start), name))
             case _:
                 function, parts = _operation(node)
@@ -84,17 +73,17 @@ def evaluate(node: Node, values: Mapping[str, Value]) -> Value:
 def _operation(node: Node) -> tuple[Callable[..., Value], tuple[Node, ...]]:
     """Return what to do with the values of which parts."""
     match node:
-        case Negative(operand=operand):
+        case ex.Negative(operand=operand):
             return lambda a: _each(operator.neg, a), (operand,)
-        case Binary(operator=sign, left=left, right=right):
+        case ex.Binary(operator=sign, left=left, right=right):
             return _BINARY[sign], (left, right)
-        case Power(base=base, exponent=exponent):
+        case ex.Power(base=base, exponent=exponent):
             return lambda a: _power(a, exponent), (base,)
-        case Relation(operator=sign, left=left, right=right):
+        case ex.Relation(operator=sign, left=left, right=right):
             return _RELATION[sign], (left, right)
-        case Both(parts=conditions):
+        case ex.Both(parts=conditions):
             return lambda *truths: all(truths), conditions
-        case Call(function=function, arguments=arguments) if function in _CALL:
+        case ex.Call(function=function, arguments=arguments) if function in _CALL:
             return _CALL[function], arguments
     raise KeyError(f"{node} has no value of its own")
 

@@ -6,19 +6,9 @@ because `**` rounds differently in compiled code.
 
 from fractions import Fraction
 
+from tamias2d.spec import expression as ex
 from tamias2d.spec.check import infer
-from tamias2d.spec.expression import (
-    Binary,
-    Both,
-    Call,
-    Measure,
-    Name,
-    Negative,
-    Node,
-    Number,
-    Power,
-    Relation,
-)
+from tamias2d.spec.expression import Node
 from tamias2d.spec.symbols import SymbolTable
 
 _HELPERS = {
@@ -47,24 +37,24 @@ class PythonPrinter:
     def component(self, node: Node, axis: str) -> str:
         """Source of one component of a vector."""
         match node:
-            case Name(name=name):
+            case ex.Name(name=name):
                 return f"{name}_{axis}"
-            case Negative(operand=operand):
+            case ex.Negative(operand=operand):
                 return f"-{self.tight(operand, axis)}"
-            case Binary(operator="+" | "-" as operator, left=left, right=right):
+            case ex.Binary(operator="+" | "-" as operator, left=left, right=right):
                 return self.part(left, axis) + self.added(operator, right, axis)
-            case Binary(operator=operator, left=left, right=right):
+            case ex.Binary(operator=operator, left=left, right=right):
                 return f"{self.tight(left, axis)} {operator} {self.tight(right, axis, operator)}"
-            case Call(function="vector", arguments=arguments):
+            case ex.Call(function="vector", arguments=arguments):
                 return self.scalar(arguments["xy".index(axis)])
-            case Call(function="perp", arguments=(inner,)):
+            case ex.Call(function="perp", arguments=(inner,)):
                 return f"-{self.tight(inner, 'y')}" if axis == "x" else self.component(inner, "x")
-            case Call(function="cross", arguments=(turn, arm)):
+            case ex.Call(function="cross", arguments=(turn, arm)):
                 other = self.tight(arm, "y" if axis == "x" else "x")
                 return f"{'-' if axis == 'x' else ''}{self.tight(turn)} * {other}"
-            case Call(function="rotate", arguments=(arm, angle)):
+            case ex.Call(function="rotate", arguments=(arm, angle)):
                 return self.rotated(arm, self.scalar(angle), axis)
-            case Call(function="sum", arguments=(inner,)):
+            case ex.Call(function="sum", arguments=(inner,)):
                 return self.helper("sum", self.component(inner, axis))
         raise TypeError(node)
 
@@ -77,26 +67,26 @@ class PythonPrinter:
     def scalar(self, node: Node) -> str:
         """Source of a scalar or a condition."""
         match node:
-            case Number(value=value):
+            case ex.Number(value=value):
                 return number(value)
-            case Measure(value=value, unit=unit):
+            case ex.Measure(value=value, unit=unit):
                 return repr(float(value) * unit.factor)
-            case Name(name=name):
+            case ex.Name(name=name):
                 self.helpers |= {"pi"} & {name}
                 return name
-            case Negative(operand=operand):
+            case ex.Negative(operand=operand):
                 return f"-{self.tight(operand)}"
-            case Binary(operator="+" | "-" as operator, left=left, right=right):
+            case ex.Binary(operator="+" | "-" as operator, left=left, right=right):
                 return self.part(left) + self.added(operator, right)
-            case Binary(operator=operator, left=left, right=right):
+            case ex.Binary(operator=operator, left=left, right=right):
                 return f"{self.tight(left)} {operator} {self.tight(right, '', operator)}"
-            case Power(base=base, exponent=exponent):
+            case ex.Power(base=base, exponent=exponent):
                 return self.power(base, exponent)
-            case Relation(operator=operator, left=left, right=right):
+            case ex.Relation(operator=operator, left=left, right=right):
                 return f"{self.scalar(left)} {operator} {self.scalar(right)}"
-            case Both(parts=conditions):
+            case ex.Both(parts=conditions):
                 return " & ".join(f"({self.scalar(condition)})" for condition in conditions)
-            case Call(function=function, arguments=arguments):
+            case ex.Call(function=function, arguments=arguments):
                 return self.call(function, arguments)
         raise TypeError(node)
 
@@ -121,26 +111,26 @@ class PythonPrinter:
         """Source of a factor, in brackets where it needs them."""
         node, axis = entry(node, axis)
         text = self.part(node, axis)
-        chain = isinstance(node, Binary) and node.operator in "*/" and operator == "/"
-        powers = isinstance(node, Power) and operator == "/" and " " in text
-        turned = isinstance(node, Call) and node.function in ("cross", "perp") and bool(axis)
-        loose = self.is_sum(node) or isinstance(node, Negative) or turned
+        chain = isinstance(node, ex.Binary) and node.operator in "*/" and operator == "/"
+        powers = isinstance(node, ex.Power) and operator == "/" and " " in text
+        turned = isinstance(node, ex.Call) and node.function in ("cross", "perp") and bool(axis)
+        loose = self.is_sum(node) or isinstance(node, ex.Negative) or turned
         return f"({text})" if loose or chain or powers else text
 
     def is_sum(self, node: Node) -> bool:
         """Whether the source is a sum; scalar products and turned vectors are printed as sums."""
-        if isinstance(node, Call) and node.function == "rotate":
+        if isinstance(node, ex.Call) and node.function == "rotate":
             return True
-        if isinstance(node, Call) and node.function in ("dot", "cross"):
+        if isinstance(node, ex.Call) and node.function in ("dot", "cross"):
             return not self.is_vector(node)
-        return isinstance(node, Binary) and node.operator in "+-"
+        return isinstance(node, ex.Binary) and node.operator in "+-"
 
     def power(self, base: Node, exponent: Fraction) -> str:
         """Source of a power, as products."""
         count = abs(exponent.numerator)
         if not count:
             return "1.0"
-        if isinstance(base, Name) and count <= 3:
+        if isinstance(base, ex.Name) and count <= 3:
             whole = " * ".join([base.name] * count)
         else:
             whole = self.helper("power", f"{self.scalar(base)}, {count}")
@@ -178,7 +168,7 @@ class PythonPrinter:
 
 def entry(node: Node, axis: str) -> tuple[Node, str]:
     """The scalar that stands for an axis of a vector of entries; else what is given."""
-    if axis and isinstance(node, Call) and node.function == "vector":
+    if axis and isinstance(node, ex.Call) and node.function == "vector":
         return node.arguments["xy".index(axis)], ""
     return node, axis
 

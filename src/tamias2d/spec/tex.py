@@ -7,18 +7,8 @@ import re
 from decimal import Decimal
 from fractions import Fraction
 
-from tamias2d.spec.expression import (
-    Binary,
-    Both,
-    Call,
-    Measure,
-    Name,
-    Negative,
-    Node,
-    Number,
-    Power,
-    Relation,
-)
+from tamias2d.spec import expression as ex
+from tamias2d.spec.expression import Node
 from tamias2d.spec.symbols import SymbolTable
 
 _PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2}
@@ -61,43 +51,43 @@ _BARE = (
 def plain(node: Node) -> str:
     """The expression as text, much as it was written."""
     match node:
-        case Number(value=value):
+        case ex.Number(value=value):
             return _number(value)
-        case Measure(value=value, unit=unit):
+        case ex.Measure(value=value, unit=unit):
             return f"{_number(value)}[{unit.text}]"
-        case Name(name=name):
+        case ex.Name(name=name):
             return name
-        case Negative(operand=operand):
+        case ex.Negative(operand=operand):
             return f"-{_grouped(operand)}"
-        case Binary(operator=operator, left=left, right=right):
+        case ex.Binary(operator=operator, left=left, right=right):
             tight = operator in "*/"
             sides = (_factor(left), _grouped(right)) if tight else (plain(left), _after(right))
             return (
                 f"{sides[0]}{operator}{sides[1]}" if tight else f"{sides[0]} {operator} {sides[1]}"
             )
-        case Power(base=base, exponent=exponent):
-            inner = f"({plain(base)})" if isinstance(base, Power) else _grouped(base)
+        case ex.Power(base=base, exponent=exponent):
+            inner = f"({plain(base)})" if isinstance(base, ex.Power) else _grouped(base)
             return f"{inner}**{_number(exponent)}"
-        case Relation(operator=operator, left=left, right=right):
+        case ex.Relation(operator=operator, left=left, right=right):
             return f"{plain(left)} {operator} {plain(right)}"
-        case Both(parts=conditions):
+        case ex.Both(parts=conditions):
             return " and ".join(plain(condition) for condition in conditions)
-        case Call(function=function, arguments=arguments):
+        case ex.Call(function=function, arguments=arguments):
             return f"{function}({', '.join(plain(argument) for argument in arguments)})"
     raise TypeError(node)
 
 
 def _factor(node: Node) -> str:
-    leads = isinstance(node, Negative) or (isinstance(node, Binary) and node.operator in "*/")
+    leads = isinstance(node, ex.Negative) or (isinstance(node, ex.Binary) and node.operator in "*/")
     return plain(node) if leads else _grouped(node)
 
 
 def _grouped(node: Node) -> str:
-    return f"({plain(node)})" if isinstance(node, Binary | Negative) else plain(node)
+    return f"({plain(node)})" if isinstance(node, ex.Binary | ex.Negative) else plain(node)
 
 
 def _after(node: Node) -> str:
-    loose = isinstance(node, Binary) and node.operator in "+-"
+    loose = isinstance(node, ex.Binary) and node.operator in "+-"
     return f"({plain(node)})" if loose else plain(node)
 
 
@@ -127,30 +117,30 @@ class _Printer:
     def print(self, node: Node) -> str:
         """The TeX of any node: one case for each kind of it."""
         match node:
-            case Number(value=value):
+            case ex.Number(value=value):
                 return self.number(value)
-            case Measure(value=value, unit=unit):
+            case ex.Measure(value=value, unit=unit):
                 return rf"{self.number(value)}\,\mathrm{{{unit_tex(unit.text)}}}"
-            case Name(name=name):
+            case ex.Name(name=name):
                 return r"\pi" if name == "pi" else self.name(name)
-            case Negative(operand=operand):
+            case ex.Negative(operand=operand):
                 return f"-{self.factor(operand)}"
-            case Binary():
+            case ex.Binary():
                 return self.binary(node)
-            case Power(base=base, exponent=exponent):
+            case ex.Power(base=base, exponent=exponent):
                 if exponent == Fraction(1, 2):
                     return rf"\sqrt{{{self.print(base)}}}"
                 inner = (
                     self.bracket(base)
-                    if isinstance(base, Binary | Negative | Power | Call | Measure)
+                    if isinstance(base, ex.Binary | ex.Negative | ex.Power | ex.Call | ex.Measure)
                     else self.print(base)
                 )
                 return f"{{{inner}}}^{{{exponent}}}"
-            case Relation(operator=operator, left=left, right=right):
+            case ex.Relation(operator=operator, left=left, right=right):
                 return f"{self.print(left)} {_SIGNS[operator]} {self.print(right)}"
-            case Both(parts=conditions):
+            case ex.Both(parts=conditions):
                 return r" \;\land\; ".join(self.print(condition) for condition in conditions)
-            case Call():
+            case ex.Call():
                 return self.call(node)
         raise TypeError(node)
 
@@ -179,13 +169,15 @@ class _Printer:
         factor = "" if digits == "1" else rf"{digits} \cdot "
         return rf"{factor}10^{{{int(power)}}}" if power else text
 
-    def binary(self, node: Binary) -> str:
+    def binary(self, node: ex.Binary) -> str:
         """Return a quotient, product, sum or difference, with brackets where they are needed."""
         if node.operator == "/":
             return rf"\frac{{{self.print(node.left)}}}{{{self.print(node.right)}}}"
         if node.operator == "*":
             left = (
-                self.print(node.left) if isinstance(node.left, Negative) else self.factor(node.left)
+                self.print(node.left)
+                if isinstance(node.left, ex.Negative)
+                else self.factor(node.left)
             )
             right = self.factor(node.right)
             return (
@@ -201,36 +193,38 @@ class _Printer:
         return f"{self.print(node.left)} {node.operator} {right}"
 
     def factor(self, node: Node) -> str:
-        loose = _is_sum(node) or isinstance(node, Negative)
-        product = isinstance(node, Call) and node.function in ("dot", "cross", "sum", "integral")
+        loose = _is_sum(node) or isinstance(node, ex.Negative)
+        product = isinstance(node, ex.Call) and node.function in ("dot", "cross", "sum", "integral")
         return self.bracket(node) if loose or product else self.print(node)
 
     def bracket(self, node: Node) -> str:
         return rf"\left({self.print(node)}\right)"
 
-    def call(self, node: Call) -> str:
+    def call(self, node: ex.Call) -> str:
         pattern = _CALLS.get(node.function)
         if pattern is None:
             return rf"\{node.function}\left({self.print(node.arguments[0])}\right)"
         bare = node.function in _BARE
         inner = (
-            self.print(part) if bare or not isinstance(part, Binary) else self._operand(node, part)
+            self.print(part)
+            if bare or not isinstance(part, ex.Binary)
+            else self._operand(node, part)
             for part in node.arguments
         )
         return pattern.format(*inner)
 
-    def _operand(self, call: Call, part: Binary) -> str:
+    def _operand(self, call: ex.Call, part: ex.Binary) -> str:
         fits = call.function in ("sum", "integral") and part.operator in "*/"
         return self.print(part) if fits else self.bracket(part)
 
 
 def _is_sum(node: Node) -> bool:
-    return isinstance(node, Binary) and node.operator in "+-"
+    return isinstance(node, ex.Binary) and node.operator in "+-"
 
 
 def _ends_in_number(node: Node) -> bool:
-    first = node.left if isinstance(node, Binary) else node
-    return isinstance(first, Number | Measure)
+    first = node.left if isinstance(node, ex.Binary) else node
+    return isinstance(first, ex.Number | ex.Measure)
 
 
 def unit_tex(text: str) -> str:
