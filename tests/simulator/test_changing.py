@@ -7,31 +7,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import tamias2d as t2
+from tests.rebuilt import arguments, rebuilt
 from tests.simulator.crowd import SHAPES, crowd
-
-
-def shuffled(scene: t2.Scene, order: list[int]) -> t2.Scene:
-    """The same scene, built in another order."""
-    other = t2.Scene(gravity=scene.gravity)
-    for k in order:
-        body = scene.bodies[k]
-        if body.dynamic:
-            other.add_body(
-                body.shape,
-                mass=body.mass,
-                position=body.position,
-                orientation=body.orientation,
-                velocity=body.velocity,
-                angular_velocity=body.angular_velocity,
-                friction=body.friction,
-                restitution=body.restitution,
-                name=body.name,
-            )
-        else:
-            other.add_static(
-                body.shape, friction=body.friction, restitution=body.restitution, name=body.name
-            )
-    return other
 
 
 @settings(max_examples=8)
@@ -39,7 +16,7 @@ def shuffled(scene: t2.Scene, order: list[int]) -> t2.Scene:
 def test_the_order_of_building_changes_no_bit(seed: int) -> None:
     scene = crowd(25, seed=seed % 1000)
     order = np.random.default_rng(seed).permutation(len(scene)).tolist()
-    one, other = t2.Simulator(scene), t2.Simulator(shuffled(scene, order))
+    one, other = t2.Simulator(scene), t2.Simulator(rebuilt(scene, order))
     for _ in range(40):
         one.step()
         other.step()
@@ -61,18 +38,10 @@ def test_a_scene_and_the_same_bodies_added_are_one() -> None:
     whole = t2.Simulator(scene)
     grown = t2.Simulator(t2.Scene(gravity=scene.gravity))
     for body in reversed(scene.bodies):
-        surface = {"friction": body.friction, "restitution": body.restitution}
         if body.dynamic:
-            grown.add(
-                body.shape,
-                mass=body.mass,
-                position=body.position,
-                orientation=body.orientation,
-                velocity=body.velocity,
-                angular_velocity=body.angular_velocity,
-                **surface,
-            )
+            grown.add(body.shape, **arguments(body))
         else:
+            surface = {"friction": body.friction, "restitution": body.restitution}
             grown.add_static(body.shape, **surface)
     for sim in (whole, grown):
         sim.step(50)

@@ -5,7 +5,7 @@ Velocities (IM3) and accelerations (GD3) of a contact come from the generated fu
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from tamias2d.contact.core import Core, Placed
 from tamias2d.contact.gap import EPSILON, Axis, Gap, axes, from_side, gaps
@@ -121,32 +121,18 @@ def refreshed(contact: Contact, a: Placed, b: Placed) -> Contact:
 
 def normal_velocity(contact: Contact, a: State, b: State) -> float:
     """Return the normal velocity of a contact, m/s; negative when the bodies approach."""
-    return float(
-        impact.normal_velocity(
-            a.velocity,
-            a.angular_velocity,
-            contact.arm_a,
-            b.velocity,
-            b.angular_velocity,
-            contact.arm_b,
-            contact.normal,
-        )
-    )
+    return float(impact.normal_velocity(*_moving(contact, a, b)))
 
 
 def tangential_velocity(contact: Contact, a: State, b: State) -> float:
     """Return the tangential velocity of a contact, m/s (DD22)."""
-    return float(
-        friction.tangential_velocity(
-            a.velocity,
-            a.angular_velocity,
-            contact.arm_a,
-            b.velocity,
-            b.angular_velocity,
-            contact.arm_b,
-            contact.normal,
-        )
-    )
+    return float(friction.tangential_velocity(*_moving(contact, a, b)))
+
+
+def _moving(contact: Contact, a: State, b: State) -> tuple[Any, ...]:
+    """Return how bodies move, and where they touch, as velocities at a contact take it."""
+    on_a = (a.velocity, a.angular_velocity, contact.arm_a)
+    return (*on_a, b.velocity, b.angular_velocity, contact.arm_b, contact.normal)
 
 
 def tangent_of(contact: Contact) -> Contact:

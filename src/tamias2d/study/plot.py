@@ -12,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from tamias2d.errors import InputError, RecordingError, path_text
+from tamias2d.record.plot import figure_for
 from tamias2d.storage import write_aside
 from tamias2d.study.contact_errors import ContactErrors
 from tamias2d.study.contact_study import ContactStudy
-from tamias2d.study.work_precision import Point, Seconds, Study
+from tamias2d.study.work_precision import Point, Study
 
 _COLOURS = {
     "ClosedForm": "#111111",
@@ -55,22 +55,13 @@ def plot(study: Study | ContactStudy, path: str | Path, *, tolerance: float | No
         OSError: the file cannot be written.
     """
     path = Path(path)
-    figure = _figure(path)
-    _refuse_kind(figure, path)
+    figure = figure_for(path)
+    figure.set(size_inches=(12, 6), layout_engine="constrained")
     draw = _draw_contacts if isinstance(study, ContactStudy) else _draw_study
     draw(figure, study, tolerance)  # type: ignore[arg-type]
     drawn = io.BytesIO()
     figure.savefig(drawn, format=path.suffix[1:], dpi=120)
     write_aside(path, drawn.getvalue())
-
-
-def _refuse_kind(figure: Any, path: Path) -> None:
-    kinds = figure.canvas.get_supported_filetypes()
-    if path.suffix[1:] not in kinds:
-        raise InputError(
-            f"{path_text(path)}: suffix {path.suffix!r}: a picture is one of "
-            f"{', '.join(sorted(kinds))}. Give it such a name, .png for one."
-        )
 
 
 def _draw_study(figure: Any, study: Study, tolerance: float | None) -> None:
@@ -96,7 +87,8 @@ def _draw_contacts(figure: Any, study: ContactStudy, tolerance: float | None) ->
         _lines(axes, study, errors)
         _worst(axes, study, errors, size)
         front = [k for k in chosen if k in errors]
-        _front(axes, [errors[k] for k in front], [study.points[k].seconds for k in front])
+        timed = [(errors[k], study.points[k].seconds) for k in front]
+        _front(axes, [e for e, _ in timed], [one.median if one else math.nan for _, one in timed])
         axes.set(xscale="log", yscale="log", ylabel="cost: seconds, median of runs in turns")
         axes.grid(visible=True, which="major", alpha=0.25)
     left.set_xlim(left=study.floor / 2)
@@ -158,10 +150,10 @@ def _worst(
             axes.plot([error, worst], height, color=colour, linewidth=2.5, alpha=0.25, zorder=1)
 
 
-def _front(axes: Any, errors: list[float], seconds: list[Seconds | None]) -> None:
+def _front(axes: Any, errors: list[float], costs: list[float | None]) -> None:
     axes.plot(
         errors,
-        [one.median if one else math.nan for one in seconds],
+        costs,
         drawstyle="steps-pre",
         marker="o",
         markersize=10,
@@ -172,20 +164,6 @@ def _front(axes: Any, errors: list[float], seconds: list[Seconds | None]) -> Non
         zorder=3,
         label="front: nothing is both cheaper and better",
     )
-
-
-def _figure(path: Path) -> Any:
-    try:
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure
-    except ImportError as fault:
-        raise RecordingError(
-            f"{path}: a plot needs matplotlib, which is not installed ({fault}). "
-            'Install it by `pip install "tamias2d[plot]"`.'
-        ) from fault
-    figure = Figure(figsize=(12, 6), layout="constrained")
-    FigureCanvasAgg(figure)
-    return figure
 
 
 def _seconds(point: Point) -> float | None:
@@ -213,19 +191,7 @@ def _draw(axes: Any, study: Study, cost: CostOf, front: list[int], label: str) -
         if study.phases > 1 and own:
             _spread(axes, own, study, cost, _COLOURS.get(method, _GREY))
     chosen = [point for k in front if _placed(point := study.points[k], cost)]
-    axes.plot(
-        [_error(point, study) for point in chosen],
-        [cost(point) for point in chosen],
-        drawstyle="steps-pre",
-        marker="o",
-        markersize=10,
-        markerfacecolor="none",
-        color="black",
-        linewidth=0.8,
-        linestyle=":",
-        zorder=3,
-        label="front: nothing is both cheaper and better",
-    )
+    _front(axes, [_error(point, study) for point in chosen], [cost(point) for point in chosen])
     if not any(_placed(point, cost) for point in study.points):
         axes.set_ylim(1.0, 10.0)  # there is only the rim
     axes.set(xscale="log", yscale="log", ylabel=f"cost: {label}")
