@@ -26,6 +26,17 @@ def empty() -> t2.Scene:
     return t2.Scene(gravity=(0.0, 0.0))
 
 
+def throw(
+    scene: t2.Scene,
+    velocity: tuple[float, float],
+    at: tuple[float, float] = (0.0, 0.0),
+    restitution: float = 1.0,
+) -> None:
+    """Add the disc that is thrown."""
+    disc = t2.Disc(radius=0.1)
+    scene.add_body(disc, mass=1.0, position=at, velocity=velocity, restitution=restitution)
+
+
 # -- X4: speed
 
 
@@ -43,13 +54,7 @@ def shot(kind: str, speed: float, restitution: float, mass: float = 1.0) -> Simu
         scene.add_kinematic(WALL, position=(1.0, 0.0), velocity=(0.0, 0.0), restitution=restitution)
     else:
         scene.add_body(WALL, mass=mass, position=(1.0, 0.0), restitution=restitution)
-    scene.add_body(
-        t2.Disc(radius=0.1),
-        mass=1.0,
-        position=(0.0, 0.0),
-        velocity=(speed, 0.0),
-        restitution=restitution,
-    )
+    throw(scene, (speed, 0.0), restitution=restitution)
     sim = Simulator(scene)
     sim.step(30)
     return sim
@@ -89,9 +94,7 @@ def test_a_fast_disc_passes_between_walls_without_a_contact(speed: float) -> Non
     scene.add_static(t2.Box(width=0.02, height=1.0), position=(1.0, 0.0), restitution=1.0)
     scene.add_static(t2.Box(width=0.02, height=1.0), position=(1.0, 1.21), restitution=1.0)
     # between both it has 5 mm on each side
-    scene.add_body(
-        t2.Disc(radius=0.1), mass=1.0, position=(0.0, 0.605), velocity=(speed, 0.0), restitution=1.0
-    )
+    throw(scene, (speed, 0.0), at=(0.0, 0.605))
     sim = Simulator(scene)
     sim.step(10)
     assert sim.velocity[2].tolist() == [speed, 0.0]
@@ -105,9 +108,7 @@ def test_many_bounces_in_one_step_end_at_the_mirror_image(speed: float) -> None:
     scene = empty()
     for x in (-1.01, 1.01):
         scene.add_static(t2.Box(width=0.02, height=4.0), position=(x, 0.0), restitution=1.0)
-    scene.add_body(
-        t2.Disc(radius=0.1), mass=1.0, position=(0.1, 0.05), velocity=(speed, 0.0), restitution=1.0
-    )
+    throw(scene, (speed, 0.0), at=(0.1, 0.05))
     sim = Simulator(scene)
     sim.step(10)
     unfolded = (0.1 + speed / 6.0 + 0.9) % 3.6
@@ -168,13 +169,7 @@ def test_a_bullet_that_hits_a_row_of_discs_passes_none(restitution: float, speed
         scene.add_body(
             t2.Disc(radius=0.05), mass=0.2, position=(1.0 + 0.3 * k, 0.0), restitution=restitution
         )
-    scene.add_body(
-        t2.Disc(radius=0.1),
-        mass=1.0,
-        position=(0.0, 0.0),
-        velocity=(speed, 0.0),
-        restitution=restitution,
-    )
+    throw(scene, (speed, 0.0), restitution=restitution)
     sim = Simulator(scene)
     momentum, _, energy = totals(sim)
     for _ in range(12):
@@ -305,13 +300,7 @@ def test_a_bullet_far_away_bounces_the_same(offset: float) -> None:
     for at in (0.0, offset):
         scene = empty()
         scene.add_static(WALL, position=(at + 1.0, at), restitution=1.0)
-        scene.add_body(
-            t2.Disc(radius=0.1),
-            mass=1.0,
-            position=(at, at),
-            velocity=(200.0, 3.0),
-            restitution=1.0,
-        )
+        throw(scene, (200.0, 3.0), at=(at, at))
         sim = Simulator(scene)
         sim.step(20)
         ends.append((*(sim.position[1] - at), *sim.velocity[1]))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.kernels import choice, joint_code
+from tamias2d.kernels import joint_code
 from tamias2d.kernels.elimination import elimination, factorised, inverse_size, solve
 from tamias2d.motion.joint_events import Mode
 from tamias2d.motion.limited_mechanism import LimitedMechanism
@@ -25,19 +25,6 @@ SCENES = {
 }
 OWN = {"Equation('y - x**2')"}
 """Of no kind that code is made for."""
-
-
-@pytest.fixture
-def at_price(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[float], None]]:
-    """Let kernels be compiled at once, or never."""
-
-    def set_price(price: float) -> None:
-        choice.kernel.cache_clear()
-        monkeypatch.setattr(choice, "_LOAD", price)
-        monkeypatch.setattr(choice.Kernel, "_price", lambda _: price)
-
-    yield set_price
-    choice.kernel.cache_clear()
 
 
 def pairs(scene: Scene, sense: int = 0) -> Iterator[tuple[Mechanism, Mechanism, Given]]:

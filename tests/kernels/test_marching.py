@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import tamias2d as t2
-from tamias2d.kernels import choice
 from tamias2d.motion import (
     Dop853,
     DormandPrince5,
@@ -98,18 +97,6 @@ def outcome(scene: Scene, method: Method, step: float | None) -> Outcome:
 @pytest.fixture(autouse=True)
 def _whether_stable_or_not(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tamias2d.motion.methods.check", lambda *_, **__: ())
-
-
-@pytest.fixture
-def at_price(monkeypatch: pytest.MonkeyPatch) -> Callable[[float], None]:
-    """Let kernels be compiled at once, or never."""
-
-    def set_price(price: float) -> None:
-        choice.kernel.cache_clear()
-        monkeypatch.setattr(choice, "_LOAD", price)
-        monkeypatch.setattr(choice.Kernel, "_price", lambda _: price)
-
-    return set_price
 
 
 @pytest.fixture

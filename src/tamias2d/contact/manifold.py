@@ -121,18 +121,21 @@ def refreshed(contact: Contact, a: Placed, b: Placed) -> Contact:
 
 def normal_velocity(contact: Contact, a: State, b: State) -> float:
     """Return the normal velocity of a contact, m/s; negative when the bodies approach."""
-    return float(impact.normal_velocity(*_moving(contact, a, b)))
+    return float(impact.normal_velocity(*_at(contact, a, b)))
 
 
 def tangential_velocity(contact: Contact, a: State, b: State) -> float:
     """Return the tangential velocity of a contact, m/s (DD22)."""
-    return float(friction.tangential_velocity(*_moving(contact, a, b)))
+    return float(friction.tangential_velocity(*_at(contact, a, b)))
 
 
-def _moving(contact: Contact, a: State, b: State) -> tuple[Any, ...]:
-    """Return how bodies move, and where they touch, as velocities at a contact take it."""
-    on_a = (a.velocity, a.angular_velocity, contact.arm_a)
-    return (*on_a, b.velocity, b.angular_velocity, contact.arm_b, contact.normal)
+def _at(contact: Contact, a: State, b: State) -> tuple[Any, ...]:
+    return _motion(a, contact.arm_a, b, contact.arm_b, contact.normal)
+
+
+def _motion(a: State, arm_a: Vector, b: State, arm_b: Vector, axis: Vector) -> tuple[Any, ...]:
+    """Return what velocities at a point of two bodies, along an axis or across it, follow from."""
+    return a.velocity, a.angular_velocity, arm_a, b.velocity, b.angular_velocity, arm_b, axis
 
 
 def tangent_of(contact: Contact) -> Contact:
@@ -238,13 +241,7 @@ def slip_velocity(contact: Contact, a: State, b: State) -> float:
     p, q = (b, a) if contact.axis.swapped else (a, b)
     return float(
         friction.tangential_velocity(
-            p.velocity,
-            p.angular_velocity,
-            contact.gap.corner_p,
-            q.velocity,
-            q.angular_velocity,
-            contact.gap.corner,
-            contact.axis.direction,
+            *_motion(p, contact.gap.corner_p, q, contact.gap.corner, contact.axis.direction)
         )
     )
 

@@ -16,10 +16,3 @@ def aligned_zeros(shape: int | tuple[int, ...], dtype: DTypeLike = np.float64) -
     unaligned = np.zeros(size + LINE, dtype=np.uint8)
     start = -unaligned.__array_interface__["data"][0] % LINE
     return unaligned[start : start + size].view(kind).reshape(shape)
-
-
-def aligned_copy(values: NDArray[Any]) -> NDArray[Any]:
-    """Return a copy that begins at a cache line."""
-    copy = aligned_zeros(values.shape, values.dtype)
-    copy[...] = values
-    return copy

@@ -178,12 +178,10 @@ STEP_START = _substep_state()  # velocity as the step began
 
 _flight = Columns()
 FORCE_GAIN = _flight(3)  # m/s, m/s, rad/s, velocity gained by forces in this step
-REDIRECTED = (
-    _flight()
-)  # 1 if the path was redirected; more if the body follows one that cannot stop
-SUPPORTED = (
-    _flight()
-)  # 1 if the body had contacts under gravity: its velocity says little of its way
+# 1 if the path was redirected; more if the body follows one that cannot stop
+REDIRECTED = _flight()
+# 1 if the body had contacts under gravity: its velocity says little of its way
+SUPPORTED = _flight()
 PATH_LENGTH = _flight()  # m, that some point of the body goes
 
 

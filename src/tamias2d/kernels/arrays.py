@@ -25,7 +25,6 @@ PlaceRows: TypeAlias = Annotated[NDArray[np.uint32], "uint32[:, ::1]"]
 PlaceBlocks: TypeAlias = Annotated[NDArray[np.uint32], "uint32[:, :, ::1]"]
 Ranks: TypeAlias = Annotated[NDArray[np.int64], "int64[::1]"]
 RankRows: TypeAlias = Annotated[NDArray[np.int64], "int64[:, ::1]"]
-Masks: TypeAlias = Annotated[NDArray[np.uint64], "uint64[::1]"]
 
 _SCALARS = {float: "float64", int: "int64", bool: "boolean"}
 

@@ -126,9 +126,7 @@ def _shape(shape: Shape | None) -> Iterator[str]:
             yield "shape: compound"
             yield "parts:"
             for part in parts:
-                first, *others = _part(part)
-                yield f"  - {first}"
-                yield from (f"    {line}" for line in others)
+                yield from _listed(_part(part))
         case Chain():
             yield "shape: chain"
             yield "vertices:"
@@ -138,6 +136,13 @@ def _shape(shape: Shape | None) -> Iterator[str]:
             yield "shape: half-plane"
             yield f"normal: {_vector(normal, 'normal')}"
             yield f"offset: {_quantity(offset, 'offset')}"
+
+
+def _listed(lines: Iterator[str]) -> Iterator[str]:
+    """Make one entry of a list of some lines."""
+    first, *others = lines
+    yield f"  - {first}"
+    yield from (f"    {line}" for line in others)
 
 
 def _part(part: Part) -> Iterator[str]:
@@ -168,9 +173,7 @@ def _acting(scene: SceneData) -> Iterator[str]:
     if scene.fields:
         yield "fields:"
     for field in scene.fields:
-        lines = list(_field(scene, field))
-        yield f"  - {lines[0]}"
-        yield from (f"    {line}" for line in lines[1:])
+        yield from _listed(_field(scene, field))
 
 
 def _spring(scene: SceneData, spring: Spring) -> Iterator[str]:
@@ -202,9 +205,7 @@ def _joints(scene: SceneData) -> Iterator[str]:
     if scene.joints:
         yield "joints:"
     for joint in scene.joints:
-        lines = list(_joint(scene, joint))
-        yield f"  - {lines[0]}"
-        yield from (f"    {line}" for line in lines[1:])
+        yield from _listed(_joint(scene, joint))
 
 
 def _joint(scene: SceneData, joint: Joint) -> Iterator[str]:
