@@ -19,9 +19,6 @@ from statistics import median
 from typing import Any, NamedTuple
 from unittest.mock import patch
 
-from rich.console import Console
-from rich.progress import track
-
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Dop853, DormandPrince5, Method, Reference, Stepped
 from tamias2d.motion.halved import Halving
@@ -38,6 +35,7 @@ from tamias2d.study.refusal import ToleranceError
 from tools.measurements import certified_steps, held_out
 from tools.measurements.columns import Table
 from tools.measurements.exact import NotCoveredError, exact_history
+from tools.measurements.progress import each, until_stopped
 
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
 _RUNGS = 2**0.5  # of a ladder of steps
@@ -99,11 +97,9 @@ def measure(
     """Return shares and medians over the catalogue, those over held-out scenes, and all pairs."""
     asked = list(_all(seed, scenes))
     parts = {"catalogue": _Part(), "held out": _Part()}
-    try:
-        for one in track(asked, "Scenes", console=Console(stderr=True), transient=True):
+    with until_stopped():
+        for one in each(asked, "Scenes"):
             parts[one.part].add(one, tolerances)
-    except KeyboardInterrupt:
-        Console(stderr=True).print("Stopped; this is what was found until then.")
     return {
         **summary(parts["catalogue"].located),
         "held_out": summary(parts["held out"].located),

@@ -13,13 +13,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from rich.console import Console
-from rich.progress import track
 
 import tamias2d as t2
 from tamias2d.scene import Shape
 from tamias2d.state import Array
 from tools.measurements.columns import Columns
+from tools.measurements.progress import each
 
 WALLS = ("segments", "boards", "half-planes", "loop", "frame", "driven frame")
 ENDS = ("overlap", "just meet")  # at corners; half-planes overlap, and the sides of a loop meet
@@ -59,9 +58,8 @@ def options(parser: ArgumentParser) -> None:
 
 def measure(count: int = 200, first: int = 0, bodies: int = 60) -> dict[str, Any]:
     """Return for each kind of walls how many boxes kept all bodies, and the seeds of others."""
-    told = Console(stderr=True)
     rows: dict[tuple[str, str], dict[str, Any]] = {}
-    for seed in track(range(first, first + count), "boxes", console=told, transient=True):
+    for seed in each(range(first, first + count), "boxes"):
         box = closed_box(seed, bodies)
         row = rows.setdefault((box.walls, box.ends), _row(box))
         row["boxes"] += 1

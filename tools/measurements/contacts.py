@@ -13,9 +13,6 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from rich.console import Console
-from rich.progress import track
-
 from tamias2d.study.engines.box2d import Box2D
 from tamias2d.study.engines.chipmunk import Chipmunk
 from tamias2d.study.engines.engine import Maker
@@ -29,6 +26,7 @@ from tools.measurements.arena.scenes import SCENES
 from tools.measurements.arena.start import starts
 from tools.measurements.arena.towers import substeps_to_stand
 from tools.measurements.columns import Table
+from tools.measurements.progress import each, until_stopped
 
 Part: TypeAlias = Callable[[dict[str, Any]], None]
 """A part of the measurement, which adds to what was found."""
@@ -56,15 +54,12 @@ def measure(
     """Return what was found: `scenes` holds this library's numbers, `engines` everybody's."""
     peers = {"Pymunk": version("pymunk"), "pyb2d3": version("pyb2d3")}
     found: dict[str, Any] = {"scenes": {}, "engines": {}, "peers": peers, "repeats": repeats}
-    told = Console(stderr=True)
     parts: list[Part] = [partial(_scene, name, repeats) for name in scenes or SCENES]
     if not scenes:
         parts += _rest()
-    try:
-        for part in track(parts, console=told, transient=True):
+    with until_stopped():
+        for part in each(parts):
             part(found)
-    except KeyboardInterrupt:
-        told.print("Stopped; this is what was found until then.")
     if store is not None:
         page.write(found, store)
         picture.draw(found, store)

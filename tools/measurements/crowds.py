@@ -12,9 +12,6 @@ from argparse import ArgumentParser
 from collections.abc import Callable
 from typing import Any
 
-from rich.console import Console
-from rich.progress import track
-
 from tamias2d.scene import Scene
 from tamias2d.study.engines.box2d import Box2D
 from tamias2d.study.engines.chipmunk import Chipmunk
@@ -24,6 +21,7 @@ from tools.measurements.arena import box2d_scenes, crowd_scenes
 from tools.measurements.arena.followed import Followed
 from tools.measurements.arena.race import TIME_STEP
 from tools.measurements.columns import Columns
+from tools.measurements.progress import each, until_stopped
 
 _ENGINES: tuple[Maker, ...] = (Own, Chipmunk, Box2D)
 _BODIES = 500  # in each crowd that is not Box2D's
@@ -51,14 +49,11 @@ def measure(
     crowds: list[str] | None = None, bodies: int | None = None, steps: int = 120
 ) -> dict[str, Any]:
     """Return a row for each crowd and engine."""
-    told = Console(stderr=True)
     rows: list[dict[str, Any]] = []
-    try:
-        for name in track(crowds or list(CROWDS), "Crowds", console=told, transient=True):
+    with until_stopped():
+        for name in each(crowds or list(CROWDS), "Crowds"):
             make, full = CROWDS[name]
             rows += _crowd(name, make(bodies or full), steps, crowd_scenes.DRIVES.get(name))
-    except KeyboardInterrupt:
-        told.print("Stopped; this is what was found until then.")
     return {"bodies": bodies, "steps": steps, "rows": rows}
 
 

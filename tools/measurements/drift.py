@@ -6,9 +6,6 @@ The orbit is flown by kernels. The bounce by steps takes most of the time: some 
 from dataclasses import asdict
 from typing import Any
 
-from rich.console import Console
-from rich.progress import track
-
 from tamias2d.motion import (
     ClosedForm,
     ExplicitEuler,
@@ -20,6 +17,7 @@ from tamias2d.motion import (
 )
 from tamias2d.study.drift import Drift, bounce_drift, orbit_drift
 from tools.measurements.columns import Columns
+from tools.measurements.progress import each
 
 _STEPS = 10_000_000
 ORBITERS: tuple[Method, ...] = (
@@ -35,8 +33,7 @@ def measure() -> dict[str, Any]:
     """Return one row for each scene and method; the last two orbiters are there to be caught."""
     runs = [(orbit_drift, method, _STEPS) for method in ORBITERS]
     runs += [(bounce_drift, method, _STEPS) for method in (ClosedForm(), VelocityVerlet())]
-    told = Console(stderr=True)
-    rows = [go(method, steps) for go, method, steps in track(runs, console=told, transient=True)]
+    rows = [go(method, steps) for go, method, steps in each(runs)]
     return {"rows": [_row(drift) for drift in rows]}
 
 

@@ -11,8 +11,6 @@ from argparse import ArgumentParser
 from typing import Any
 
 import numpy as np
-from rich.console import Console
-from rich.progress import track
 
 from tamias2d.scene import Box, Disc, HalfPlane, Polygon, Scene
 from tamias2d.study.engines.box2d import Box2D
@@ -22,6 +20,7 @@ from tamias2d.study.engines.overlap import worst
 from tamias2d.study.engines.own import Own
 from tools.measurements.arena.followed import Followed
 from tools.measurements.columns import Columns
+from tools.measurements.progress import each
 
 _ENGINES: tuple[Maker, ...] = (Own, Chipmunk, Box2D)
 _STEPS = 180
@@ -75,8 +74,7 @@ def deepest(make: Maker, scene: Scene, steps: int = _STEPS) -> tuple[str, float,
 def measure(count: int = 1000, first: int = 0) -> dict[str, Any]:
     """Return a row for each engine."""
     seen: dict[str, list[list[float]]] = {}
-    told = Console(stderr=True)
-    for seed in track(range(first, first + count), "Drops", console=told, transient=True):
+    for seed in each(range(first, first + count), "Drops"):
         scene = drop(seed)
         for make in _ENGINES:
             name, *values = deepest(make, scene)

@@ -11,9 +11,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console
-from rich.progress import track
-
 from tamias2d.scene import catalogue
 from tamias2d.storage import write_aside
 from tamias2d.study import work_precision
@@ -22,6 +19,7 @@ from tamias2d.study.contact_study import contact_study
 from tamias2d.study.report import as_json, contacts_as_json
 from tamias2d.study.stepped_plan import stepped_because
 from tools.measurements.columns import Table
+from tools.measurements.progress import each, until_stopped
 
 SCENES = {
     "projectiles": 2.0,
@@ -61,14 +59,12 @@ def measure(
 ) -> dict[str, Any]:
     """Return the studies of all scenes, in the form of `tradeoff --json`."""
     found: dict[str, Any] = {}
-    try:
-        for name in track(list(scenes or SCENES), console=Console(stderr=True), transient=True):
+    with until_stopped():
+        for name in each(list(scenes or SCENES)):
             found[name] = _study(name, rates)
             if store is not None:
                 store.mkdir(parents=True, exist_ok=True)
                 write_aside(store / f"{name}.json", (json.dumps(found[name]) + "\n").encode())
-    except KeyboardInterrupt:
-        Console(stderr=True).print("Stopped; this is what was found until then.")
     return found
 
 

@@ -9,11 +9,9 @@ from argparse import ArgumentParser
 from collections import Counter
 from typing import Any
 
-from rich.console import Console
-from rich.progress import track
-
 from tools.fuzz.runner import KINDS, results
 from tools.measurements.columns import Columns
+from tools.measurements.progress import TOLD, each
 
 
 def options(parser: ArgumentParser) -> None:
@@ -25,15 +23,14 @@ def options(parser: ArgumentParser) -> None:
 
 def measure(kind: list[str] | None = None, first: int = 0, count: int = 1000) -> dict[str, Any]:
     """Return for each kind how many cases were done and refused, and what was wrong."""
-    told = Console(stderr=True)
     rows = []
     for name in kind or KINDS:
         counted: Counter[str] = Counter()
         wrong: list[tuple[int, str]] = []
-        for found in track(results(name, first, count), name, total=count, console=told):
+        for found in each(results(name, first, count), name, total=count):
             if found.wrong:
                 wrong.append((found.seed, found.what))
-                told.print(f"{name} {found.seed}: {found.what}")
+                TOLD.print(f"{name} {found.seed}: {found.what}")
             else:
                 counted[found.what] += 1
         rows.append({"kind": name, **counted, "wrong": [list(each) for each in wrong]})

@@ -12,8 +12,6 @@ from time import process_time
 from typing import Any
 
 import numpy as np
-from rich.console import Console
-from rich.progress import track
 
 from tamias2d.balance import balance
 from tamias2d.contact import Located
@@ -24,6 +22,7 @@ from tamias2d.solve import solve
 from tamias2d.study.engines.chipmunk import Chipmunk
 from tamias2d.work_limit import Work
 from tools.measurements.columns import Columns
+from tools.measurements.progress import each
 
 COUNTS = (100, 1000, 10_000)
 POLYGONS = (10, 100, 1000)
@@ -92,10 +91,9 @@ def measure(
     """Return one row for each number of discs, then of polygons."""
     asked = [("discs", gas, count) for count in counts]
     asked += [("polygons", polygon_gas, count) for count in polygons]
-    told = Console(stderr=True)
     rows = [
         {"shapes": shapes, "bodies": count, **_row(made(count), impacts, steps)}
-        for shapes, made, count in track(asked, console=told, transient=True)
+        for shapes, made, count in each(asked)
     ]
     return {"rows": rows, "share": _SHARE}
 

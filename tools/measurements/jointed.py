@@ -13,7 +13,6 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from rich.console import Console
 
 from tamias2d.errors import StepWarning
 from tamias2d.scene import Joint, Scene
@@ -32,6 +31,7 @@ from tools.measurements.mechanisms.scenes import (
     ragdoll_rain,
     spinner,
 )
+from tools.measurements.progress import TOLD
 
 _STEP = 1 / 60
 _TURN = 60  # steps
@@ -59,7 +59,6 @@ def measure(
     seed: int = 1_000_000,
 ) -> dict[str, Any]:
     """Return a row for each scene and program, and what became of random mechanisms."""
-    told = Console(stderr=True)
     scenes: dict[str, Callable[[], Scene]] = {
         f"net {side} x {side}": lambda: net(side),
         "ball and chain 672:1": ball_and_chain,
@@ -74,7 +73,7 @@ def measure(
     for name, made in scenes.items():
         rows += _race(name, made(), seconds)
         for cells in table_of(COLUMNS, rows[-3:])[1]:
-            told.print("  ".join(cells), highlight=False)
+            TOLD.print("  ".join(cells), highlight=False)
     return {"rows": rows, "mechanisms": _mechanisms(random, seed, seconds)}
 
 

@@ -12,8 +12,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from rich.console import Console
-from rich.progress import track
 from scipy import integrate, stats
 
 from tamias2d import (
@@ -30,6 +28,7 @@ from tamias2d import (
 )
 from tamias2d.motion import Method
 from tools.measurements.columns import Columns
+from tools.measurements.progress import each
 
 _G = 9.81  # m/s^2
 
@@ -58,11 +57,10 @@ def options(parser: ArgumentParser) -> None:
 
 def measure(repetitions: int = 200, scenes: list[str] | None = None) -> dict[str, Any]:
     """Return a row for each scene."""
-    told = Console(stderr=True)
     rows = []
     for name in scenes or KNOWN:
         known = KNOWN[name]()
-        seeds = track(range(repetitions), name, console=told, transient=True)
+        seeds = each(range(repetitions), name)
         rows.append({"scene": name, **_row(known, [_found(known, seed) for seed in seeds])})
     return {"repetitions": repetitions, "rows": rows}
 

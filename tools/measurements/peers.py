@@ -9,9 +9,6 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from rich.console import Console
-from rich.progress import track
-
 from tamias2d.run import Run
 from tamias2d.scene import Disc, Scene, catalogue
 from tamias2d.study.candidates import Candidate, candidates
@@ -21,6 +18,7 @@ from tamias2d.study.phases import LEAST, phases
 from tamias2d.study.truth import floor_of, truth_of
 from tamias2d.study.work_precision import Point, point_of
 from tools.measurements.columns import Table
+from tools.measurements.progress import each
 
 _RATES = (60, 240, 960, 3840)  # steps in a second
 _OWN = {
@@ -32,8 +30,7 @@ _OWN = {
 
 def measure() -> dict[str, Any]:
     """Return one row for each scene, with all ways that were tried."""
-    told = Console(stderr=True)
-    return {"rows": [_row(*one) for one in track(_scenes(), console=told, transient=True)]}
+    return {"rows": [_row(*one) for one in each(_scenes())]}
 
 
 def table(found: dict[str, Any]) -> Table:

@@ -11,13 +11,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from rich.console import Console
-from rich.progress import track
 
 import tamias2d as t2
 from tamias2d.scene import Shape
 from tamias2d.state import Array
 from tools.measurements.columns import Columns
+from tools.measurements.progress import each
 
 WAYS = ("stepped", "located")
 BODIES = ("segment", "board", "capsule", "disc", "needle", "polygon", "cross")
@@ -70,11 +69,10 @@ def options(parser: ArgumentParser) -> None:
 
 def measure(count: int = 10_000, first: int = 0, way: list[str] | None = None) -> dict[str, Any]:
     """Return a row for each way and pair of shapes, with the seeds of what passed."""
-    told = Console(stderr=True)
     ways = tuple(way or WAYS)
     rows: dict[tuple[str, str, str], dict[str, Any]] = {}
     for name in ways:
-        for seed in track(range(first, first + count), name, console=told, transient=True):
+        for seed in each(range(first, first + count), name):
             one = throw(seed)
             key = (name, one.body, one.floor)
             row = rows.setdefault(key, _row(*key))

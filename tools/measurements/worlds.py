@@ -12,8 +12,6 @@ from time import process_time
 from typing import Any
 
 import numpy as np
-from rich.console import Console
-from rich.progress import track
 
 from tamias2d import Disc, HalfPlane, Scene, Stepped
 from tamias2d.ensemble.discs import followed
@@ -23,6 +21,7 @@ from tamias2d.ensemble.worlds import VariedWorlds, worlds_of
 from tamias2d.study.engines.refusal import imported
 from tools.measurements.arena.race import TIME_STEP, undisturbed
 from tools.measurements.columns import Columns
+from tools.measurements.progress import each
 
 _RADIUS, _WIDTH, _TOP = 0.15, 4.0, 3.0  # m
 _SPEED = 2.0  # m/s
@@ -51,10 +50,9 @@ def measure(
     seed: int = 1,
 ) -> dict[str, Any]:
     """Return a row for each number of discs, restitution, and way through contacts."""
-    told = Console(stderr=True)
     kinds = [(count, bounce) for bounce in restitution or [1.0, 0.9] for count in discs or _ASKED]
     rows: list[dict[str, Any]] = []
-    for count, bounce in track(kinds, "Worlds", console=told, transient=True):
+    for count, bounce in each(kinds, "Worlds"):
         many = scattered(count, bounce, max(worlds, _LEAST_WORLDS) * turns, seed)
         rows += _rows(many, turns, duration)
     return {"duration": duration, "turns": turns, "seed": seed, "rows": rows}
