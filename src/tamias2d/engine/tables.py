@@ -392,6 +392,7 @@ LOCATED = _flags()  # impacts whose instants continuous collision may still find
 MOST_LOCATED = 12  # LOCATED of a contact that meets in this part
 SECONDARY = 14  # LOCATED of a contact that others may bring about, until it is on a list or not
 SPENT = 15  # LOCATED of a contact that has had its share of these impacts
+BOUNCED = _flags()  # 1 if restitution has parted it in the last part of a step
 # bits of TOUCHES: in this step and in the last one; in flight in this step and in the last one
 IS_TOUCHING, WAS_TOUCHING, MET_IN_FLIGHT, HAD_MET_IN_FLIGHT = 1, 2, 4, 8
 
@@ -415,7 +416,15 @@ class Contacts(NamedTuple):
         IndexRows,
         Sized("contacts", _flags.width),
         Saved(
-            {POINT_COUNT: 3, TOUCHES: 16, CACHED_AXIS: 2**31, SENSES: 2, KNOWN_SIDE: 2, LOCATED: 16}
+            {
+                POINT_COUNT: 3,
+                TOUCHES: 16,
+                CACHED_AXIS: 2**31,
+                SENSES: 2,
+                KNOWN_SIDE: 2,
+                LOCATED: 16,
+                BOUNCED: 2,
+            }
         ),
     ]
 

@@ -4,6 +4,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.part_impulses import store_impulse_of_part
 from tamias2d.engine.solver.blocks import lane_of, points_of
 from tamias2d.engine.tables import Bodies, Constraints, Contacts, Control, Touching
+from tamias2d.kernels.lanes import LANES
 
 
 def store_impulses(
@@ -18,14 +19,15 @@ def store_impulses(
     """Store the impulses of touching contacts, which are listed by slabs, and where they acted.
 
     A contact with an impulse touched. The impulses of the parts of a step are added up as each
-    ends (`add_up_impulses`).
+    ends (`add_up_impulses`). A contact that restitution has parted is marked.
     """
-    in_parts = control.counts[tb.LEVEL] > 0
+    in_parts, bouncing = control.counts[tb.LEVEL] > 0, constraints.counts[tb.BOUNCING] > 0
     for place in range(first, last):
         k = touching.by_slab[place]
         p, pose = touching.contact[k], bodies.pose[touching.body_a[k]]
         b, m = lane_of(k, touching)
         row, manifold = constraints.blocks[b], contacts.manifolds[p]
+        contacts.flags[p, tb.BOUNCED] = 0
         for n in range(points_of(k, touching)):
             at, to = tb.SHARED + n * tb.POINT_SIZE + m, tb.POINT * n
             total = row[at + tb.P_TOTAL_IMPULSE]
@@ -37,5 +39,7 @@ def store_impulses(
                 manifold[tb.WORLD_POINT + to + 1] = pose[tb.Y] + manifold[tb.PY + to]
                 if total > 0.0:
                     contacts.flags[p, tb.TOUCHES] |= tb.IS_TOUCHING
+            if bouncing and row[tb.FIRST_RESTITUTION + n * LANES + m] > 0.0:
+                contacts.flags[p, tb.BOUNCED] = 1
             manifold[tb.NORMAL_IMPULSE + to] = row[at + tb.P_NORMAL_IMPULSE]
             manifold[tb.TANGENT_IMPULSE + to] = row[at + tb.P_TANGENT_IMPULSE]

@@ -26,7 +26,6 @@ from tamias2d.state import Array
 FIRMER = 2.0  # frequency of a contact with a body that does not move freely, to that of others
 FIRMEST = 2.0  # frequency under load, to that without
 DAMPING = 10.0  # of the spring, where 1 is critical
-PARTING = 2.0**-7  # of the velocity that its impulse gives: a point that has bounced parts faster
 REST = 0.015  # of the smaller radius: overlap to which a load should lead
 LEARNT = 0.02  # of the overlap, by the preload in a step
 PRELOADED = 0.2  # of the smaller radius: largest preload
@@ -121,9 +120,14 @@ def impulse_lanes(at: int, of: int, ratio: float, row: Array, found: Array) -> N
 def finish_lane(
     m: int, lane: Integers, row: Array, bodies: Bodies, contacts: Contacts, found: Array
 ) -> None:
-    """Keep the preloads of a contact; find its gaps if it is foreseen, and how fast it meets."""
+    """Keep the preloads of a contact; find its gaps if it is foreseen, and how fast it meets.
+
+    What has bounced and parts starts without its impulses: friction would act by that of a blow
+    that is over.
+    """
     manifold, state = contacts.manifolds[lane[tb.LANE_CONTACT + m]], bodies.substep_state
     a, b, ahead = state[lane[tb.BODY_A + m]], state[lane[tb.BODY_B + m]], manifold[tb.FORESEEN]
+    bounced = contacts.flags[lane[tb.LANE_CONTACT + m], tb.BOUNCED] > 0
     manifold[tb.PRELOAD] = found[tb.F_FIRST_POINT + tb.F_PRELOAD + m]
     if lane[tb.POINTS] == 2:
         manifold[tb.PRELOAD + tb.POINT] = found[tb.F_SECOND_POINT + tb.F_PRELOAD + m]
@@ -133,6 +137,8 @@ def finish_lane(
             row[at + tb.P_GAP] = gap_before(m, at, row, a, b, ahead)
         if row[tb.R_RESTITUTION + m] > 0.0:
             row[at + tb.P_APPROACH] = approach_velocity(m, at, row, a, b)
+            if bounced and row[at + tb.P_APPROACH] > 0.0:
+                row[at + tb.P_NORMAL_IMPULSE] = row[at + tb.P_TANGENT_IMPULSE] = 0.0
 
 
 def gap_before(m: int, at: int, row: Array, a: Array, b: Array, ahead: float) -> float:
@@ -172,10 +178,8 @@ def prepare_blocks(first: int, last: int, substep: float, blocks: Array, lanes: 
     for b in range(first, last):
         row = blocks[b]
         effective_mass_lanes(tb.FIRST_POINT, row)
-        unload_parting_lanes(tb.FIRST_POINT, row)
         if lanes[b, tb.POINTS] == 2:
             effective_mass_lanes(tb.SECOND_POINT, row)
-            unload_parting_lanes(tb.SECOND_POINT, row)
         soften_lanes(row, lanes[b, tb.POINTS], substep)
 
 
@@ -192,19 +196,6 @@ def effective_mass_lanes(at: int, row: Array) -> None:
         tangent = row_mass(a, turn_a, tangent_a, b, turn_b, tangent_b)
         row[at + tb.P_NORMAL_MASS + m] = 0.0 if idle else normal
         row[at + tb.P_TANGENT_MASS + m] = 0.0 if idle else tangent
-
-
-def unload_parting_lanes(at: int, row: Array) -> None:
-    """Take their impulses from points that have bounced and part.
-
-    Friction would act by the impulse of a blow that is over.
-    """
-    for m in range(LANES):
-        normal = row[at + tb.P_NORMAL_IMPULSE + m]
-        parting = row[at + tb.P_NORMAL_MASS + m] * row[at + tb.P_APPROACH + m]
-        parts = (row[tb.R_RESTITUTION + m] > 0.0) & (parting > PARTING * normal)
-        row[at + tb.P_NORMAL_IMPULSE + m] = 0.0 if parts else normal
-        row[at + tb.P_TANGENT_IMPULSE + m] = 0.0 if parts else row[at + tb.P_TANGENT_IMPULSE + m]
 
 
 def soften_lanes(row: Array, points: int, substep: float) -> None:
