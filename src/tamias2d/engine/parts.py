@@ -35,6 +35,7 @@ from tamias2d.engine.tables import (
     PART_TIME,
     RETAKEN,
     SENSES,
+    SHAPE_RADIUS,
     SLOT_A,
     SLOT_B,
     SPIN,
@@ -49,7 +50,10 @@ from tamias2d.engine.tables import (
     Bodies,
     Contacts,
     Control,
+    Shapes,
     World,
+    X,
+    Y,
 )
 from tamias2d.generated.continuous_collision import motion_bound
 
@@ -181,7 +185,8 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
         far = motion_of_pair(i, j, control.progress[PART_TIME], bodies)
         reach = smaller_radius(s, t, shapes.material)
         deep = max(LIMIT * allowed_depth(i, j, reach, bodies.properties), THIN * reach)
-        if far > deep and contacts.flags[p, SENSES] == 0:
+        near = far > deep and not stay_apart(p, far, bodies, shapes, contacts)
+        if near and contacts.flags[p, SENSES] == 0:
             held = held_normal(contacts.manifolds[p], contacts.flags[p])
             gap = manifold_at(s, t, 0.0, held, bodies, shapes, world.events)
             k = level
@@ -189,6 +194,18 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
                 k += 1
                 far *= 0.5
             wanted[k] += 1 if far <= max(deep, gap) else 0
+
+
+def stay_apart(p: int, far: float, bodies: Bodies, shapes: Shapes, contacts: Contacts) -> bool:
+    """Return whether the circles around a pair are farther apart than it comes together, m.
+
+    Such a pair wants no shorter part.
+    """
+    a, b = bodies.pose[contacts.pairs[p, SLOT_A]], bodies.pose[contacts.pairs[p, SLOT_B]]
+    material, pair = shapes.material, contacts.pairs[p]
+    reach = material[pair[0], SHAPE_RADIUS] + material[pair[1], SHAPE_RADIUS] + far
+    dx, dy = b[X] - a[X], b[Y] - a[Y]
+    return bool(dx * dx + dy * dy > reach * reach)
 
 
 def motion_of_pair(i: int, j: int, time: float, bodies: Bodies) -> float:
