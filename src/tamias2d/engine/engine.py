@@ -151,7 +151,7 @@ class Engine(Store):
 
     @property
     def limits(self) -> int:
-        """How many of the next two are known."""
+        """How often something was found to tell, of the next two or of joints."""
         return self.world.control.counts.item(tb.LIMITS)  # asked for in each step
 
     @property

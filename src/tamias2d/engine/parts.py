@@ -10,10 +10,15 @@ length. Cost of choosing: a pass over contacts, and the gap of those that are fa
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.broad_phase.pairs import TOO_CROWDED
-from tamias2d.engine.continuous.events import THIN, allowed_depth, manifold_at, smaller_radius
+from tamias2d.engine.continuous.events import (
+    THIN,
+    allowed_depth,
+    manifold_at,
+    smaller_radius,
+)
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.part_impulses import add_up_impulses, forget_impulses, forget_impulses_of_part
-from tamias2d.engine.tables import Bodies, Contacts, Control, World
+from tamias2d.engine.tables import Bodies, Contacts, Control, Shapes, World
 from tamias2d.generated.continuous_collision import motion_bound
 
 FEW, OF_ALL = 3, 64  # pairs that are left to continuous collision: so many, or one of so many
@@ -146,7 +151,8 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
         far = motion_of_pair(i, j, control.progress[tb.PART_TIME], bodies)
         reach = smaller_radius(s, t, shapes.material)
         deep = max(LIMIT * allowed_depth(i, j, reach, bodies.properties), THIN * reach)
-        if far > deep and contacts.flags[p, tb.SENSES] == 0:
+        near = far > deep and not stay_apart(p, far, bodies, shapes, contacts)
+        if near and contacts.flags[p, tb.SENSES] == 0:
             held = held_normal(contacts.manifolds[p], contacts.flags[p])
             gap = manifold_at(s, t, 0.0, held, bodies, shapes, world.events)
             k = level
@@ -154,6 +160,18 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
                 k += 1
                 far *= 0.5
             wanted[k] += 1 if far <= max(deep, gap) else 0
+
+
+def stay_apart(p: int, far: float, bodies: Bodies, shapes: Shapes, contacts: Contacts) -> bool:
+    """Return whether the circles around a pair are farther apart than it comes together, m.
+
+    Such a pair wants no shorter part.
+    """
+    a, b = bodies.pose[contacts.pairs[p, tb.SLOT_A]], bodies.pose[contacts.pairs[p, tb.SLOT_B]]
+    material, pair = shapes.material, contacts.pairs[p]
+    reach = material[pair[0], tb.SHAPE_RADIUS] + material[pair[1], tb.SHAPE_RADIUS] + far
+    dx, dy = b[tb.X] - a[tb.X], b[tb.Y] - a[tb.Y]
+    return bool(dx * dx + dy * dy > reach * reach)
 
 
 def motion_of_pair(i: int, j: int, time: float, bodies: Bodies) -> float:

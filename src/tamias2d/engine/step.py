@@ -235,7 +235,8 @@ def find_moved(world: World) -> int:
         update_sleep(world.control, bodies, broad_phase, contacts, islands)
     left = mark_out_of_bounds(world.control, bodies, broad_phase)
     all_needed = left > 0 or broad_phase.counts[LIST_HOLDS] == 0
-    turn_vertices(bodies, world.shapes, STATIC if all_needed else KINEMATIC)
+    if all_needed or broad_phase.counts[CONTACTS] > 0:
+        turn_vertices(bodies, world.shapes, STATIC if all_needed else KINEMATIC)
     return left
 
 
@@ -260,6 +261,7 @@ def integrate(world: World) -> int:
 
 def find_leaving(world: World) -> int:
     """Return how many bodies leave their bounds in flight."""
-    if world.control.progress[FLOWN] > 0.0:  # vertices were turned along the flight
+    unturned = world.broad_phase.counts[CONTACTS] == 0
+    if unturned or world.control.progress[FLOWN] > 0.0:  # they were turned along the flight
         turn_vertices(world.bodies, world.shapes, STATIC)
     return mark_leaving_bounds(world.bodies, world.broad_phase)

@@ -12,6 +12,7 @@ from tamias2d.engine.joints.stages import (
     end_joints,
     fit_touched,
     look_at_touched,
+    past_untouched,
     relax_joints,
     solve_joints,
 )
@@ -198,6 +199,7 @@ def end_slab(slab: int, world: World, contacts: Contacts) -> None:
     first, last = slabs[slab, tb.S_BODY], slabs[slab + 1, tb.S_BODY]
     fit_touched(world)
     end_joints(world)
+    first = past_untouched(first, last, world)
     sum_step_energy(first, last, world.control, bodies, touching, constraints.energy)
     look_at_touched(world)
     if constraints.counts[tb.BOUNCING] == 0:

@@ -95,7 +95,7 @@ PART_SUBSTEPS = _control()  # of a part
 SUNK_A = _control()  # slot, plus 1, of a body that another sinks into; 0 for none so far
 SUNK_B = _control()  # of the other one
 OUTWEIGHED = _control()  # slot, plus 1, of a body of an island of masses too different to be solved
-LIMITS = _control()  # how many of these two are known
+LIMITS = _control()  # how often something was found to tell: of these two, or of joints
 ALL_ASLEEP = _control()  # 1 if no body was awake in the last step, and nobody came or went since
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
 
@@ -801,6 +801,7 @@ M_CHOOSING = _mechanisms()  # 1 if it has limits or motors
 M_HINGED = _mechanisms()  # 1 if it is a net or a tree of hinges; of a tree nodes come after those
 # above them, and joints that are no hinges of nodes last
 M_IN_BLOCK = _mechanisms()  # 1 if it is a tree that is solved in a lane of a block
+M_WRITTEN = _mechanisms()  # 1 if its rows are those of its places and masses
 M_HALF = _mechanisms()  # 1 in the first substep of a step whose forces came half before it
 # status: those of the second kind have no limits, motors and springs, those of the third have some
 ASLEEP, FREE_OF_CONTACTS, GOVERNED_ALONE, IN_CONTACT = range(4)
@@ -905,6 +906,7 @@ _tree_blocks = Columns()  # of equal trees of hinges
 T_FIRST = _tree_blocks()  # row of what their roots hang on; those of nodes follow
 T_TIED = _tree_blocks()  # 1 if that is something
 T_SPRUNG = _tree_blocks()  # 1 if springs govern the angles of hinges
+T_WRITTEN = _tree_blocks()  # 1 if its hinges are those of the places and masses of its lanes
 T_MECHANISM = _tree_blocks(LANES)  # the tree of each lane, or -1
 
 _block_lanes = Columns(LANES)  # of a block

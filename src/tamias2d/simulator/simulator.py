@@ -203,8 +203,8 @@ class Simulator(Views):
             self._tell(
                 too_long_for_contacts(engine, self._name_of, self.time, step, self._substeps)
             )
-        if engine.joints_fail:
-            self._tell(too_long_for_joints(self._joints, engine, self.time, step))
+            if engine.joints_fail:
+                self._tell(too_long_for_joints(self._joints, engine, self.time, step))
         if self._scene is None or SPRINGS in self._warned:
             return
         if (row := engine.lossy_springs) >= 0:

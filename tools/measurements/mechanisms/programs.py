@@ -19,10 +19,9 @@ from tools.measurements.mechanisms.scenes import inertia_between
 class Own:
     """Our own frame loop."""
 
-    name = "Tamias2D"
-
-    def __init__(self, scene: Scene, time_step: float) -> None:
-        self._sim = Simulator(scene, time_step=time_step)
+    def __init__(self, scene: Scene, time_step: float, substeps: int = 4) -> None:
+        self._sim = Simulator(scene, time_step=time_step, substeps=substeps)
+        self.name = f"Tamias2D, {substeps} substeps"
 
     def step(self, count: int) -> None:
         """Go so many time steps ahead, one by one."""

@@ -15,6 +15,7 @@ from tamias2d.engine.joints.stages import (
     look_at_touched,
     note_mechanisms,
     note_places,
+    past_untouched,
     relax_joints,
     solve_joints,
 )
@@ -36,6 +37,7 @@ JOINT_STAGES = (
     note_joined_support,
     note_mechanisms,
     note_places,
+    past_untouched,
     relax_joints,
     solve_joints,
     charge_joined,

@@ -27,6 +27,7 @@ from tamias2d.engine.tables import (
     T_MECHANISM,
     T_SPRUNG,
     T_TIED,
+    T_WRITTEN,
     TREE_BLOCKS,
 )
 from tamias2d.kernels.lanes import LANES
@@ -92,7 +93,9 @@ def write_blocks_of(store: Store, blocks: Sequence[tuple[Shape, list[int]]]) -> 
     joints.block_lanes[:] = joints.tree_lanes[:] = 0.0
     first = 0
     for b, ((above, sprung), trees) in enumerate(blocks):
-        joints.tree_blocks[b, [T_FIRST, T_TIED, T_SPRUNG]] = first, above[0] == -1, sprung
+        joints.tree_blocks[b, [T_FIRST, T_TIED, T_SPRUNG, T_WRITTEN]] = (
+            *(first, above[0] == -1, sprung, 0),
+        )
         joints.tree_blocks[b, T_MECHANISM : T_MECHANISM + len(trees)] = trees
         joints.mechanisms[trees, M_IN_BLOCK] = 1
         joints.tree_above[first] = first

@@ -60,7 +60,7 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
-from tamias2d.generated.joint_rows import ROW, joint_bends, joint_rows
+from tamias2d.generated.joint_rows import KINDS, ROW, joint_bends, joint_rows, revolute_bends
 from tamias2d.generated.joint_step import (
     coupled_inertia,
     coupled_lever,
@@ -82,6 +82,7 @@ from tamias2d.state import Array
 FIRM = 1e8  # firmness of a row, for each unit of its own mass
 ROW_TURNED = 0.48  # sine of half a radian, by which a row may turn in a substep
 ENDS_OF_JOINT = 3
+HINGE = KINDS.index("revolute")
 TURNED_TOGETHER = 8  # angles: as many as fit into the widest registers
 
 
@@ -185,6 +186,20 @@ def move_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Jo
     turn_all(first, last, joints.turns[0], joints.turns[1], joints.turns[2])
 
 
+@inlined
+def lean_at_hinge(ends: Integers, numbers: Array, given: Array, joints: Joints) -> None:
+    """Add how the pull of a hinge leans on the arms of its bodies."""
+    place_a, place_b = joints.places[ends[J_MEMBER]], joints.places[ends[J_MEMBER + 1]]
+    bends = joints.bends
+    revolute_bends(given, place_a, place_b, bends)
+    if ends[J_NODE] >= 0:
+        place_a[LEANING] += leaning(numbers[J_FORCE], bends[0])
+        place_a[LEANING] += leaning(numbers[J_FORCE + 1], bends[ENDS_OF_JOINT])
+    if ends[J_NODE + 1] >= 0:
+        place_b[LEANING] += leaning(numbers[J_FORCE], bends[1])
+        place_b[LEANING] += leaning(numbers[J_FORCE + 1], bends[ENDS_OF_JOINT + 1])
+
+
 def turn_members(first: int, last: int, joints: Joints) -> None:
     """Write cosines and sines where generated code takes them."""
     for m in range(first, last):
@@ -263,23 +278,29 @@ def add_coupling(early: int, late: int, firm: float, numbers: Array, e: Array) -
     e[OFF_DIAGONAL + 8] += coupled_inertia(turning, turning_late, firm)
 
 
-def note_node_masses(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
-    """Note slots and masses of the nodes of a mechanism; 0 for a body that does not turn.
+def note_node_masses(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
+    """Note slots and masses of the nodes of a mechanism; return whether a mass is another one.
+
+    An inertia is 0 for a body that does not turn.
 
     A body at whose arms joints pull counts with so much inertia that it swings slowly enough for
     substeps.
     """
     note_leaning(n, joints)
+    changed = False
     for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
         i, place = joints.members[node + 1, JOINED_SLOT], joints.places[node + 1]
+        factors = joints.factors[node]
         inverse_inertia = bodies.properties[i, INVERSE_INERTIA]
         joints.sparse[node, N_BODY] = i
-        joints.factors[node, NODE_MASS] = 1.0 / bodies.properties[i, INVERSE_MASS]
-        joints.factors[node, NODE_INERTIA] = place[HELD_INVERSE_INERTIA] = 0.0
+        mass, held = 1.0 / bodies.properties[i, INVERSE_MASS], 0.0
+        place[HELD_INVERSE_INERTIA] = 0.0
         if inverse_inertia > 0.0:
             held = inertia_held(1.0 / inverse_inertia, place[LEANING], substep)
-            joints.factors[node, NODE_INERTIA] = held
             place[HELD_INVERSE_INERTIA] = 1.0 / held
+        changed = changed | (factors[NODE_MASS] != mass) | (factors[NODE_INERTIA] != held)
+        factors[NODE_MASS], factors[NODE_INERTIA] = mass, held
+    return bool(changed)
 
 
 def note_leaning(n: int, joints: Joints) -> None:
@@ -288,6 +309,9 @@ def note_leaning(n: int, joints: Joints) -> None:
         joints.places[m, LEANING] = 0.0
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         ends, numbers, bends = joints.joints[j], joints.numbers[j], joints.bends
+        if ends[J_KIND] == HINGE:
+            lean_at_hinge(ends, numbers, joints.given[j], joints)
+            continue
         a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
         place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
         joint_bends(ends[J_KIND], joints.given[j], place_a, place_b, place_c, bends)

@@ -20,6 +20,7 @@ from tamias2d.engine.tables import (
     H_ANCHOR,
     H_FAR_ANCHOR,
     H_SIDE,
+    HOLDS,
     I_NODE,
     ISLANDS_KNOWN,
     J_EDGE,
@@ -28,6 +29,7 @@ from tamias2d.engine.tables import (
     J_MEMBER,
     J_NODE,
     J_ROWS,
+    J_STATE,
     JOINED_ABOVE,
     JOINED_BODY,
     JOINED_HINGE,
@@ -178,7 +180,7 @@ def _write_joints(
             joints.mechanisms[n, M_DRIVEN] |= row.driven
             joints.mechanisms[n, M_GOVERNED] |= row.governed
             joints.mechanisms[n, M_CHOOSING] |= row.law in CHOOSING
-            joints.joints[j, J_LAW] = row.law
+            joints.joints[j, [J_LAW, J_STATE]] = row.law, HOLDS
             joints.laws[j] = row.numbers
             joints.joints[j, J_MEMBER : J_MEMBER + 3] = own
             joints.joints[j, J_NODE : J_NODE + 3] = nodes

@@ -23,6 +23,7 @@ from tamias2d.engine.joints.linearise import (
     linearise,
     note_node_masses,
     place_members,
+    turn_members,
 )
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
 from tamias2d.engine.joints.tree_blocks import (
@@ -39,9 +40,11 @@ from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.solver.slabs import list_all
 from tamias2d.engine.springs.substep import activate
 from tamias2d.engine.tables import (
+    ANGLE,
     ARRANGED,
     ASLEEP,
     DRAG_FACTOR,
+    FORCE_GAIN,
     FREE_OF_CONTACTS,
     GOVERNED_ALONE,
     I_NODE,
@@ -71,6 +74,7 @@ from tamias2d.engine.tables import (
     JOINTS,
     JOINTS_APART,
     JOINTS_TURNED,
+    LIMITS,
     M_CHOOSING,
     M_GOVERNED,
     M_HALF,
@@ -80,11 +84,16 @@ from tamias2d.engine.tables import (
     M_MESHED,
     M_STATUS,
     M_TIED,
+    M_WRITTEN,
     MECHANISMS,
     MECHANISMS_AWAKE,
     MECHANISMS_TOUCHED,
     N_BODY,
+    NETWORKS_TOUCHED,
     PART_TIME,
+    PLACE_ANGLE,
+    PLACE_X,
+    PLACE_Y,
     ROOT,
     S_TREE,
     SLABS,
@@ -95,10 +104,13 @@ from tamias2d.engine.tables import (
     TICK,
     TIME_STEP,
     TOTAL_ENERGY_NOW,
+    TOUCHING,
     Bodies,
     Islands,
     Joints,
     World,
+    X,
+    Y,
 )
 from tamias2d.generated.joint_step import (
     half_decay,
@@ -106,6 +118,8 @@ from tamias2d.generated.joint_step import (
     kick_velocity_later,
     kick_velocity_start,
 )
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array
 
 
 def clear_of_joints(clear: bool, world: World) -> bool:
@@ -136,12 +150,37 @@ def note_mechanisms(world: World) -> None:
     joints = world.joints
     if joints.counts[JOINTS] == 0:
         return
-    place_members(0, len(joints.members), 0.0, world.bodies, joints)
+    place_moved(world.bodies, joints)
     for n in range(joints.counts[MECHANISMS]):
         asleep = is_asleep(n, world.islands, joints)
         if asleep != (joints.mechanisms[n, M_STATUS] == ASLEEP):
             joints.mechanisms[n, M_STATUS] = ASLEEP if asleep else FREE_OF_CONTACTS
             world.touching.counts[ARRANGED] = 0
+
+
+def place_moved(bodies: Bodies, joints: Joints) -> None:
+    """Place all members where one is not where it was; rows of whose members are have to be new."""
+    last = joints.sparse[joints.counts[MECHANISMS], I_NODE] + 1
+    anew = have_moved(0, 1, bodies, joints) or have_moved(last, len(joints.members), bodies, joints)
+    moved = anew
+    for n in range(joints.counts[MECHANISMS]):
+        first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+        if anew or have_moved(first, last, bodies, joints):
+            joints.mechanisms[n, M_WRITTEN], moved = 0, True
+    if moved:
+        place_members(0, len(joints.members), 0.0, bodies, joints)
+    else:
+        turn_members(0, len(joints.members), joints)
+
+
+def have_moved(first: int, last: int, bodies: Bodies, joints: Joints) -> bool:
+    """Return whether members are not where they were placed last."""
+    moved = False
+    for m in range(first, last):
+        pose, place = bodies.pose[joints.members[m, JOINED_SLOT]], joints.places[m]
+        same = (place[PLACE_X] == pose[X]) & (place[PLACE_Y] == pose[Y])
+        moved = moved | (not (same & (place[PLACE_ANGLE] == pose[ANGLE])))
+    return bool(moved)
 
 
 def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
@@ -186,24 +225,30 @@ def join_slabs(tree_count: int, world: World) -> None:
 
 
 def begin_joints(substep: float, world: World) -> None:
-    """Begin a step: find the rows; free of contacts, velocities go back by half a substep."""
+    """Begin a step; free of contacts, velocities go back by half a substep.
+
+    Rows are found anew unless the last step has left them as they are to be.
+    """
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
-            note_node_masses(n, substep, bodies, joints)
-            begin_rows(n, joints)
+            if note_node_masses(n, substep, bodies, joints):
+                joints.mechanisms[n, M_WRITTEN] = 0
+            if joints.mechanisms[n, M_GOVERNED] == 1:
+                begin_rows(n, joints)
             begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
             if joints.mechanisms[n, M_HINGED] == 1 and joints.mechanisms[n, M_MESHED] == 1:
                 begin_net(n, bodies, joints)
-            if joints.mechanisms[n, M_IN_BLOCK] == 0:
+            if joints.mechanisms[n, M_IN_BLOCK] == 0 and joints.mechanisms[n, M_WRITTEN] == 0:
                 write_mechanism(n, bodies, joints)
             joints.mechanisms[n, M_HALF] = joints.mechanisms[n, M_STATUS] != IN_CONTACT
             if joints.mechanisms[n, M_HALF] == 1:
                 kick_half(n, False, bodies, joints)
     begin_blocks(bodies, joints)
     for n in range(joints.counts[MECHANISMS]):
+        joints.mechanisms[n, M_WRITTEN] = 0
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
             note_energy_of_springs(n, joints)
 
@@ -232,6 +277,7 @@ def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
 def keep_joint_impulses(world: World) -> None:
     """Add the impulses of a part that was taken to those of the step, and note the forces."""
     joints = world.joints
+    known = joints.counts[JOINTS_APART] + joints.counts[JOINTS_TURNED]
     time = world.control.progress[PART_TIME]
     kept = 0.0 if world.control.counts[TICK] == 0 else 1.0
     for n in range(joints.counts[MECHANISMS]):
@@ -251,6 +297,8 @@ def keep_joint_impulses(world: World) -> None:
                         joints.counts[JOINTS_APART] = 1
                 if numbers[J_TURNED] > 0.0:
                     joints.counts[JOINTS_TURNED] = 1
+    if joints.counts[JOINTS_APART] + joints.counts[JOINTS_TURNED] > known:
+        world.control.counts[LIMITS] += 1
 
 
 def solve_joints(again: bool, substep: float, world: World) -> None:
@@ -381,11 +429,26 @@ def end_joints(world: World) -> None:
         if status != ASLEEP and status != IN_CONTACT:
             bound_mechanism(n, world.control, bodies, joints, world.islands, energy)
         awake = joints.mechanisms[n, M_STATUS] != ASLEEP
+        joints.mechanisms[n, M_WRITTEN] = 1 if awake else 0
         if alone and awake and joints.mechanisms[n, M_HINGED] == 1:
             if joints.mechanisms[n, M_MESHED] == 1:
                 store_links(n, joints)
             else:
                 store_hinge_impulses(n, joints)
+
+
+def past_untouched(first: int, last: int, world: World) -> int:
+    """Return from which of some active bodies on energies are summed: none where nothing touches.
+
+    Mechanisms have bounded their own then.
+    """
+    alone = world.touching.counts[TOUCHING] + world.springs.counts[NETWORKS_TOUCHED] == 0
+    if not alone or world.joints.counts[MECHANISMS_TOUCHED] > 0:
+        return first
+    for k in range(first, last):
+        flight = world.bodies.flight[world.touching.active_by_slab[k]]
+        flight[FORCE_GAIN] = flight[FORCE_GAIN + 1] = flight[FORCE_GAIN + 2] = 0.0
+    return last
 
 
 def look_at_touched(world: World) -> None:
@@ -400,9 +463,19 @@ def kick_half(n: int, ahead: bool, bodies: Bodies, joints: Joints) -> None:
     for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
         i = joints.sparse[node, N_BODY]
         now, state = bodies.motion[i], bodies.substep_state[i]
-        for k in range(3):
-            decay = half_decay(state[DRAG_FACTOR + k])
-            gain = half_gain(state[INCREMENT + k], decay)
-            later = kick_velocity_later(now[k], decay, gain)
-            now[k] = later if ahead else kick_velocity_start(now[k], decay, gain)
-            state[SUBSTEP_START + k] = now[k]
+        drag, turning = state[DRAG_FACTOR], state[DRAG_FACTOR + 2]
+        if drag == 1.0 and turning == 1.0:  # without roots and quotients
+            kick_body(ahead, 1.0, 1.0, now, state)
+        else:
+            kick_body(ahead, half_decay(drag), half_decay(turning), now, state)
+
+
+@inlined
+def kick_body(ahead: bool, decay: float, turning_decay: float, now: Array, state: Array) -> None:
+    """Take a body's velocities half a substep ahead, or behind, with their factors by drag."""
+    for k in range(3):
+        factor = turning_decay if k == 2 else decay
+        gain = half_gain(state[INCREMENT + k], factor)
+        later = kick_velocity_later(now[k], factor, gain)
+        now[k] = later if ahead else kick_velocity_start(now[k], factor, gain)
+        state[SUBSTEP_START + k] = now[k]

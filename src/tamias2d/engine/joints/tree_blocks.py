@@ -75,6 +75,7 @@ from tamias2d.engine.tables import (
     NODE_MASS,
     T_ACTIVE,
     T_AGAIN,
+    T_ANGLE,
     T_APART_X,
     T_APART_Y,
     T_BACK,
@@ -109,6 +110,9 @@ from tamias2d.engine.tables import (
     T_TIED,
     T_TURN,
     T_TURNING,
+    T_WRITTEN,
+    T_X,
+    T_Y,
     TREE_BLOCKS,
     Bodies,
     Joints,
@@ -125,27 +129,32 @@ def begin_blocks(bodies: Bodies, joints: Joints) -> None:
     for b in range(joints.counts[TREE_BLOCKS]):
         first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
         all_lanes(T_EACH, 1.0, joints.block_lanes[b])
+        written = joints.tree_blocks[b, T_WRITTEN] == 1
         for m in range(LANES):
             n = joints.tree_blocks[b, T_MECHANISM + m]
             awake = n >= 0 and joints.mechanisms[n, M_STATUS] != ASLEEP
             for r in range(first, last):
-                begin_lane(m, r, awake, n, r - first, bodies, joints)
+                same = begin_lane(m, r, awake, n, r - first, bodies, joints)
+                written = written and same
                 if awake and r > first + 1:
                     begin_spring(
                         m, joints.sparse[n, I_NODE] + r - first, joints.tree_lanes[r], joints
                     )
-        write_block(b, bodies, joints)
+        if not written:
+            write_block(b, bodies, joints)
+        joints.tree_blocks[b, T_WRITTEN] = 0
         if joints.tree_blocks[b, T_SPRUNG] == 1:
             store_angles(b, joints)
 
 
-def begin_lane(m: int, r: int, awake: bool, n: int, k: int, bodies: Bodies, joints: Joints) -> None:
+def begin_lane(m: int, r: int, awake: bool, n: int, k: int, bodies: Bodies, joints: Joints) -> bool:
     """Note a body in a lane of a row: of the trees that are awake; others have idle ones.
 
-    Body 0 is what the root hangs on.
+    Body 0 is what the root hangs on. Return whether it is where the lane was placed, as heavy.
     """
     row = joints.tree_lanes[r]
     i = len(bodies.kind) - 1
+    mass, inertia = row[T_MASS + m], row[T_INERTIA + m]
     row[T_MASS + m] = row[T_INERTIA + m] = 1.0
     row[T_INVERSE_MASS + m] = row[T_HELD_INVERSE_INERTIA + m] = 0.0
     if awake and k == 0:
@@ -164,6 +173,9 @@ def begin_lane(m: int, r: int, awake: bool, n: int, k: int, bodies: Bodies, join
     row[T_STIFFNESS + m] = row[T_DAMPING + m] = row[T_LAW_SIDE + m] = row[T_LAW_LEFT + m] = 0.0
     for c in range(T_GIVEN_X, T_LAW_PULL + LANES, LANES):
         row[c + m] = 0.0
+    same = (row[T_MASS + m] == mass) & (row[T_INERTIA + m] == inertia)
+    same = same & (row[T_X + m] == pose[X]) & (row[T_Y + m] == pose[Y])
+    return bool(same & (row[T_ANGLE + m] == pose[ANGLE]))
 
 
 def begin_spring(m: int, member: int, row: Array, joints: Joints) -> None:
@@ -442,6 +454,7 @@ def store_blocks(joints: Joints) -> None:
                     numbers = joints.numbers[joints.members[member, JOINED_SPRING]]
                     store_spring(m, joints.tree_lanes[r], numbers)
             store_hinge_impulses(n, joints)
+        joints.tree_blocks[b, T_WRITTEN] = 1
 
 
 def store_angles(b: int, joints: Joints) -> None:
