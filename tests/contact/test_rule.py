@@ -103,6 +103,19 @@ def test_ordinary_drops_are_located_to_the_end(seed: int):
     assert np.diff(run.energy).max() <= 1e-13 * run.energy[0]
 
 
+def test_what_is_left_of_an_approach_rubs_within_coulombs_bound():
+    """The floor alone pushes: sideways by no more than friction times upwards."""
+    run = t2.simulate(drop(9000016), duration=1.5)
+    assert "ClosedForm" in run.notes[0]
+    assert any(note.startswith("rule: ") for note in run.notes)
+    friction = run.scene.bodies[0].friction
+    mass = sum(body.mass for body in run.scene.bodies if body.dynamic)
+    side, up = np.diff(run.momentum, axis=0).T
+    push = up + mass * G * np.diff(run.times)
+    assert friction is not None
+    assert (np.abs(side) <= friction * push + 1e-12 * mass * G).all()
+
+
 def test_contacts_that_change_too_often_are_stepped(monkeypatch: pytest.MonkeyPatch):
     """Unless the method was asked for: then what is asked is done."""
     monkeypatch.setattr("tamias2d.solve.located.MOST_RULED", 2)

@@ -24,6 +24,7 @@ from tools.measurements import (
     impacts,
     jointed,
     kinds,
+    located_drops,
     peers,
     specialisation,
 )
@@ -62,6 +63,16 @@ def test_asked_tells_what_takes_long_or_breaks(monkeypatch: pytest.MonkeyPatch) 
     outcomes = {row["asked"]: row["outcome"] for row in found["rows"]}
     assert outcomes == {"endless": "late", "broken": "traceback"}
     assert "IndexError: beyond" in asked.notes(found)[0]
+
+
+def test_located_drops(tmp_path: Path) -> None:
+    store = tmp_path / "drops.jsonl"
+    found = located_drops.measure(count=2, first=9000000, store=store)
+    assert [row["outcome"] for row in found["rows"]] == ["located", "located"]
+    assert located_drops.measure(count=2, first=9000000, store=store) == found
+    heads, rows = located_drops.table(found)
+    assert {len(row) for row in rows} == {len(heads)}
+    assert located_drops.notes(found) == []
 
 
 def of_certificates(**asked: Any) -> dict[str, Any]:

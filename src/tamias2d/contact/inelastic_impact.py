@@ -94,16 +94,21 @@ def _impulses(
     states: Mapping[int, State],
     rates: Array,
 ) -> list[tuple[Contact, float, float]]:
-    """Return the impulses of the mode that rates lead to."""
-    found = problem.solved(rates)
-    if found is None:
+    """Return the impulses of the mode that rates lead to.
+
+    Where rounding told that one sticks which slides, those that told it are taken: they obey
+    Coulomb's law.
+    """
+    told = problem.solved(rates)
+    if told is None:
         return []
-    mode = _mode(problem, *found)
+    mode = _mode(problem, *told)
     inverse = inverse_masses(cores, bodies)
     rows = rows_of(closed_directions(closed(mode)), bodies)
     effect = rows_of(force_directions(mode), bodies) * inverse
     left = rows @ _velocities(bodies, states).ravel()
-    return _of_contacts(mode, least_forces(rows, effect, inverse, left).tolist())
+    found = _of_contacts(mode, least_forces(rows, effect, inverse, left).tolist())
+    return found if _obey_coulomb(mode, found) else _as_told(problem, *told)
 
 
 def _mode(problem: ForceProblem, pushes: Array, drags: Array) -> Mode:
@@ -119,6 +124,33 @@ def _mode(problem: ForceProblem, pushes: Array, drags: Array) -> Mode:
         slides = pressed and patch.coefficient and abs(drag) >= bound * (1 - _AT_BOUND)
         parts.append(Part(patch, pressed, -int(math.copysign(1, drag)) if slides else 0))
     return tuple(parts)
+
+
+def _obey_coulomb(mode: Mode, impulses: Sequence[tuple[Contact, float, float]]) -> bool:
+    """Return whether impulses push, and rub no more than friction may."""
+    left = iter(impulses)
+    unseen = _AT_BOUND * max((abs(push) for _, push, _ in impulses), default=0.0)
+    for part in mode:
+        own = [next(left) for _ in part.pressed]
+        push, drag = math.fsum(n for _, n, _ in own), math.fsum(t for *_, t in own)
+        most = float(friction.friction_force_most(push, part.patch.coefficient))
+        if min((each[1] for each in own), default=0.0) < -unseen or abs(drag) > most + unseen:
+            return False
+    return True
+
+
+def _as_told(
+    problem: ForceProblem, pushes: Array, drags: Array
+) -> list[tuple[Contact, float, float]]:
+    """Return contacts with the impulses of a problem along normals and tangents."""
+    found, push_of, drag_of = [], iter(pushes.tolist()), iter(drags.tolist())
+    for patch in problem.patches:
+        own = [next(push_of) for _ in patch.contacts]
+        whole = next(drag_of) if patch.coefficient else 0.0
+        total = math.fsum(own)
+        for contact, push in zip(patch.contacts, own, strict=True):
+            found.append((contact, push, whole * push / total if total else 0.0))
+    return found
 
 
 def _of_contacts(mode: Mode, impulses: Sequence[float]) -> list[tuple[Contact, float, float]]:
