@@ -19,6 +19,7 @@ from tools.measurements import (
     certificates,
     crowds,
     drift,
+    energies,
     fronts,
     held_out,
     impacts,
@@ -73,6 +74,16 @@ def test_located_drops(tmp_path: Path) -> None:
     heads, rows = located_drops.table(found)
     assert {len(row) for row in rows} == {len(heads)}
     assert located_drops.notes(found) == []
+
+
+def test_energies(tmp_path: Path) -> None:
+    kept = tmp_path / "energies.jsonl"
+    found = energies.measure(count=2, steps=20, kept=kept)
+    assert all(row["above"] < 1e-9 for row in found["rows"])
+    assert energies.measure(count=2, steps=20, kept=kept) == found
+    heads, rows = table(energies, found)
+    assert {len(row) for row in rows} == {len(heads)}
+    assert len(energies.notes(found)) == 2
 
 
 def of_certificates(**asked: Any) -> dict[str, Any]:
@@ -195,7 +206,7 @@ def test_specialisation(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_jointed() -> None:
     found = jointed.measure(seconds=1, side=3, ragdolls=1, heap=1, random=2)
-    assert len(found["rows"]) == 3 * 8
+    assert len(found["rows"]) == 4 * 8  # ours twice, Box2D, Pymunk
     heads, rows = table(jointed, found)
     assert {len(row) for row in rows} == {len(heads)}
     assert jointed.notes(found)
