@@ -7,14 +7,10 @@ counts as a fault.
 """
 
 import argparse
-import math
-import multiprocessing
-import resource
 import time
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from multiprocessing.connection import Connection
 from typing import Any
 
 from tamias2d import simulate
@@ -25,6 +21,7 @@ from tamias2d.study.refusal import ToleranceError
 from tamias2d.study.stepped_plan import stepped_because
 from tamias2d.study.work_precision import study
 from tools.measurements.columns import Table
+from tools.measurements.in_time import in_time
 
 TOLERANCE, QUALITY = 1e-2, 1e-2
 _PHASES = 4
@@ -56,7 +53,7 @@ def measure(
 ) -> dict[str, Any]:
     """Return how many questions were answered in which way, and all answers."""
     found = [
-        _in_time(name, question, limit)
+        _asked(name, question, limit)
         for name in scenes or catalogue.names()
         for question in questions or sorted(_QUESTIONS)
     ]
@@ -86,31 +83,20 @@ def notes(found: dict[str, Any]) -> list[str]:
     ]
 
 
-def _in_time(name: str, question: str, limit: int) -> Answer:
-    ours, theirs = multiprocessing.Pipe(duplex=False)
-    child = multiprocessing.Process(target=_answer, args=(name, question, limit, theirs))
-    child.start()
-    theirs.close()
-    try:
-        found: Answer = ours.recv()
-    except EOFError:  # the system has ended the process
-        found = Answer(name, question, "late", f"more than {limit} s", float(limit))
-    finally:
-        child.kill()
-        child.join()
+def _asked(name: str, question: str, limit: int) -> Answer:
+    late = Answer(name, question, "late", f"more than {limit} s", float(limit))
+    found: Answer = in_time(_answer, (name, question), limit) or late
     return found
 
 
-def _answer(name: str, question: str, limit: int, to: Connection) -> None:
-    spent = math.ceil(time.process_time())
-    resource.setrlimit(resource.RLIMIT_CPU, (limit + spent, limit + spent))
+def _answer(name: str, question: str) -> Answer:
     began = time.process_time()
     try:
         scene = catalogue.load(name)
         outcome, said = _outcome(scene, _QUESTIONS[question])
     except Exception as fault:
         outcome, said = "traceback", f"{type(fault).__name__}: {fault}"
-    to.send(Answer(name, question, outcome, said, time.process_time() - began))
+    return Answer(name, question, outcome, said, time.process_time() - began)
 
 
 def _outcome(scene: Scene, ask: "_Question") -> tuple[str, str]:

@@ -14,14 +14,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from rich.console import Console
-from rich.progress import track
 
 from tamias2d.errors import StepWarning
 from tamias2d.simulator import Simulator
 from tools.measurements.mechanisms.faults import Energy
 from tools.measurements.mechanisms.programs import rates_of
 from tools.measurements.mechanisms.random_mechanism import random_mechanism
+from tools.measurements.progress import each, until_stopped
 
 _STEP = 1 / 60
 ROUNDING = 1e-9  # of all that gravity gave or motion had
@@ -42,14 +41,13 @@ def measure(
     """Return how much the energy of each mechanism rose, as a share of what was at play."""
     known = {row["seed"]: row for row in _kept(kept) if row["steps"] == steps}
     seeds = range(first, first + count)
-    told = Console(stderr=True)
-    missing = [seed for seed in seeds if seed not in known]
-    for seed in track(missing, "Mechanisms", console=told, transient=True):
-        known[seed] = _followed(seed, steps)
-        if kept:
-            with kept.open("a") as file:
-                file.write(json.dumps(known[seed]) + "\n")
-    return {"steps": steps, "rows": [known[seed] for seed in seeds]}
+    with until_stopped():
+        for seed in each([seed for seed in seeds if seed not in known], "Mechanisms"):
+            known[seed] = _followed(seed, steps)
+            if kept:
+                with kept.open("a") as file:
+                    file.write(json.dumps(known[seed]) + "\n")
+    return {"steps": steps, "rows": [known[seed] for seed in seeds if seed in known]}
 
 
 def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:

@@ -23,8 +23,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from rich.console import Console
-from rich.progress import track
 
 from tamias2d.errors import TamiasError
 from tamias2d.motion import ClosedForm
@@ -34,6 +32,7 @@ from tamias2d.state import Array
 from tamias2d.study.engines.overlap import worst
 from tools.measurements.drops import drop
 from tools.measurements.in_time import in_time
+from tools.measurements.progress import each, until_stopped
 
 _DURATION, _SAMPLES = 3.0, 720
 ROUNDING = 1e-11
@@ -54,16 +53,13 @@ def measure(
 ) -> dict[str, Any]:
     """Return a row for each drop."""
     rows = _stored(store)
-    told = Console(stderr=True)
-    try:
-        for seed in track(range(first, first + count), "Drops", console=told, transient=True):
+    with until_stopped():
+        for seed in each(range(first, first + count), "Drops"):
             if seed not in rows:
                 rows[seed] = _row(seed, limit)
                 if store is not None:
                     with store.open("a") as file:
                         file.write(json.dumps(rows[seed]) + "\n")
-    except KeyboardInterrupt:
-        told.print("Stopped; this is what was found until then.")
     found = [row for seed, row in sorted(rows.items()) if first <= seed < first + count]
     return {"first": first, "limit": limit, "rows": found}
 
