@@ -134,7 +134,8 @@ def _refuse_idle(joint: Joint, bodies: Sequence[Body], of: str) -> None:
         if bodies[k].kinematic:
             raise RuleError(
                 f"{of}: '{bodies[k].name}' is kinematic, and joints hold only bodies that move "
-                "freely or stand still (TM7). Drive a body by an Equation with the time.",
+                "freely or stand still (TM7). Drive a body by an Equation with the time, which "
+                "`simulate` takes, or pull it by a spring to the kinematic one.",
                 "between",
             )
     if not any(bodies[k].dynamic for k in held):
