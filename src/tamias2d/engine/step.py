@@ -10,6 +10,7 @@ through the whole step, or in its substeps where their bodies have contacts (IM1
 Cost: a substep visits each contact twice. Source: Macklin et al. (2019), Catto (2024).
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.all_asleep import note_all_asleep, skip_steps, still_asleep
 from tamias2d.engine.arrangement import arrange
 from tamias2d.engine.broad_phase.comoving_frame import move_frame
@@ -49,43 +50,7 @@ from tamias2d.engine.sleep import (
 from tamias2d.engine.springs.held import hold_springs, release_springs
 from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.substeps import solve_contacts
-from tamias2d.engine.tables import (
-    AGAIN,
-    ARRIVING,
-    AT_START,
-    CLEAR,
-    CONTACTS,
-    DONE,
-    FLOWN,
-    IN_FLIGHT,
-    INVALID,
-    KINEMATIC,
-    LEVEL,
-    LIST_HOLDS,
-    LOCATED_PAIRS,
-    MANIFOLDS_KNOWN,
-    N_LOSES,
-    N_UNSOLVED,
-    NETWORKS,
-    OUT_OF_BOUNDS,
-    OVERFLOWED,
-    PAIRS_KNOWN,
-    PAIRS_STALE,
-    PART_TIME,
-    PRESSED_DEEP,
-    RETAKEN,
-    SLEEP_STEPS,
-    SLEEPING,
-    SPRINGS,
-    STAGE,
-    STATIC,
-    STEPS_LEFT,
-    STEPS_SINCE,
-    STEPS_TAKEN,
-    TICK,
-    UPDATES_LEFT,
-    World,
-)
+from tamias2d.engine.tables import World
 
 SHORTEST_FOR_SPRINGS = 6  # level; networks for which that is too long go through the substeps
 
@@ -98,31 +63,38 @@ def step(world: World, steps: int) -> int:
     had been asked for alone.
     """
     counts = world.control.counts
-    counts[STEPS_LEFT] = steps
+    counts[tb.STEPS_LEFT] = steps
     if still_asleep(world):
         skip_steps(world)
-        return DONE
+        return tb.DONE
     note_places(world)
     mark_joined(world)
     clear = False
-    while counts[STEPS_LEFT] > 0 and not clear:
-        if counts[STAGE] == AT_START and not gather_state(world.control, world.state, world.bodies):
-            return INVALID
+    while counts[tb.STEPS_LEFT] > 0 and not clear:
+        if counts[tb.STAGE] == tb.AT_START and not gather_state(
+            world.control, world.state, world.bodies
+        ):
+            return tb.INVALID
         status = take_step(world)
-        if status != DONE:
+        if status != tb.DONE:
             return status
-        counts[STEPS_LEFT] -= 1
-        counts[STEPS_TAKEN] += 1
+        counts[tb.STEPS_LEFT] -= 1
+        counts[tb.STEPS_TAKEN] += 1
         if not scatter_state(world.state, world.bodies):
-            return OVERFLOWED
+            return tb.OVERFLOWED
         if note_all_asleep(world):
             skip_steps(world)
-            return DONE
-        pairs, sleep_steps = world.broad_phase.counts, world.islands.counts[SLEEP_STEPS]
-        sprung = world.springs.counts[SPRINGS] > 0
-        clear = pairs[CONTACTS] == 0 and pairs[LIST_HOLDS] == 1 and sleep_steps == 0 and not sprung
+            return tb.DONE
+        pairs, sleep_steps = world.broad_phase.counts, world.islands.counts[tb.SLEEP_STEPS]
+        sprung = world.springs.counts[tb.SPRINGS] > 0
+        clear = (
+            pairs[tb.CONTACTS] == 0
+            and pairs[tb.LIST_HOLDS] == 1
+            and sleep_steps == 0
+            and not sprung
+        )
         clear = clear_of_joints(clear, world)
-    return CLEAR if clear else DONE
+    return tb.CLEAR if clear else tb.DONE
 
 
 def take_step(world: World) -> int:
@@ -130,12 +102,12 @@ def take_step(world: World) -> int:
     ended = False
     while not ended:
         status = take_part(world)
-        if status == DONE:
+        if status == tb.DONE:
             keep_joint_impulses(world)
             ended = end_part(world)
-        elif status != AGAIN:
+        elif status != tb.AGAIN:
             return status
-    return DONE
+    return tb.DONE
 
 
 def take_part(world: World) -> int:
@@ -143,50 +115,50 @@ def take_part(world: World) -> int:
     control, bodies, shapes, islands = world.control, world.bodies, world.shapes, world.islands
     broad_phase, buffers, touching = world.broad_phase, world.buffers, world.touching
     counts = control.counts
-    if counts[STAGE] == AT_START:
+    if counts[tb.STAGE] == tb.AT_START:
         begin_part(world)
         hold_springs_of_part(world)
         left = find_moved(world)
-        counts[STAGE] = PAIRS_KNOWN if update_pairs(left, world) else PAIRS_STALE
-    if counts[STAGE] == PAIRS_STALE:
+        counts[tb.STAGE] = tb.PAIRS_KNOWN if update_pairs(left, world) else tb.PAIRS_STALE
+    if counts[tb.STAGE] == tb.PAIRS_STALE:
         status = rebuild_pairs(world)
-        if status != DONE:
+        if status != tb.DONE:
             return status
-        counts[STAGE] = PAIRS_KNOWN
+        counts[tb.STAGE] = tb.PAIRS_KNOWN
     contacts = current_contacts(broad_phase, buffers)
-    if counts[STAGE] == PAIRS_KNOWN:
-        length = control.progress[PART_TIME]
+    if counts[tb.STAGE] == tb.PAIRS_KNOWN:
+        length = control.progress[tb.PART_TIME]
         shorten_part(world, contacts)
-        if control.progress[PART_TIME] != length:
+        if control.progress[tb.PART_TIME] != length:
             release_springs(bodies, world.springs)
             hold_springs_of_part(world)
-        again = counts[TICK] + counts[RETAKEN] > 0
+        again = counts[tb.TICK] + counts[tb.RETAKEN] > 0
         find_touching(again, control, bodies, shapes, broad_phase, contacts, touching, islands)
-        while islands.counts[SLEEPING] > 0 and wake_touched(contacts, touching, islands):
+        while islands.counts[tb.SLEEPING] > 0 and wake_touched(contacts, touching, islands):
             find_touching(True, control, bodies, shapes, broad_phase, contacts, touching, islands)
         foresee(world, contacts)
-        counts[STAGE] = MANIFOLDS_KNOWN
-    if counts[STAGE] == MANIFOLDS_KNOWN:
+        counts[tb.STAGE] = tb.MANIFOLDS_KNOWN
+    if counts[tb.STAGE] == tb.MANIFOLDS_KNOWN:
         status = arrange(world, contacts)
-        if status != DONE:
+        if status != tb.DONE:
             return status
         note_start(world)
         solve_contacts(world, contacts)
         if overshoots(world, contacts):
             release_springs(bodies, world.springs)
             retake_part(world, contacts)
-            return AGAIN
-        counts[STAGE] = integrate(world)
-    while counts[STAGE] != ARRIVING:
+            return tb.AGAIN
+        counts[tb.STAGE] = integrate(world)
+    while counts[tb.STAGE] != tb.ARRIVING:
         status = fly(world)
-        if status != DONE:
+        if status != tb.DONE:
             return status
-    if islands.counts[SLEEP_STEPS] > 0 and is_last_part(control):
+    if islands.counts[tb.SLEEP_STEPS] > 0 and is_last_part(control):
         fall_asleep(control, bodies, islands)
     release_springs(bodies, world.springs)
-    broad_phase.counts[STEPS_SINCE] += 1
-    counts[STAGE] = AT_START
-    return DONE
+    broad_phase.counts[tb.STEPS_SINCE] += 1
+    counts[tb.STAGE] = tb.AT_START
+    return tb.DONE
 
 
 def fly(world: World) -> int:
@@ -194,49 +166,49 @@ def fly(world: World) -> int:
     control, bodies, shapes, broad_phase = (
         world.control, world.bodies, world.shapes, world.broad_phase,
     )  # fmt: skip
-    if control.counts[STAGE] == OUT_OF_BOUNDS:
+    if control.counts[tb.STAGE] == tb.OUT_OF_BOUNDS:
         left = find_leaving(world)
         if not update_pairs(left, world):
             status = rebuild_pairs(world)
-            if status != DONE:
+            if status != tb.DONE:
                 return status
-        control.progress[UPDATES_LEFT] -= 1.0
+        control.progress[tb.UPDATES_LEFT] -= 1.0
     near = current_contacts(broad_phase, world.buffers)
-    updates, flown = int(control.progress[UPDATES_LEFT]), control.progress[FLOWN]
+    updates, flown = int(control.progress[tb.UPDATES_LEFT]), control.progress[tb.FLOWN]
     flown = solve_continuous(
         control, bodies, shapes, broad_phase, near, world.events, updates, flown
     )
     if flown == TOO_LONG:
         release_springs(bodies, world.springs)
         retake_part(world, near)
-        return AGAIN
-    control.progress[FLOWN] = flown
-    control.counts[STAGE] = OUT_OF_BOUNDS if flown <= 1.0 else ARRIVING
-    return DONE
+        return tb.AGAIN
+    control.progress[tb.FLOWN] = flown
+    control.counts[tb.STAGE] = tb.OUT_OF_BOUNDS if flown <= 1.0 else tb.ARRIVING
+    return tb.DONE
 
 
 def hold_springs_of_part(world: World) -> None:
     """Hold the loads of springs for a part, which is made so short that these can be found."""
     solved = hold_springs(world)
-    while not solved and world.control.counts[LEVEL] < SHORTEST_FOR_SPRINGS:
+    while not solved and world.control.counts[tb.LEVEL] < SHORTEST_FOR_SPRINGS:
         release_springs(world.bodies, world.springs)
-        set_level(world.control.counts[LEVEL] + 1, world)
+        set_level(world.control.counts[tb.LEVEL] + 1, world)
         solved = hold_springs(world)
     networks = world.springs.networks
-    for n in range(0 if solved else world.springs.counts[NETWORKS]):
-        networks[n, N_LOSES] = max(networks[n, N_LOSES], networks[n, N_UNSOLVED])
+    for n in range(0 if solved else world.springs.counts[tb.NETWORKS]):
+        networks[n, tb.N_LOSES] = max(networks[n, tb.N_LOSES], networks[n, tb.N_UNSOLVED])
 
 
 def find_moved(world: World) -> int:
     """Wake islands that were changed; return how many bodies have left their bounds."""
     bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
     contacts = current_contacts(broad_phase, world.buffers)
-    if islands.counts[SLEEP_STEPS] > 0:
+    if islands.counts[tb.SLEEP_STEPS] > 0:
         update_sleep(world.control, bodies, broad_phase, contacts, islands)
     left = mark_out_of_bounds(world.control, bodies, broad_phase)
-    all_needed = left > 0 or broad_phase.counts[LIST_HOLDS] == 0
-    if all_needed or broad_phase.counts[CONTACTS] > 0:
-        turn_vertices(bodies, world.shapes, STATIC if all_needed else KINEMATIC)
+    all_needed = left > 0 or broad_phase.counts[tb.LIST_HOLDS] == 0
+    if all_needed or broad_phase.counts[tb.CONTACTS] > 0:
+        turn_vertices(bodies, world.shapes, tb.STATIC if all_needed else tb.KINEMATIC)
     return left
 
 
@@ -244,24 +216,24 @@ def integrate(world: World) -> int:
     """Find the displacements of all bodies; return the next stage."""
     bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
     contacts = current_contacts(broad_phase, world.buffers)
-    if islands.counts[SLEEP_STEPS] > 0:
+    if islands.counts[tb.SLEEP_STEPS] > 0:
         note_support_kinds(bodies, contacts, world.touching, islands, world.joints)
-    if islands.counts[SLEEPING] > 0:
+    if islands.counts[tb.SLEEPING] > 0:
         hold_sleeping(bodies, islands)
         keep_touching_flags(broad_phase, contacts, islands)
     far = integrate_free(world.control, bodies)
     move_frame(broad_phase)
     progress, counts = world.control.progress, world.touching.counts
-    progress[FLOWN], progress[UPDATES_LEFT] = 0.0, MOST_UPDATES
-    if not far and counts[LOCATED_PAIRS] + counts[PRESSED_DEEP] == 0:
-        return ARRIVING
+    progress[tb.FLOWN], progress[tb.UPDATES_LEFT] = 0.0, MOST_UPDATES
+    if not far and counts[tb.LOCATED_PAIRS] + counts[tb.PRESSED_DEEP] == 0:
+        return tb.ARRIVING
     leaving = mark_leaving_bounds(bodies, broad_phase)
-    return OUT_OF_BOUNDS if leaving > 0 or left_by_frame(bodies, broad_phase) else IN_FLIGHT
+    return tb.OUT_OF_BOUNDS if leaving > 0 or left_by_frame(bodies, broad_phase) else tb.IN_FLIGHT
 
 
 def find_leaving(world: World) -> int:
     """Return how many bodies leave their bounds in flight."""
-    unturned = world.broad_phase.counts[CONTACTS] == 0
-    if unturned or world.control.progress[FLOWN] > 0.0:  # they were turned along the flight
-        turn_vertices(world.bodies, world.shapes, STATIC)
+    unturned = world.broad_phase.counts[tb.CONTACTS] == 0
+    if unturned or world.control.progress[tb.FLOWN] > 0.0:  # they were turned along the flight
+        turn_vertices(world.bodies, world.shapes, tb.STATIC)
     return mark_leaving_bounds(world.bodies, world.broad_phase)

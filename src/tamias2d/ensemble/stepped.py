@@ -14,15 +14,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.batch import UNSTATED
 from tamias2d.engine.body_pool import strips
 from tamias2d.engine.shape_rows import shape_rows
-from tamias2d.engine.tables import (
-    FRICTION,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    RESTITUTION,
-)
 from tamias2d.ensemble.request import STATE, Request
 from tamias2d.ensemble.worlds import VariedWorlds, Worlds, value_of
 from tamias2d.errors import InputError, SceneError, SimulationError
@@ -258,11 +253,11 @@ class _Prepared:
         state, world = engine.world.state, engine.world
         engine.pose[:], engine.velocity[:] = starts.pose[row, bodies], starts.velocity[row, bodies]
         engine.load[:], engine.gravity[:] = starts.load[row, bodies], starts.gravity[row]
-        inverse = slice(INVERSE_MASS, INVERSE_INERTIA + 1)
+        inverse = slice(tb.INVERSE_MASS, tb.INVERSE_INERTIA + 1)
         size = engine.size
         state.properties[:size, inverse] = starts.inverse[row, bodies]
         world.bodies.properties[state.slot_of_body[:size], inverse] = starts.inverse[row, bodies]
-        surface = slice(FRICTION, RESTITUTION + 1)
+        surface = slice(tb.FRICTION, tb.RESTITUTION + 1)
         owner = state.body_of_shape
         there = np.flatnonzero(owner < size)
         world.shapes.material[there, surface] = starts.surface[row, bodies[owner[there]]]

@@ -9,6 +9,7 @@ energy, and would lose by a bound that is blind to it. Springs have energies, to
 Cost: a visit to each body and spring, and two more where there is too much.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
     add_to_island,
@@ -16,45 +17,7 @@ from tamias2d.engine.solver.island_damping import (
     place_from,
 )
 from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_ONE
-from tamias2d.engine.tables import (
-    DAMPED_SHARE,
-    DANGLE,
-    DX,
-    DY,
-    ENERGY_BOUND,
-    ENERGY_KEPT,
-    GRAVITY_X,
-    GRAVITY_Y,
-    I_NODE,
-    ISLAND_MASS,
-    J_ENERGY,
-    J_LAW,
-    J_MOTION,
-    J_MOTION_LATER,
-    J_RESERVE,
-    J_RESERVE_LATER,
-    J_ROW,
-    J_SCALE,
-    J_SCALE_LATER,
-    LAW_STIFFNESS,
-    M_GOVERNED,
-    M_JOINT,
-    M_TIED,
-    MOMENT_OF_INERTIA,
-    N_BODY,
-    REFERENCE,
-    SPIN,
-    SPRING,
-    STEP_START,
-    SUPPORT,
-    TOTAL_ENERGY_START,
-    VX,
-    VY,
-    Bodies,
-    Control,
-    Islands,
-    Joints,
-)
+from tamias2d.engine.tables import Bodies, Control, Islands, Joints
 from tamias2d.generated.definitions import (
     kinetic_energy,
     point_velocity,
@@ -86,33 +49,33 @@ def bound_mechanism(
 
     What it gains of what it has lost is no energy that contacts have made.
     """
-    first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
-    gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
+    first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     start = now = given = 0.0
     for node in range(first, last):
-        i = joints.sparse[node, N_BODY]
+        i = joints.sparse[node, tb.N_BODY]
         mass, inertia = mass_and_inertia(i, bodies.properties)
         then, motion, load = bodies.substep_state[i], bodies.motion[i], bodies.load[i]
-        velocity = (then[STEP_START], then[STEP_START + 1])
-        start += kinetic_energy(mass, velocity, inertia, then[STEP_START + 2])
-        now += kinetic_energy(mass, (motion[VX], motion[VY]), inertia, motion[SPIN])
-        shift, force = (motion[DX], motion[DY]), (load[0], load[1])
-        given += work(mass, gravity, force, load[2], shift, motion[DANGLE])
-    tied, governed = joints.mechanisms[n, M_TIED] == 1, joints.mechanisms[n, M_GOVERNED] == 1
-    numbers = joints.numbers[joints.mechanisms[n, M_JOINT]]
-    sprung, reserve = energy_of_springs(n, joints), numbers[J_RESERVE]
+        velocity = (then[tb.STEP_START], then[tb.STEP_START + 1])
+        start += kinetic_energy(mass, velocity, inertia, then[tb.STEP_START + 2])
+        now += kinetic_energy(mass, (motion[tb.VX], motion[tb.VY]), inertia, motion[tb.SPIN])
+        shift, force = (motion[tb.DX], motion[tb.DY]), (load[0], load[1])
+        given += work(mass, gravity, force, load[2], shift, motion[tb.DANGLE])
+    tied, governed = joints.mechanisms[n, tb.M_TIED] == 1, joints.mechanisms[n, tb.M_GOVERNED] == 1
+    numbers = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
+    sprung, reserve = energy_of_springs(n, joints), numbers[tb.J_RESERVE]
     if tied and not governed and start + given + reserve < 0.0:
         share = way_kept(start, given, reserve)
         keep_part_of_way(first, last, share, bodies, joints)
         given *= share
-    balance = mechanism_energy_balance(start, given, numbers[J_ENERGY], sprung, reserve)
+    balance = mechanism_energy_balance(start, given, numbers[tb.J_ENERGY], sprung, reserve)
     most = max(balance, 0.0)
     if now > most:
-        row = islands.energy[joints.sparse[first, N_BODY]]
-        row[ENERGY_KEPT], row[ENERGY_BOUND] = now, most
+        row = islands.energy[joints.sparse[first, tb.N_BODY]]
+        row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND] = now, most
         damp_mechanism(first, last, tied, row, bodies, joints)
-        now = most if row[DAMPED_SHARE] > 0.0 else energy_of_motion(first, last, bodies, joints)
-    energy[TOTAL_ENERGY_START] += energy_regained(now, start, given)
+        now = most if row[tb.DAMPED_SHARE] > 0.0 else energy_of_motion(first, last, bodies, joints)
+    energy[tb.TOTAL_ENERGY_START] += energy_regained(now, start, given)
     note_balance(start, now, sprung, balance, numbers)
 
 
@@ -120,30 +83,33 @@ def energy_of_motion(first: int, last: int, bodies: Bodies, joints: Joints) -> f
     """Return the kinetic energy of some nodes, J."""
     energy = 0.0
     for node in range(first, last):
-        i = joints.sparse[node, N_BODY]
+        i = joints.sparse[node, tb.N_BODY]
         mass, inertia = mass_and_inertia(i, bodies.properties)
         motion = bodies.motion[i]
-        energy += kinetic_energy(mass, (motion[VX], motion[VY]), inertia, motion[SPIN])
+        energy += kinetic_energy(mass, (motion[tb.VX], motion[tb.VY]), inertia, motion[tb.SPIN])
     return energy
 
 
 def energy_of_springs(n: int, joints: Joints) -> float:
     """Return the energy of the springs of a mechanism, J, at the values that their rows have."""
     energy = 0.0
-    if joints.mechanisms[n, M_GOVERNED] == 0:
+    if joints.mechanisms[n, tb.M_GOVERNED] == 0:
         return energy
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        if joints.joints[j, J_LAW] == SPRING:
-            energy += row_energy(joints.laws[j, LAW_STIFFNESS], joints.numbers[j, J_ROW])
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.joints[j, tb.J_LAW] == tb.SPRING:
+            energy += row_energy(joints.laws[j, tb.LAW_STIFFNESS], joints.numbers[j, tb.J_ROW])
     return energy
 
 
 def note_energy_of_springs(n: int, joints: Joints) -> None:
     """Note the energy of the springs of a mechanism as a part begins, and what it may gain yet."""
-    numbers = joints.numbers[joints.mechanisms[n, M_JOINT]]
-    numbers[J_ENERGY] = energy_of_springs(n, joints)
-    numbers[J_RESERVE_LATER], numbers[J_SCALE_LATER] = numbers[J_RESERVE], numbers[J_SCALE]
-    numbers[J_MOTION_LATER] = numbers[J_MOTION]
+    numbers = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
+    numbers[tb.J_ENERGY] = energy_of_springs(n, joints)
+    numbers[tb.J_RESERVE_LATER], numbers[tb.J_SCALE_LATER] = (
+        numbers[tb.J_RESERVE],
+        numbers[tb.J_SCALE],
+    )
+    numbers[tb.J_MOTION_LATER] = numbers[tb.J_MOTION]
 
 
 def note_balance(start: float, now: float, sprung: float, balance: float, numbers: Array) -> None:
@@ -152,18 +118,18 @@ def note_balance(start: float, now: float, sprung: float, balance: float, number
     Where it began with other motion than the last part ended with, joints may take of that what
     does not fit them: none may be gained for it.
     """
-    scale = energy_scale_later(numbers[J_SCALE], now, sprung, SCALE_FADE)
+    scale = energy_scale_later(numbers[tb.J_SCALE], now, sprung, SCALE_FADE)
     later = energy_reserve_later(balance, now, scale, RESERVE)
-    changed = abs(start - numbers[J_MOTION]) > SAME_MOTION * start
-    numbers[J_RESERVE_LATER] = min(later, numbers[J_RESERVE]) if changed else later
-    numbers[J_SCALE_LATER], numbers[J_MOTION_LATER] = scale, now
+    changed = abs(start - numbers[tb.J_MOTION]) > SAME_MOTION * start
+    numbers[tb.J_RESERVE_LATER] = min(later, numbers[tb.J_RESERVE]) if changed else later
+    numbers[tb.J_SCALE_LATER], numbers[tb.J_MOTION_LATER] = scale, now
 
 
 def keep_part_of_way(first: int, last: int, share: float, bodies: Bodies, joints: Joints) -> None:
     """Let the nodes of a mechanism keep a share of their way: it has no energy for the rest."""
     for node in range(first, last):
-        motion = bodies.motion[joints.sparse[node, N_BODY]]
-        for k in range(DX, DX + 3):
+        motion = bodies.motion[joints.sparse[node, tb.N_BODY]]
+        for k in range(tb.DX, tb.DX + 3):
             motion[k] *= share
 
 
@@ -171,26 +137,26 @@ def damp_mechanism(
     first: int, last: int, tied: bool, row: Array, bodies: Bodies, joints: Joints
 ) -> None:
     """Damp the motion of the nodes of a mechanism; the row says how much energy it may keep."""
-    root = joints.sparse[first, N_BODY]
-    row[SUPPORT] = SUPPORTED_BY_ONE if tied else FREE
-    row[REFERENCE] = row[REFERENCE + 1] = row[REFERENCE + 2] = 0.0
-    for k in range(ISLAND_MASS, MOMENT_OF_INERTIA + 1):
+    root = joints.sparse[first, tb.N_BODY]
+    row[tb.SUPPORT] = SUPPORTED_BY_ONE if tied else FREE
+    row[tb.REFERENCE] = row[tb.REFERENCE + 1] = row[tb.REFERENCE + 2] = 0.0
+    for k in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
         row[k] = 0.0
     for node in range(first, last):
-        add_motion(joints.sparse[node, N_BODY], root, bodies, row)
+        add_motion(joints.sparse[node, tb.N_BODY], root, bodies, row)
     find_rigid_motion(row)
-    share, spin = row[DAMPED_SHARE], row[REFERENCE + 2]
+    share, spin = row[tb.DAMPED_SHARE], row[tb.REFERENCE + 2]
     for node in range(first, last):
-        i = joints.sparse[node, N_BODY]
+        i = joints.sparse[node, tb.N_BODY]
         now, place = bodies.motion[i], place_from(root, i, bodies)
-        as_one = point_velocity((row[REFERENCE], row[REFERENCE + 1]), spin, place)
-        now[VX], now[VY] = velocity_damped((now[VX], now[VY]), as_one, share)
-        now[SPIN] = angular_velocity_damped(now[SPIN], spin, share)
+        as_one = point_velocity((row[tb.REFERENCE], row[tb.REFERENCE + 1]), spin, place)
+        now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), as_one, share)
+        now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
 
 
 def add_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:
     """Add mass, momenta and moments of a body, as they are now, to those of its mechanism."""
     mass, inertia = mass_and_inertia(i, bodies.properties)
     now, place = bodies.motion[i], place_from(root, i, bodies)
-    velocity = (now[VX], now[VY])
-    add_to_island(mass, inertia, place, velocity, now[SPIN], row)
+    velocity = (now[tb.VX], now[tb.VY])
+    add_to_island(mass, inertia, place, velocity, now[tb.SPIN], row)

@@ -6,30 +6,12 @@ Cost: a visit to each body, once as joints come or go.
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.angle_laws import hung_by_law
 from tamias2d.engine.joints.hinge_tree import first_besides
 from tamias2d.engine.joints.hinges import HingeTree
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.store import Store
-from tamias2d.engine.tables import (
-    H_ANCHOR,
-    H_FAR_ANCHOR,
-    I_NODE,
-    JOINED_SPRING,
-    M_IN_BLOCK,
-    M_JOINT,
-    SPRING,
-    T_ANCHOR_X,
-    T_ANCHOR_Y,
-    T_FAR_ANCHOR_X,
-    T_FAR_ANCHOR_Y,
-    T_FIRST,
-    T_MECHANISM,
-    T_SPRUNG,
-    T_TIED,
-    T_WRITTEN,
-    TREE_BLOCKS,
-)
 from tamias2d.kernels.lanes import LANES
 
 FEWEST_TREES = 8  # of a block: fewer take no longer by themselves
@@ -70,7 +52,7 @@ def _shape(tree: HingeTree, rows: Sequence[JointRow]) -> Shape | None:
     springs = [rows[k] for k in tree.joints[sum(hinge is not None for hinge in tree.hinges) :]]
     angles = {frozenset(spring.ends[:2]) for spring in springs}
     inside = all(angle <= set(tree.bodies) for angle in angles)
-    if not inside or len(angles) < len(springs) or any(row.law != SPRING for row in springs):
+    if not inside or len(angles) < len(springs) or any(row.law != tb.SPRING for row in springs):
         return None
     place = {body: k for k, body in enumerate(tree.bodies)}
     found = []
@@ -86,32 +68,34 @@ def _shape(tree: HingeTree, rows: Sequence[JointRow]) -> Shape | None:
 def write_blocks_of(store: Store, blocks: Sequence[tuple[Shape, list[int]]]) -> None:
     """Write the blocks of a store; the members of its trees are written."""
     joints = store.world.joints
-    joints.counts[TREE_BLOCKS] = len(blocks)
-    joints.mechanisms[:, M_IN_BLOCK] = 0
-    joints.members[:, JOINED_SPRING] = -1
-    joints.tree_blocks[:, T_MECHANISM : T_MECHANISM + LANES] = -1
+    joints.counts[tb.TREE_BLOCKS] = len(blocks)
+    joints.mechanisms[:, tb.M_IN_BLOCK] = 0
+    joints.members[:, tb.JOINED_SPRING] = -1
+    joints.tree_blocks[:, tb.T_MECHANISM : tb.T_MECHANISM + LANES] = -1
     joints.block_lanes[:] = joints.tree_lanes[:] = 0.0
     first = 0
     for b, ((above, sprung), trees) in enumerate(blocks):
-        joints.tree_blocks[b, [T_FIRST, T_TIED, T_SPRUNG, T_WRITTEN]] = (
+        joints.tree_blocks[b, [tb.T_FIRST, tb.T_TIED, tb.T_SPRUNG, tb.T_WRITTEN]] = (
             *(first, above[0] == -1, sprung, 0),
         )
-        joints.tree_blocks[b, T_MECHANISM : T_MECHANISM + len(trees)] = trees
-        joints.mechanisms[trees, M_IN_BLOCK] = 1
+        joints.tree_blocks[b, tb.T_MECHANISM : tb.T_MECHANISM + len(trees)] = trees
+        joints.mechanisms[trees, tb.M_IN_BLOCK] = 1
         joints.tree_above[first] = first
         last = first + 1 + len(above)
         joints.tree_above[first + 1 : last] = [first + 1 + max(place, -1) for place in above]
         for lane, n in enumerate(trees):
-            root = joints.sparse[n, I_NODE] + 1
+            root = joints.sparse[n, tb.I_NODE] + 1
             hinges = joints.hinges[root : root + len(above)]
             own = joints.tree_lanes[first + 1 : last]
-            own[:, [T_ANCHOR_X + lane, T_ANCHOR_Y + lane]] = hinges[:, H_ANCHOR : H_ANCHOR + 2]
-            far = hinges[:, H_FAR_ANCHOR : H_FAR_ANCHOR + 2]
-            own[:, [T_FAR_ANCHOR_X + lane, T_FAR_ANCHOR_Y + lane]] = far
-            for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
-                joints.members[hung_by_law(j, joints)[0], JOINED_SPRING] = j
+            own[:, [tb.T_ANCHOR_X + lane, tb.T_ANCHOR_Y + lane]] = hinges[
+                :, tb.H_ANCHOR : tb.H_ANCHOR + 2
+            ]
+            far = hinges[:, tb.H_FAR_ANCHOR : tb.H_FAR_ANCHOR + 2]
+            own[:, [tb.T_FAR_ANCHOR_X + lane, tb.T_FAR_ANCHOR_Y + lane]] = far
+            for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
+                joints.members[hung_by_law(j, joints)[0], tb.JOINED_SPRING] = j
         first = last
-    joints.tree_blocks[len(blocks), T_FIRST] = first
+    joints.tree_blocks[len(blocks), tb.T_FIRST] = first
 
 
 def rows_of(blocks: Sequence[tuple[Shape, list[int]]]) -> int:

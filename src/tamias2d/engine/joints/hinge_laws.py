@@ -3,6 +3,7 @@
 Cost: for each choice that changes, a visit more to each body, and a solution.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.hinge_solve import (
     begin_errors,
@@ -13,18 +14,7 @@ from tamias2d.engine.joints.hinge_solve import (
 )
 from tamias2d.engine.joints.hinge_tree import first_besides, hang_tree
 from tamias2d.engine.joints.solve import MOST_CHOICES, rate_of_row
-from tamias2d.engine.tables import (
-    H_NOTED,
-    I_NODE,
-    J_ERROR,
-    J_RESIDUAL,
-    J_ROWS,
-    M_CHOOSING,
-    M_GOVERNED,
-    M_JOINT,
-    Bodies,
-    Joints,
-)
+from tamias2d.engine.tables import Bodies, Joints
 
 
 def keep_tree_positions(
@@ -34,11 +24,11 @@ def keep_tree_positions(
 
     Again, they have changed little. Limits push only, and motors give no more than they can.
     """
-    governed = joints.mechanisms[n, M_GOVERNED] == 1
+    governed = joints.mechanisms[n, tb.M_GOVERNED] == 1
     if governed and not again:
         hang_tree(n, substep, bodies, joints)
     bring_tree_to_aims(n, substep, bodies, joints)
-    for _ in range(MOST_CHOICES if joints.mechanisms[n, M_CHOOSING] == 1 else 0):
+    for _ in range(MOST_CHOICES if joints.mechanisms[n, tb.M_CHOOSING] == 1 else 0):
         find_gap_errors(n, substep, bodies, joints)
         note_tree_rates(n, bodies, joints)
         if not choose_rows(n, substep, bodies, joints):
@@ -50,22 +40,22 @@ def keep_tree_positions(
 
 def note_tree_rates(n: int, bodies: Bodies, joints: Joints) -> None:
     """Note the rates of all rows of a tree."""
-    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         row = joints.hinges[m]
-        row[H_NOTED], row[H_NOTED + 1] = rates_of_hinge(m, bodies, joints)
-    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
-        for r in range(joints.joints[j, J_ROWS]):
-            joints.numbers[j, J_RESIDUAL + r] = rate_of_row(j, r, bodies, joints)
+        row[tb.H_NOTED], row[tb.H_NOTED + 1] = rates_of_hinge(m, bodies, joints)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            joints.numbers[j, tb.J_RESIDUAL + r] = rate_of_row(j, r, bodies, joints)
 
 
 def return_tree_to_rates(n: int, bodies: Bodies, joints: Joints) -> None:
     """Let the rows of a tree that hold have the rates again that were noted."""
-    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         row = joints.hinges[m]
         rate_x, rate_y = rates_of_hinge(m, bodies, joints)
-        begin_errors(row, rate_x - row[H_NOTED], rate_y - row[H_NOTED + 1])
-    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
-        for r in range(joints.joints[j, J_ROWS]):
+        begin_errors(row, rate_x - row[tb.H_NOTED], rate_y - row[tb.H_NOTED + 1])
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
+        for r in range(joints.joints[j, tb.J_ROWS]):
             rate = rate_of_row(j, r, bodies, joints)
-            joints.numbers[j, J_ERROR + r] = rate - joints.numbers[j, J_RESIDUAL + r]
+            joints.numbers[j, tb.J_ERROR + r] = rate - joints.numbers[j, tb.J_RESIDUAL + r]
     solve_hinges(n, bodies, joints)

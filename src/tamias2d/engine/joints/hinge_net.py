@@ -9,52 +9,10 @@ Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps; Eisenstat (198
 
 from math import inf
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.iterate import MESH_ACCURACY
 from tamias2d.engine.joints.linearise import move_members
-from tamias2d.engine.tables import (
-    HELD_INVERSE_INERTIA,
-    I_NODE,
-    INVERSE_MASS,
-    J_APART,
-    J_MEMBER,
-    J_PULL,
-    J_SLIGHT,
-    J_TOTAL,
-    J_WARM,
-    JOINED_SLOT,
-    L_APART,
-    L_ARM_A,
-    L_ARM_B,
-    L_ERROR,
-    L_GAP,
-    L_GIVEN,
-    L_IMPULSE,
-    L_LEFT,
-    L_MADE,
-    L_MASS,
-    L_PULL,
-    L_RATE,
-    L_SEARCH,
-    L_SLIGHT,
-    L_TRIED,
-    L_TURN_A,
-    L_TURN_B,
-    L_WARM,
-    L_YIELD,
-    M_HALF,
-    M_JOINT,
-    N_CHANGE,
-    N_INVERSE_INERTIA,
-    N_INVERSE_MASS,
-    PLACE_X,
-    PLACE_Y,
-    SPIN,
-    SUBSTEP_START,
-    VX,
-    VY,
-    Bodies,
-    Joints,
-)
+from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.hinge_tree import (
     angular_momentum_hinged,
@@ -85,24 +43,26 @@ def begin_net(n: int, bodies: Bodies, joints: Joints) -> None:
 
     How far links may be apart is that of the one that may least; 0 if none is looked at.
     """
-    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         node = joints.net_nodes[m]
-        node[N_INVERSE_MASS] = bodies.properties[joints.members[m, JOINED_SLOT], INVERSE_MASS]
-        node[N_INVERSE_INERTIA] = joints.places[m, HELD_INVERSE_INERTIA]
+        node[tb.N_INVERSE_MASS] = bodies.properties[
+            joints.members[m, tb.JOINED_SLOT], tb.INVERSE_MASS
+        ]
+        node[tb.N_INVERSE_INERTIA] = joints.places[m, tb.HELD_INVERSE_INERTIA]
     least = inf
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         link, numbers = joints.links[j], joints.numbers[j]
-        link[L_WARM], link[L_WARM + 1] = numbers[J_WARM], numbers[J_WARM + 1]
-        least = min(least, numbers[J_SLIGHT])
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        joints.links[j, L_SLIGHT] = least if least < inf else 0.0
+        link[tb.L_WARM], link[tb.L_WARM + 1] = numbers[tb.J_WARM], numbers[tb.J_WARM + 1]
+        least = min(least, numbers[tb.J_SLIGHT])
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        joints.links[j, tb.L_SLIGHT] = least if least < inf else 0.0
 
 
 def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
     """Write the links of a net where its bodies are."""
-    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    first, last = joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1
     move_members(first, last, 0.0, bodies, joints)
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         write_link(j, joints)
 
 
@@ -110,11 +70,16 @@ def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
 def arms_of_link(j: int, joints: Joints) -> tuple[Vector, Vector, Vector]:
     """Return the arms of a link at A and B, where these are placed, and by how much it is apart."""
     given, ends = joints.given[j], joints.joints[j]
-    m, k, cosines, sines = ends[J_MEMBER], ends[J_MEMBER + 1], joints.turns[1], joints.turns[2]
+    m, k, cosines, sines = (
+        ends[tb.J_MEMBER],
+        ends[tb.J_MEMBER + 1],
+        joints.turns[1],
+        joints.turns[2],
+    )
     a, b = joints.places[m], joints.places[k]
     arm_a = hinge_arm((given[0], given[1]), cosines[m], sines[m])
     arm_b = hinge_arm((given[2], given[3]), cosines[k], sines[k])
-    at_a, at_b = (a[PLACE_X], a[PLACE_Y]), (b[PLACE_X], b[PLACE_Y])
+    at_a, at_b = (a[tb.PLACE_X], a[tb.PLACE_Y]), (b[tb.PLACE_X], b[tb.PLACE_Y])
     return arm_a, arm_b, hinge_gap(at_b, arm_b, at_a, arm_a)
 
 
@@ -125,20 +90,24 @@ def write_link(j: int, joints: Joints) -> None:
     add_given(link)
     arm_a, arm_b, gap = arms_of_link(j, joints)
     arm_a = arm_met(arm_a, gap)
-    link[L_ARM_A], link[L_ARM_A + 1] = arm_a
-    link[L_ARM_B], link[L_ARM_B + 1] = arm_b
-    link[L_GAP], link[L_GAP + 1] = gap
-    link[L_APART] = max(link[L_APART], abs(gap[0]))
-    link[L_APART + 1] = max(link[L_APART + 1], abs(gap[1]))
-    a, b = joints.net_nodes[ends[J_MEMBER]], joints.net_nodes[ends[J_MEMBER + 1]]
-    ax = point_yield_x(a[N_INVERSE_MASS], a[N_INVERSE_INERTIA], arm_a)
-    ay = point_yield_y(a[N_INVERSE_MASS], a[N_INVERSE_INERTIA], arm_a)
-    bx = point_yield_x(b[N_INVERSE_MASS], b[N_INVERSE_INERTIA], arm_b)
-    by = point_yield_y(b[N_INVERSE_MASS], b[N_INVERSE_INERTIA], arm_b)
+    link[tb.L_ARM_A], link[tb.L_ARM_A + 1] = arm_a
+    link[tb.L_ARM_B], link[tb.L_ARM_B + 1] = arm_b
+    link[tb.L_GAP], link[tb.L_GAP + 1] = gap
+    link[tb.L_APART] = max(link[tb.L_APART], abs(gap[0]))
+    link[tb.L_APART + 1] = max(link[tb.L_APART + 1], abs(gap[1]))
+    a, b = joints.net_nodes[ends[tb.J_MEMBER]], joints.net_nodes[ends[tb.J_MEMBER + 1]]
+    ax = point_yield_x(a[tb.N_INVERSE_MASS], a[tb.N_INVERSE_INERTIA], arm_a)
+    ay = point_yield_y(a[tb.N_INVERSE_MASS], a[tb.N_INVERSE_INERTIA], arm_a)
+    bx = point_yield_x(b[tb.N_INVERSE_MASS], b[tb.N_INVERSE_INERTIA], arm_b)
+    by = point_yield_y(b[tb.N_INVERSE_MASS], b[tb.N_INVERSE_INERTIA], arm_b)
     yield_x, yield_y = (ax[0] + bx[0], ax[1] + bx[1]), (ay[0] + by[0], ay[1] + by[1])
-    link[L_YIELD], link[L_YIELD + 1], link[L_YIELD + 2] = yield_x[0], yield_x[1], yield_y[1]
+    link[tb.L_YIELD], link[tb.L_YIELD + 1], link[tb.L_YIELD + 2] = (
+        yield_x[0],
+        yield_x[1],
+        yield_y[1],
+    )
     mass_x, mass_y = link_mass_x(yield_x, yield_y), link_mass_y(yield_x, yield_y)
-    link[L_MASS], link[L_MASS + 1], link[L_MASS + 2] = mass_x[0], mass_x[1], mass_y[1]
+    link[tb.L_MASS], link[tb.L_MASS + 1], link[tb.L_MASS + 2] = mass_x[0], mass_x[1], mass_y[1]
 
 
 def bring_net_to_aims(
@@ -149,16 +118,16 @@ def bring_net_to_aims(
     These are parts of the gaps as they were just written; its length is as `aim_joints` says. What
     is left is made up for in the next substep.
     """
-    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    first, last = joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1
     move_members(first, last, substep, bodies, joints)
     clear_net(n, joints)
-    share = 0.5 if joints.mechanisms[n, M_HALF] == 1 else 1.0
+    share = 0.5 if joints.mechanisms[n, tb.M_HALF] == 1 else 1.0
     warm, removed = 0.0 if again else share, REMOVED_BY_NET * length
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         link = joints.links[j]
         _, _, gap = arms_of_link(j, joints)
-        link[L_ERROR] = row_error(gap[0], row_aim(link[L_GAP], removed), substep)
-        link[L_ERROR + 1] = row_error(gap[1], row_aim(link[L_GAP + 1], removed), substep)
+        link[tb.L_ERROR] = row_error(gap[0], row_aim(link[tb.L_GAP], removed), substep)
+        link[tb.L_ERROR + 1] = row_error(gap[1], row_aim(link[tb.L_GAP + 1], removed), substep)
         start_link(j, warm, joints)
     solve_net(n, 0.0 if again else 1.0 / share, substep, bodies, joints)
 
@@ -168,15 +137,15 @@ def fit_net(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints)
 
     The impulses are about so many times those of the last substep, s.
     """
-    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
-        node, now = joints.net_nodes[m], bodies.motion[joints.members[m, JOINED_SLOT]]
-        node[N_CHANGE], node[N_CHANGE + 1] = now[VX], now[VY]
-        node[N_CHANGE + 2] = now[SPIN]
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+        node, now = joints.net_nodes[m], bodies.motion[joints.members[m, tb.JOINED_SLOT]]
+        node[tb.N_CHANGE], node[tb.N_CHANGE + 1] = now[tb.VX], now[tb.VY]
+        node[tb.N_CHANGE + 2] = now[tb.SPIN]
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         link = joints.links[j]
-        link[L_ERROR], link[L_ERROR + 1] = change_of_link(j, joints)
+        link[tb.L_ERROR], link[tb.L_ERROR + 1] = change_of_link(j, joints)
     clear_net(n, joints)
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         start_link(j, warm, joints)
     solve_net(n, 0.0, substep, bodies, joints)
 
@@ -185,8 +154,8 @@ def fit_net(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints)
 def start_link(j: int, warm: float, joints: Joints) -> None:
     """Give the bodies of a link so many times its impulse in the last substep, to start from."""
     link = joints.links[j]
-    impulse = (warm * link[L_WARM], warm * link[L_WARM + 1])
-    link[L_IMPULSE], link[L_IMPULSE + 1] = impulse
+    impulse = (warm * link[tb.L_WARM], warm * link[tb.L_WARM + 1])
+    link[tb.L_IMPULSE], link[tb.L_IMPULSE + 1] = impulse
     push_link(j, impulse, joints)
 
 
@@ -195,11 +164,11 @@ def solve_net(n: int, kept: float, substep: float, bodies: Bodies, joints: Joint
 
     It is enough if what is left parts no link by much in a substep, s.
     """
-    first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
+    first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
     whole, parting = 0.0, False
     for j in range(first, last):
         whole += note_what_is_left(j, joints)
-        parting |= parts_link(joints.links[j], L_RATE, substep)
+        parting |= parts_link(joints.links[j], tb.L_RATE, substep)
     if parting:
         iterate_net(n, whole, substep, joints)
         push_links(n, joints)
@@ -209,13 +178,13 @@ def solve_net(n: int, kept: float, substep: float, bodies: Bodies, joints: Joint
 def push_links(n: int, joints: Joints) -> None:
     """Let the impulses of its links, and nothing else, change the velocities of a net."""
     clear_net(n, joints)
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        push_link(j, (joints.links[j, L_IMPULSE], joints.links[j, L_IMPULSE + 1]), joints)
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        push_link(j, (joints.links[j, tb.L_IMPULSE], joints.links[j, tb.L_IMPULSE + 1]), joints)
 
 
 def iterate_net(n: int, whole: float, substep: float, joints: Joints) -> None:
     """Add to the impulses of a net what is left, nearly; the size of all its errors is `whole`."""
-    first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
+    first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
     clear_net(n, joints)
     size, before = sweep_from_left(first, last, joints), 0.0
     for _ in range(MOST_ITERATIONS_OF_NET):
@@ -233,31 +202,34 @@ def parts_links(first: int, last: int, substep: float, joints: Joints) -> bool:
     """Return whether what is left of their errors parts links by much in a substep, s."""
     parting = False
     for j in range(first, last):
-        parting |= parts_link(joints.links[j], L_MADE, substep)
+        parting |= parts_link(joints.links[j], tb.L_MADE, substep)
     return parting
 
 
 @inlined
 def parts_link(link: Array, rate: int, substep: float) -> bool:
     """Return whether the rate of a link in a column parts it by much in a substep, s."""
-    return bool(substep * max(abs(link[rate]), abs(link[rate + 1])) > LEFT_OPEN * link[L_SLIGHT])
+    return bool(substep * max(abs(link[rate]), abs(link[rate + 1])) > LEFT_OPEN * link[tb.L_SLIGHT])
 
 
 def clear_net(n: int, joints: Joints) -> None:
     """Write zeros to the changes of the nodes of a net."""
-    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         node = joints.net_nodes[m]
-        node[N_CHANGE] = node[N_CHANGE + 1] = node[N_CHANGE + 2] = 0.0
+        node[tb.N_CHANGE] = node[tb.N_CHANGE + 1] = node[tb.N_CHANGE + 2] = 0.0
 
 
 @inlined
 def change_of_link(j: int, joints: Joints) -> Vector:
     """Return by how much the changes of its bodies' velocities change the rates of a link, m/s."""
     link, ends = joints.links[j], joints.joints[j]
-    a, b = joints.net_nodes[ends[J_MEMBER]], joints.net_nodes[ends[J_MEMBER + 1]]
-    arm_a, arm_b = (link[L_ARM_A], link[L_ARM_A + 1]), (link[L_ARM_B], link[L_ARM_B + 1])
-    at_a = point_velocity((a[N_CHANGE], a[N_CHANGE + 1]), a[N_CHANGE + 2], arm_a)
-    at_b = point_velocity((b[N_CHANGE], b[N_CHANGE + 1]), b[N_CHANGE + 2], arm_b)
+    a, b = joints.net_nodes[ends[tb.J_MEMBER]], joints.net_nodes[ends[tb.J_MEMBER + 1]]
+    arm_a, arm_b = (
+        (link[tb.L_ARM_A], link[tb.L_ARM_A + 1]),
+        (link[tb.L_ARM_B], link[tb.L_ARM_B + 1]),
+    )
+    at_a = point_velocity((a[tb.N_CHANGE], a[tb.N_CHANGE + 1]), a[tb.N_CHANGE + 2], arm_a)
+    at_b = point_velocity((b[tb.N_CHANGE], b[tb.N_CHANGE + 1]), b[tb.N_CHANGE + 2], arm_b)
     return at_b[0] - at_a[0], at_b[1] - at_a[1]
 
 
@@ -265,25 +237,31 @@ def change_of_link(j: int, joints: Joints) -> Vector:
 def push_link(j: int, impulse: Vector, joints: Joints) -> None:
     """Let the impulse of a link change the velocities of its bodies."""
     link, ends = joints.links[j], joints.joints[j]
-    arm_a, arm_b = (link[L_ARM_A], link[L_ARM_A + 1]), (link[L_ARM_B], link[L_ARM_B + 1])
-    push_node(joints.net_nodes[ends[J_MEMBER]], arm_a, (-impulse[0], -impulse[1]))
-    push_node(joints.net_nodes[ends[J_MEMBER + 1]], arm_b, impulse)
+    arm_a, arm_b = (
+        (link[tb.L_ARM_A], link[tb.L_ARM_A + 1]),
+        (link[tb.L_ARM_B], link[tb.L_ARM_B + 1]),
+    )
+    push_node(joints.net_nodes[ends[tb.J_MEMBER]], arm_a, (-impulse[0], -impulse[1]))
+    push_node(joints.net_nodes[ends[tb.J_MEMBER + 1]], arm_b, impulse)
 
 
 @inlined
 def push_node(node: Array, arm: Vector, impulse: Vector) -> None:
     """Let an impulse at an arm change the velocities of a node."""
-    by = (node[N_CHANGE], node[N_CHANGE + 1])
-    node[N_CHANGE], node[N_CHANGE + 1] = velocity_hinged(by, impulse, node[N_INVERSE_MASS])
-    node[N_CHANGE + 2] = angular_velocity_hinged(
-        node[N_CHANGE + 2], arm, impulse, node[N_INVERSE_INERTIA]
+    by = (node[tb.N_CHANGE], node[tb.N_CHANGE + 1])
+    node[tb.N_CHANGE], node[tb.N_CHANGE + 1] = velocity_hinged(by, impulse, node[tb.N_INVERSE_MASS])
+    node[tb.N_CHANGE + 2] = angular_velocity_hinged(
+        node[tb.N_CHANGE + 2], arm, impulse, node[tb.N_INVERSE_INERTIA]
     )
 
 
 @inlined
 def impulse_for(link: Array, rate: Vector) -> Vector:
     """Return the impulse that gives a link, by itself, a rate."""
-    mass_x, mass_y = (link[L_MASS], link[L_MASS + 1]), (link[L_MASS + 1], link[L_MASS + 2])
+    mass_x, mass_y = (
+        (link[tb.L_MASS], link[tb.L_MASS + 1]),
+        (link[tb.L_MASS + 1], link[tb.L_MASS + 2]),
+    )
     return link_impulse(rate, mass_x, mass_y)
 
 
@@ -292,8 +270,8 @@ def note_what_is_left(j: int, joints: Joints) -> float:
     """Write the rates that a link is yet to get; return the size of its error, J."""
     link = joints.links[j]
     by = change_of_link(j, joints)
-    error = (link[L_ERROR], link[L_ERROR + 1])
-    link[L_RATE], link[L_RATE + 1] = -error[0] - by[0], -error[1] - by[1]
+    error = (link[tb.L_ERROR], link[tb.L_ERROR + 1])
+    link[tb.L_RATE], link[tb.L_RATE + 1] = -error[0] - by[0], -error[1] - by[1]
     impulse = impulse_for(link, error)
     return error[0] * impulse[0] + error[1] * impulse[1]
 
@@ -304,10 +282,10 @@ def sweep_from_left(first: int, last: int, joints: Joints) -> float:
     for j in range(first, last):
         link = joints.links[j]
         by = change_of_link(j, joints)
-        left = impulse_for(link, (link[L_RATE] - by[0], link[L_RATE + 1] - by[1]))
+        left = impulse_for(link, (link[tb.L_RATE] - by[0], link[tb.L_RATE + 1] - by[1]))
         push_link(j, left, joints)
-        link[L_LEFT], link[L_LEFT + 1] = left
-        link[L_SEARCH] = link[L_SEARCH + 1] = 0.0
+        link[tb.L_LEFT], link[tb.L_LEFT + 1] = left
+        link[tb.L_SEARCH] = link[tb.L_SEARCH + 1] = 0.0
         size += size_of_left(link, left)
     return size
 
@@ -315,9 +293,9 @@ def sweep_from_left(first: int, last: int, joints: Joints) -> float:
 @inlined
 def size_of_left(link: Array, left: Vector) -> float:
     """Return the size of what a sweep made, J; write it as a rate where the direction looks."""
-    rows = (link[L_YIELD], link[L_YIELD + 1]), (link[L_YIELD + 1], link[L_YIELD + 2])
+    rows = (link[tb.L_YIELD], link[tb.L_YIELD + 1]), (link[tb.L_YIELD + 1], link[tb.L_YIELD + 2])
     answer = link_answer(left, rows[0], rows[1])
-    link[L_MADE], link[L_MADE + 1] = answer
+    link[tb.L_MADE], link[tb.L_MADE + 1] = answer
     return left[0] * answer[0] + left[1] * answer[1]
 
 
@@ -327,15 +305,15 @@ def sweep_back(first: int, last: int, kept: float, joints: Joints) -> None:
         j = last - 1 - back
         link = joints.links[j]
         search = (
-            link[L_MADE] + kept * link[L_SEARCH],
-            link[L_MADE + 1] + kept * link[L_SEARCH + 1],
+            link[tb.L_MADE] + kept * link[tb.L_SEARCH],
+            link[tb.L_MADE + 1] + kept * link[tb.L_SEARCH + 1],
         )
-        link[L_SEARCH], link[L_SEARCH + 1] = search
+        link[tb.L_SEARCH], link[tb.L_SEARCH + 1] = search
         by = change_of_link(j, joints)
         tried = impulse_for(link, (search[0] - by[0], search[1] - by[1]))
         push_link(j, tried, joints)
-        link[L_TRIED], link[L_TRIED + 1] = tried
-        link[L_RATE], link[L_RATE + 1] = by
+        link[tb.L_TRIED], link[tb.L_TRIED + 1] = tried
+        link[tb.L_RATE], link[tb.L_RATE + 1] = by
 
 
 def sweep_on(first: int, last: int, joints: Joints) -> float:
@@ -344,11 +322,11 @@ def sweep_on(first: int, last: int, joints: Joints) -> float:
     for j in range(first, last):
         link = joints.links[j]
         by = change_of_link(j, joints)
-        more = impulse_for(link, (link[L_RATE] - by[0], link[L_RATE + 1] - by[1]))
+        more = impulse_for(link, (link[tb.L_RATE] - by[0], link[tb.L_RATE + 1] - by[1]))
         push_link(j, more, joints)
-        made = (link[L_TRIED] + more[0], link[L_TRIED + 1] + more[1])
-        link[L_MADE], link[L_MADE + 1] = made
-        curvature += link[L_SEARCH] * made[0] + link[L_SEARCH + 1] * made[1]
+        made = (link[tb.L_TRIED] + more[0], link[tb.L_TRIED + 1] + more[1])
+        link[tb.L_MADE], link[tb.L_MADE + 1] = made
+        curvature += link[tb.L_SEARCH] * made[0] + link[tb.L_SEARCH + 1] * made[1]
     return curvature
 
 
@@ -358,10 +336,13 @@ def go_along(first: int, last: int, size: float, curvature: float, joints: Joint
     new = 0.0
     for j in range(first, last):
         link = joints.links[j]
-        link[L_IMPULSE] += share * link[L_TRIED]
-        link[L_IMPULSE + 1] += share * link[L_TRIED + 1]
-        left = (link[L_LEFT] - share * link[L_MADE], link[L_LEFT + 1] - share * link[L_MADE + 1])
-        link[L_LEFT], link[L_LEFT + 1] = left
+        link[tb.L_IMPULSE] += share * link[tb.L_TRIED]
+        link[tb.L_IMPULSE + 1] += share * link[tb.L_TRIED + 1]
+        left = (
+            link[tb.L_LEFT] - share * link[tb.L_MADE],
+            link[tb.L_LEFT + 1] - share * link[tb.L_MADE + 1],
+        )
+        link[tb.L_LEFT], link[tb.L_LEFT + 1] = left
         new += size_of_left(link, left)
     return new
 
@@ -371,44 +352,52 @@ def give_to_net(n: int, kept: float, bodies: Bodies, joints: Joints) -> None:
 
     So many times as much is kept for the next substep, if that is anything.
     """
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         link = joints.links[j]
-        impulse = (link[L_IMPULSE], link[L_IMPULSE + 1])
-        link[L_GIVEN] += impulse[0]
-        link[L_GIVEN + 1] += impulse[1]
+        impulse = (link[tb.L_IMPULSE], link[tb.L_IMPULSE + 1])
+        link[tb.L_GIVEN] += impulse[0]
+        link[tb.L_GIVEN + 1] += impulse[1]
         if kept > 0.0:
-            link[L_WARM], link[L_WARM + 1] = kept * impulse[0], kept * impulse[1]
-    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
-        i, node = joints.members[m, JOINED_SLOT], joints.net_nodes[m]
+            link[tb.L_WARM], link[tb.L_WARM + 1] = kept * impulse[0], kept * impulse[1]
+    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+        i, node = joints.members[m, tb.JOINED_SLOT], joints.net_nodes[m]
         now, state = bodies.motion[i], bodies.substep_state[i]
         for k in range(3):
-            now[VX + k] += node[N_CHANGE + k]
-            state[SUBSTEP_START + k] += node[N_CHANGE + k]
+            now[tb.VX + k] += node[tb.N_CHANGE + k]
+            state[tb.SUBSTEP_START + k] += node[tb.N_CHANGE + k]
 
 
 @inlined
 def add_given(link: Array) -> None:
     """Add what went through a link since its row was written to what went through it before."""
-    given, away = (link[L_GIVEN], link[L_GIVEN + 1]), (-link[L_GIVEN], -link[L_GIVEN + 1])
-    arm_a, arm_b = (link[L_ARM_A], link[L_ARM_A + 1]), (link[L_ARM_B], link[L_ARM_B + 1])
-    link[L_PULL], link[L_PULL + 1] = momentum_hinged((link[L_PULL], link[L_PULL + 1]), given)
-    link[L_TURN_A] = angular_momentum_hinged(link[L_TURN_A], arm_a, away)
-    link[L_TURN_B] = angular_momentum_hinged(link[L_TURN_B], arm_b, given)
-    link[L_GIVEN] = link[L_GIVEN + 1] = 0.0
+    given, away = (
+        (link[tb.L_GIVEN], link[tb.L_GIVEN + 1]),
+        (-link[tb.L_GIVEN], -link[tb.L_GIVEN + 1]),
+    )
+    arm_a, arm_b = (
+        (link[tb.L_ARM_A], link[tb.L_ARM_A + 1]),
+        (link[tb.L_ARM_B], link[tb.L_ARM_B + 1]),
+    )
+    link[tb.L_PULL], link[tb.L_PULL + 1] = momentum_hinged(
+        (link[tb.L_PULL], link[tb.L_PULL + 1]), given
+    )
+    link[tb.L_TURN_A] = angular_momentum_hinged(link[tb.L_TURN_A], arm_a, away)
+    link[tb.L_TURN_B] = angular_momentum_hinged(link[tb.L_TURN_B], arm_b, given)
+    link[tb.L_GIVEN] = link[tb.L_GIVEN + 1] = 0.0
 
 
 def store_links(n: int, joints: Joints) -> None:
     """Store what went through the links of a net in a part, and how far apart they were."""
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         link, numbers = joints.links[j], joints.numbers[j]
         add_given(link)
         for k in range(2):
-            numbers[J_PULL + k] += link[L_PULL + k]
-            numbers[J_TOTAL + k] -= link[L_PULL + k]
-            numbers[J_TOTAL + 3 + k] += link[L_PULL + k]
-            numbers[J_APART + k] = max(numbers[J_APART + k], link[L_APART + k])
-            numbers[J_WARM + k] = link[L_WARM + k]
-        numbers[J_TOTAL + 2] += link[L_TURN_A]
-        numbers[J_TOTAL + 5] += link[L_TURN_B]
-        for k in range(L_PULL, L_TURN_B + 1):
+            numbers[tb.J_PULL + k] += link[tb.L_PULL + k]
+            numbers[tb.J_TOTAL + k] -= link[tb.L_PULL + k]
+            numbers[tb.J_TOTAL + 3 + k] += link[tb.L_PULL + k]
+            numbers[tb.J_APART + k] = max(numbers[tb.J_APART + k], link[tb.L_APART + k])
+            numbers[tb.J_WARM + k] = link[tb.L_WARM + k]
+        numbers[tb.J_TOTAL + 2] += link[tb.L_TURN_A]
+        numbers[tb.J_TOTAL + 5] += link[tb.L_TURN_B]
+        for k in range(tb.L_PULL, tb.L_TURN_B + 1):
             link[k] = 0.0

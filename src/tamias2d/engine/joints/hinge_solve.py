@@ -6,6 +6,7 @@ Source: Featherstone (2008), articulated bodies.
 
 from math import inf
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.angle_laws import (
     error_of_law,
     impulse_of_law,
@@ -30,47 +31,7 @@ from tamias2d.engine.joints.solve import (
     errors_of_joint,
     rate_of_row,
 )
-from tamias2d.engine.tables import (
-    H_AIM,
-    H_ARM,
-    H_CHANGE,
-    H_ERROR,
-    H_FAR_ARM,
-    H_GAP,
-    H_GIVEN,
-    H_IMPULSE,
-    H_LAW,
-    H_LEVER,
-    H_MASS,
-    H_MOMENT,
-    H_OWED,
-    H_SHARE,
-    H_SLIGHT,
-    H_YIELD,
-    HELD_INVERSE_INERTIA,
-    I_NODE,
-    INVERSE_MASS,
-    J_ERROR,
-    J_FIRMNESS,
-    J_IMPULSE,
-    J_LAW,
-    J_NODE,
-    J_ROW,
-    J_ROWS,
-    JOINED_ABOVE,
-    JOINED_HINGE,
-    JOINED_SLOT,
-    LAW_RATE,
-    M_CHOOSING,
-    M_JOINT,
-    MOTOR,
-    SPIN,
-    SUBSTEP_START,
-    VX,
-    VY,
-    Bodies,
-    Joints,
-)
+from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.hinge_tree import (
     angular_momentum_passed,
@@ -104,11 +65,11 @@ def aim_tree(n: int, length: float, joints: Joints) -> None:
 
     They are the gaps as they were just written.
     """
-    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         row = joints.hinges[m]
-        row[H_AIM] = row_aim(row[H_GAP], REMOVED_BY_JOINTS * length)
-        row[H_AIM + 1] = row_aim(row[H_GAP + 1], REMOVED_BY_JOINTS * length)
-    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        row[tb.H_AIM] = row_aim(row[tb.H_GAP], REMOVED_BY_JOINTS * length)
+        row[tb.H_AIM + 1] = row_aim(row[tb.H_GAP + 1], REMOVED_BY_JOINTS * length)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
         aim_joint(j, length, joints)
 
 
@@ -118,9 +79,9 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
     Arms turn meanwhile; where that matters, it is done again, and with the arms of the end where
     errors do not become much less.
     """
-    turning = joints.mechanisms[n, M_CHOOSING] == 0  # trial impulses of motors may go anywhere
+    turning = joints.mechanisms[n, tb.M_CHOOSING] == 0  # trial impulses of motors may go anywhere
     first, before, turned = 0.0, inf, False
-    root = joints.sparse[n, I_NODE] + 1
+    root = joints.sparse[n, tb.I_NODE] + 1
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_gap_errors(n, substep, bodies, joints)
         if k == 0:
@@ -134,82 +95,85 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
         if turned:
             turn_tree(n, substep, bodies, joints)
         before = size
-        if not substep * substep * solve_hinges(n, bodies, joints) > joints.hinges[root, H_SLIGHT]:
+        if (
+            not substep * substep * solve_hinges(n, bodies, joints)
+            > joints.hinges[root, tb.H_SLIGHT]
+        ):
             return
 
 
 def take_solution_back(n: int, bodies: Bodies, joints: Joints) -> None:
     """Take the last solution from the motion of a tree: no solution is near."""
-    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    first, last = joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1
     for m in range(first, last):
         row = joints.hinges[m]
-        push_through(m, first, (-row[H_IMPULSE], -row[H_IMPULSE + 1]), bodies, joints)
-    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        push_through(m, first, (-row[tb.H_IMPULSE], -row[tb.H_IMPULSE + 1]), bodies, joints)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
         if is_law(j, joints):
-            turn_by_law(j, -joints.numbers[j, J_IMPULSE], bodies, joints)
+            turn_by_law(j, -joints.numbers[j, tb.J_IMPULSE], bodies, joints)
             continue
-        for r in range(joints.joints[j, J_ROWS]):
-            apply_joint_impulse(j, r, -joints.numbers[j, J_IMPULSE + r], bodies, joints)
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            apply_joint_impulse(j, r, -joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
 
 
 def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of its rows from the velocities of a tree."""
-    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         rate_x, rate_y = rates_of_hinge(m, bodies, joints)
         begin_errors(joints.hinges[m], rate_x, rate_y)
-    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
-        for r in range(joints.joints[j, J_ROWS]):
-            if joints.numbers[j, J_FIRMNESS + r] > 0.0:
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            if joints.numbers[j, tb.J_FIRMNESS + r] > 0.0:
                 rate = rate_of_row(j, r, bodies, joints)
-                if joints.joints[j, J_LAW] == MOTOR:
-                    rate = drive_error(rate, joints.laws[j, LAW_RATE])
-                joints.numbers[j, J_ERROR + r] = rate
+                if joints.joints[j, tb.J_LAW] == tb.MOTOR:
+                    rate = drive_error(rate, joints.laws[j, tb.LAW_RATE])
+                joints.numbers[j, tb.J_ERROR + r] = rate
     solve_hinges(n, bodies, joints)
 
 
 @inlined
 def rates_of_hinge(m: int, bodies: Bodies, joints: Joints) -> Vector:
     """Return the rates at which a hinge parts, m/s."""
-    row, now = joints.hinges[m], bodies.motion[joints.members[m, JOINED_SLOT]]
-    above = bodies.motion[joints.members[joints.members[m, JOINED_ABOVE], JOINED_SLOT]]
-    arm, far = (row[H_ARM], row[H_ARM + 1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
-    here = point_velocity((now[VX], now[VY]), now[SPIN], arm)
-    there = point_velocity((above[VX], above[VY]), above[SPIN], far)
+    row, now = joints.hinges[m], bodies.motion[joints.members[m, tb.JOINED_SLOT]]
+    above = bodies.motion[joints.members[joints.members[m, tb.JOINED_ABOVE], tb.JOINED_SLOT]]
+    arm, far = (row[tb.H_ARM], row[tb.H_ARM + 1]), (row[tb.H_FAR_ARM], row[tb.H_FAR_ARM + 1])
+    here = point_velocity((now[tb.VX], now[tb.VY]), now[tb.SPIN], arm)
+    there = point_velocity((above[tb.VX], above[tb.VY]), above[tb.SPIN], far)
     return here[0] - there[0], here[1] - there[1]
 
 
 def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
     """Write the rates that hinges have too much to get to their aims; return their squares' sum."""
-    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    first, last = joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1
     place_tree(n, substep, bodies, joints)
     size = 0.0
-    if joints.members[first, JOINED_HINGE] < 0:
+    if joints.members[first, tb.JOINED_HINGE] < 0:
         begin_errors(joints.hinges[first], 0.0, 0.0)
         first += 1
     for m in range(first, last):
         row = joints.hinges[m]
         _, _, gap = arms_of_hinge(m, joints)
-        error_x = row_error(gap[0], row[H_AIM], substep)
-        error_y = row_error(gap[1], row[H_AIM + 1], substep)
+        error_x = row_error(gap[0], row[tb.H_AIM], substep)
+        error_y = row_error(gap[1], row[tb.H_AIM + 1], substep)
         begin_errors(row, error_x, error_y)
         size += error_x * error_x + error_y * error_y
-    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
         if is_law(j, joints):
             error = error_of_law(j, substep, bodies, joints)
-            size += error * error if joints.numbers[j, J_FIRMNESS] > 0.0 else 0.0
+            size += error * error if joints.numbers[j, tb.J_FIRMNESS] > 0.0 else 0.0
             continue
         errors_of_joint(j, substep, bodies, joints)
-        for r in range(joints.joints[j, J_ROWS]):
-            if joints.numbers[j, J_FIRMNESS + r] > 0.0:
-                size += joints.numbers[j, J_ERROR + r] * joints.numbers[j, J_ERROR + r]
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            if joints.numbers[j, tb.J_FIRMNESS + r] > 0.0:
+                size += joints.numbers[j, tb.J_ERROR + r] * joints.numbers[j, tb.J_ERROR + r]
     return size
 
 
 @inlined
 def begin_errors(row: Array, error_x: float, error_y: float) -> None:
     """Write the error of a hinge; its node owes nothing yet."""
-    row[H_ERROR], row[H_ERROR + 1] = error_x, error_y
-    row[H_OWED] = row[H_OWED + 1] = row[H_OWED + 2] = row[H_LAW] = 0.0
+    row[tb.H_ERROR], row[tb.H_ERROR + 1] = error_x, error_y
+    row[tb.H_OWED] = row[tb.H_OWED + 1] = row[tb.H_OWED + 2] = row[tb.H_LAW] = 0.0
 
 
 def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
@@ -218,11 +182,11 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
     Returns the largest product of what they change the spin of a body by and what it then is, at
     most, 1/s^2.
     """
-    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
-    besides, end = first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]
+    first, last = joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1
+    besides, end = first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]
     for j in range(besides, end):
-        for r in range(joints.joints[j, J_ROWS]):
-            if joints.numbers[j, J_FIRMNESS + r] == 0.0:  # it does not hold
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            if joints.numbers[j, tb.J_FIRMNESS + r] == 0.0:  # it does not hold
                 continue
             if is_law(j, joints):
                 owe_law(j, joints)
@@ -231,78 +195,81 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
     hinges, members = joints.hinges, joints.members
     for m in range(last - 1, first, -1):
         owe_at_hinge(hinges[m])
-        pass_up(hinges[m], hinges[members[m, JOINED_ABOVE]])
+        pass_up(hinges[m], hinges[members[m, tb.JOINED_ABOVE]])
     owe_at_hinge(hinges[first])
-    if members[first, JOINED_HINGE] < 0:
+    if members[first, tb.JOINED_HINGE] < 0:
         let_go(hinges[first])
     largest = 0.0
     for m in range(first, last):
-        impulse = pass_down(m, hinges[members[m, JOINED_ABOVE]], joints)
-        row, spin = hinges[m], bodies.motion[members[m, JOINED_SLOT], SPIN]
-        change_of_spin = abs(row[H_CHANGE + 2])
+        impulse = pass_down(m, hinges[members[m, tb.JOINED_ABOVE]], joints)
+        row, spin = hinges[m], bodies.motion[members[m, tb.JOINED_SLOT], tb.SPIN]
+        change_of_spin = abs(row[tb.H_CHANGE + 2])
         largest = max(largest, change_of_spin * (abs(spin) + change_of_spin))
-        row[H_IMPULSE], row[H_IMPULSE + 1] = impulse[0], impulse[1]
+        row[tb.H_IMPULSE], row[tb.H_IMPULSE + 1] = impulse[0], impulse[1]
         push_through(m, first, impulse, bodies, joints)
     for j in range(besides, end):
-        for r in range(joints.joints[j, J_ROWS]):
-            joints.numbers[j, J_IMPULSE + r] = 0.0
-            if joints.numbers[j, J_FIRMNESS + r] == 0.0:
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            joints.numbers[j, tb.J_IMPULSE + r] = 0.0
+            if joints.numbers[j, tb.J_FIRMNESS + r] == 0.0:
                 continue
             if is_law(j, joints):
-                joints.numbers[j, J_IMPULSE] = impulse_of_law(j, joints)
-                turn_by_law(j, joints.numbers[j, J_IMPULSE], bodies, joints)
+                joints.numbers[j, tb.J_IMPULSE] = impulse_of_law(j, joints)
+                turn_by_law(j, joints.numbers[j, tb.J_IMPULSE], bodies, joints)
             else:
-                joints.numbers[j, J_IMPULSE + r] = impulse_of_tie(j, r, joints)
-                apply_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
+                joints.numbers[j, tb.J_IMPULSE + r] = impulse_of_tie(j, r, joints)
+                apply_joint_impulse(j, r, joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
     return largest
 
 
 @inlined
 def owe_at_hinge(row: Array) -> None:
     """Find what a node owes at its hinge."""
-    owed, arm = (row[H_OWED], row[H_OWED + 1]), (row[H_ARM], row[H_ARM + 1])
-    turning = turn_owed(row[H_OWED + 2], owed, arm, row[H_LAW])
-    hung = momentum_hung(owed, turning, (row[H_LEVER], row[H_LEVER + 1]))
-    row[H_OWED], row[H_OWED + 1], row[H_OWED + 2] = hung[0], hung[1], turning
+    owed, arm = (row[tb.H_OWED], row[tb.H_OWED + 1]), (row[tb.H_ARM], row[tb.H_ARM + 1])
+    turning = turn_owed(row[tb.H_OWED + 2], owed, arm, row[tb.H_LAW])
+    hung = momentum_hung(owed, turning, (row[tb.H_LEVER], row[tb.H_LEVER + 1]))
+    row[tb.H_OWED], row[tb.H_OWED + 1], row[tb.H_OWED + 2] = hung[0], hung[1], turning
 
 
 @inlined
 def pass_up(row: Array, above: Array) -> None:
     """Let the node above owe what a node does, and what the error of its hinge asks for."""
-    hung, error = (row[H_OWED], row[H_OWED + 1]), (row[H_ERROR], row[H_ERROR + 1])
-    far, turned = (row[H_FAR_ARM], row[H_FAR_ARM + 1]), (row[H_MOMENT], row[H_MOMENT + 1])
-    mass_x, mass_y = (row[H_MASS], row[H_MASS + 1]), (row[H_MASS + 1], row[H_MASS + 2])
+    hung, error = (row[tb.H_OWED], row[tb.H_OWED + 1]), (row[tb.H_ERROR], row[tb.H_ERROR + 1])
+    far, turned = (
+        (row[tb.H_FAR_ARM], row[tb.H_FAR_ARM + 1]),
+        (row[tb.H_MOMENT], row[tb.H_MOMENT + 1]),
+    )
+    mass_x, mass_y = (row[tb.H_MASS], row[tb.H_MASS + 1]), (row[tb.H_MASS + 1], row[tb.H_MASS + 2])
     passed = momentum_passed(hung, error, mass_x, mass_y)
     turning = angular_momentum_passed(
-        passed, row[H_OWED + 2], error, turned, row[H_SHARE], far, row[H_LAW]
+        passed, row[tb.H_OWED + 2], error, turned, row[tb.H_SHARE], far, row[tb.H_LAW]
     )
-    above[H_OWED] += passed[0]
-    above[H_OWED + 1] += passed[1]
-    above[H_OWED + 2] += turning
+    above[tb.H_OWED] += passed[0]
+    above[tb.H_OWED + 1] += passed[1]
+    above[tb.H_OWED + 2] += turning
 
 
 @inlined
 def let_go(row: Array) -> None:
     """Let the root of a tree that nothing ties move so that no impulse goes through its hinge."""
-    mass_x, mass_y = (row[H_MASS], row[H_MASS + 1]), (row[H_MASS + 1], row[H_MASS + 2])
-    by_x, by_y = root_change((row[H_OWED], row[H_OWED + 1]), mass_x, mass_y)
-    row[H_ERROR], row[H_ERROR + 1] = -by_x, -by_y
+    mass_x, mass_y = (row[tb.H_MASS], row[tb.H_MASS + 1]), (row[tb.H_MASS + 1], row[tb.H_MASS + 2])
+    by_x, by_y = root_change((row[tb.H_OWED], row[tb.H_OWED + 1]), mass_x, mass_y)
+    row[tb.H_ERROR], row[tb.H_ERROR + 1] = -by_x, -by_y
 
 
 @inlined
 def pass_down(m: int, above: Array, joints: Joints) -> Vector:
     """Find how the velocities of a body change; return the impulse through its hinge."""
     row = joints.hinges[m]
-    by, spin_above = (above[H_CHANGE], above[H_CHANGE + 1]), above[H_CHANGE + 2]
-    far, error = (row[H_FAR_ARM], row[H_FAR_ARM + 1]), (row[H_ERROR], row[H_ERROR + 1])
+    by, spin_above = (above[tb.H_CHANGE], above[tb.H_CHANGE + 1]), above[tb.H_CHANGE + 2]
+    far, error = (row[tb.H_FAR_ARM], row[tb.H_FAR_ARM + 1]), (row[tb.H_ERROR], row[tb.H_ERROR + 1])
     at_hinge = hinge_change(by, spin_above, far, error)
-    lever, arm = (row[H_LEVER], row[H_LEVER + 1]), (row[H_ARM], row[H_ARM + 1])
-    share = row[H_SHARE]
-    turn = spin_change(spin_above, share, at_hinge, lever, row[H_OWED + 2], row[H_YIELD])
+    lever, arm = (row[tb.H_LEVER], row[tb.H_LEVER + 1]), (row[tb.H_ARM], row[tb.H_ARM + 1])
+    share = row[tb.H_SHARE]
+    turn = spin_change(spin_above, share, at_hinge, lever, row[tb.H_OWED + 2], row[tb.H_YIELD])
     own = change(at_hinge, turn, arm)
-    row[H_CHANGE], row[H_CHANGE + 1], row[H_CHANGE + 2] = own[0], own[1], turn
-    mass_x, mass_y = (row[H_MASS], row[H_MASS + 1]), (row[H_MASS + 1], row[H_MASS + 2])
-    hung, turned = (row[H_OWED], row[H_OWED + 1]), (row[H_MOMENT], row[H_MOMENT + 1])
+    row[tb.H_CHANGE], row[tb.H_CHANGE + 1], row[tb.H_CHANGE + 2] = own[0], own[1], turn
+    mass_x, mass_y = (row[tb.H_MASS], row[tb.H_MASS + 1]), (row[tb.H_MASS + 1], row[tb.H_MASS + 2])
+    hung, turned = (row[tb.H_OWED], row[tb.H_OWED + 1]), (row[tb.H_MOMENT], row[tb.H_MOMENT + 1])
     return hinge_impulse(at_hinge, spin_above, mass_x, mass_y, turned, share, hung)
 
 
@@ -310,48 +277,48 @@ def pass_down(m: int, above: Array, joints: Joints) -> Vector:
 def push_through(m: int, first: int, impulse: Vector, bodies: Bodies, joints: Joints) -> None:
     """Give a member of a tree and the one above it the impulse through its hinge."""
     row = joints.hinges[m]
-    if joints.members[m, JOINED_HINGE] >= 0:
-        row[H_GIVEN] += impulse[0]
-        row[H_GIVEN + 1] += impulse[1]
-        push_hinged(m, (row[H_ARM], row[H_ARM + 1]), impulse, bodies, joints)
+    if joints.members[m, tb.JOINED_HINGE] >= 0:
+        row[tb.H_GIVEN] += impulse[0]
+        row[tb.H_GIVEN + 1] += impulse[1]
+        push_hinged(m, (row[tb.H_ARM], row[tb.H_ARM + 1]), impulse, bodies, joints)
     if m > first:
-        away, far = (-impulse[0], -impulse[1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
-        push_hinged(joints.members[m, JOINED_ABOVE], far, away, bodies, joints)
+        away, far = (-impulse[0], -impulse[1]), (row[tb.H_FAR_ARM], row[tb.H_FAR_ARM + 1])
+        push_hinged(joints.members[m, tb.JOINED_ABOVE], far, away, bodies, joints)
 
 
 @inlined
 def push_hinged(m: int, arm: Vector, impulse: Vector, bodies: Bodies, joints: Joints) -> None:
     """Give a member an impulse at its hinge, which is not what contacts have done."""
-    i = joints.members[m, JOINED_SLOT]
+    i = joints.members[m, tb.JOINED_SLOT]
     now, state = bodies.motion[i], bodies.substep_state[i]
-    held = joints.places[m, HELD_INVERSE_INERTIA]
-    by_x, by_y = velocity_hinged((0.0, 0.0), impulse, bodies.properties[i, INVERSE_MASS])
+    held = joints.places[m, tb.HELD_INVERSE_INERTIA]
+    by_x, by_y = velocity_hinged((0.0, 0.0), impulse, bodies.properties[i, tb.INVERSE_MASS])
     turn = angular_velocity_hinged(0.0, arm, impulse, held)
-    now[VX], now[VY], now[SPIN] = now[VX] + by_x, now[VY] + by_y, now[SPIN] + turn
-    state[SUBSTEP_START] += by_x
-    state[SUBSTEP_START + 1] += by_y
-    state[SUBSTEP_START + 2] += turn
+    now[tb.VX], now[tb.VY], now[tb.SPIN] = now[tb.VX] + by_x, now[tb.VY] + by_y, now[tb.SPIN] + turn
+    state[tb.SUBSTEP_START] += by_x
+    state[tb.SUBSTEP_START + 1] += by_y
+    state[tb.SUBSTEP_START + 2] += turn
 
 
 def owe_tie(j: int, r: int, joints: Joints) -> None:
     """Let the node of a tied body owe what the error of a firm row asks for."""
     ends, numbers = joints.joints[j], joints.numbers[j]
-    asked = -row_impulse(numbers[J_ERROR + r], numbers[J_FIRMNESS + r])
+    asked = -row_impulse(numbers[tb.J_ERROR + r], numbers[tb.J_FIRMNESS + r])
     for end in range(ENDS_OF_JOINT):
-        if ends[J_NODE + end] >= 0:
-            row, at = joints.hinges[ends[J_NODE + end] + 1], J_ROW + ROW * r + 1 + 3 * end
-            slope, owed = (numbers[at], numbers[at + 1]), (row[H_OWED], row[H_OWED + 1])
-            row[H_OWED], row[H_OWED + 1] = momentum_later(owed, asked, slope)
-            row[H_OWED + 2] = angular_momentum_later(row[H_OWED + 2], asked, numbers[at + 2])
+        if ends[tb.J_NODE + end] >= 0:
+            row, at = joints.hinges[ends[tb.J_NODE + end] + 1], tb.J_ROW + ROW * r + 1 + 3 * end
+            slope, owed = (numbers[at], numbers[at + 1]), (row[tb.H_OWED], row[tb.H_OWED + 1])
+            row[tb.H_OWED], row[tb.H_OWED + 1] = momentum_later(owed, asked, slope)
+            row[tb.H_OWED + 2] = angular_momentum_later(row[tb.H_OWED + 2], asked, numbers[at + 2])
 
 
 def impulse_of_tie(j: int, r: int, joints: Joints) -> float:
     """Return the impulse of a firm row, N s."""
     ends, numbers = joints.joints[j], joints.numbers[j]
-    rate = numbers[J_ERROR + r]
+    rate = numbers[tb.J_ERROR + r]
     for end in range(ENDS_OF_JOINT):
-        if ends[J_NODE + end] >= 0:
-            row, at = joints.hinges[ends[J_NODE + end] + 1], J_ROW + ROW * r + 1 + 3 * end
-            slope, by = (numbers[at], numbers[at + 1]), (row[H_CHANGE], row[H_CHANGE + 1])
-            rate += row_rate(slope, numbers[at + 2], by, row[H_CHANGE + 2])
-    return row_impulse(rate, numbers[J_FIRMNESS + r])
+        if ends[tb.J_NODE + end] >= 0:
+            row, at = joints.hinges[ends[tb.J_NODE + end] + 1], tb.J_ROW + ROW * r + 1 + 3 * end
+            slope, by = (numbers[at], numbers[at + 1]), (row[tb.H_CHANGE], row[tb.H_CHANGE + 1])
+            rate += row_rate(slope, numbers[at + 2], by, row[tb.H_CHANGE + 2])
+    return row_impulse(rate, numbers[tb.J_FIRMNESS + r])

@@ -3,17 +3,8 @@
 Cost: one division.
 """
 
-from tamias2d.engine.tables import (
-    H_ARM,
-    H_FAR_ARM,
-    HELD_INVERSE_INERTIA,
-    INVERSE_MASS,
-    JOINED_ABOVE,
-    JOINED_HINGE,
-    JOINED_SLOT,
-    Bodies,
-    Joints,
-)
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.hinge_tree import (
     hinged_yield,
@@ -35,16 +26,16 @@ def yield_at_hinge(
     A unit of its impulse changes the velocity of the member by `by`, m/s, and the spins of the
     member and of what it hangs on by `spins`, rad/s.
     """
-    if joints.members[m, JOINED_HINGE] < 0:
+    if joints.members[m, tb.JOINED_HINGE] < 0:
         return yielding
-    row, above = joints.hinges[m], joints.members[m, JOINED_ABOVE]
-    inverse_mass = bodies.properties[joints.members[m, JOINED_SLOT], INVERSE_MASS]
+    row, above = joints.hinges[m], joints.members[m, tb.JOINED_ABOVE]
+    inverse_mass = bodies.properties[joints.members[m, tb.JOINED_SLOT], tb.INVERSE_MASS]
     mass_above = inertia_above = 0.0
     if m > root:
-        mass_above = bodies.properties[joints.members[above, JOINED_SLOT], INVERSE_MASS]
-        inertia_above = joints.places[above, HELD_INVERSE_INERTIA]
-    arm, far = (row[H_ARM], row[H_ARM + 1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
-    held = joints.places[m, HELD_INVERSE_INERTIA]
+        mass_above = bodies.properties[joints.members[above, tb.JOINED_SLOT], tb.INVERSE_MASS]
+        inertia_above = joints.places[above, tb.HELD_INVERSE_INERTIA]
+    arm, far = (row[tb.H_ARM], row[tb.H_ARM + 1]), (row[tb.H_FAR_ARM], row[tb.H_FAR_ARM + 1])
+    held = joints.places[m, tb.HELD_INVERSE_INERTIA]
     inverse, inverse_above = (inverse_mass, held), (mass_above, inertia_above)
     return yield_with_hinge(yielding, by, spins, arm, far, inverse, inverse_above)
 

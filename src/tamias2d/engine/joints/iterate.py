@@ -5,27 +5,9 @@ the last time. Cost: three visits to each joint in an iteration.
 Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, FIRM
-from tamias2d.engine.tables import (
-    CHANGE,
-    HELD_INVERSE_INERTIA,
-    I_NODE,
-    INVERSE_MASS,
-    J_ERROR,
-    J_FIRMNESS,
-    J_IMPULSE,
-    J_NODE,
-    J_RESIDUAL,
-    J_ROW,
-    J_ROWS,
-    J_SEARCH,
-    J_TRIED,
-    M_JOINT,
-    N_BODY,
-    VELOCITY_START,
-    Bodies,
-    Joints,
-)
+from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import angular_velocity_later, row_rate, velocity_later
 
@@ -35,20 +17,20 @@ MESH_ACCURACY = 1e-2  # of the errors of the rows, without the impulses of the l
 
 def iterate_mesh(n: int, bodies: Bodies, joints: Joints) -> None:
     """Find the impulses of a mesh that take the errors of its rows away, nearly."""
-    first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
-    clear_nodes(n, CHANGE, joints)
+    first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
+    clear_nodes(n, tb.CHANGE, joints)
     for j in range(first, last):
-        for r in range(joints.joints[j, J_ROWS]):
-            give_to_nodes(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            give_to_nodes(j, r, joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
     whole = size = 0.0
     for j in range(first, last):
         numbers = joints.numbers[j]
-        for r in range(joints.joints[j, J_ROWS]):
-            error = numbers[J_ERROR + r]
-            numbers[J_RESIDUAL + r] = -error - change_of_rate(j, r, joints)
-            numbers[J_SEARCH + r] = 0.0
-            whole += error * error * numbers[J_FIRMNESS + r] / FIRM
-    clear_nodes(n, VELOCITY_START, joints)
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            error = numbers[tb.J_ERROR + r]
+            numbers[tb.J_RESIDUAL + r] = -error - change_of_rate(j, r, joints)
+            numbers[tb.J_SEARCH + r] = 0.0
+            whole += error * error * numbers[tb.J_FIRMNESS + r] / FIRM
+    clear_nodes(n, tb.VELOCITY_START, joints)
     for k in range(MOST_ITERATIONS_OF_MESH):
         before, size = size, sweep_both_ways(n, bodies, joints)
         if not size > MESH_ACCURACY * MESH_ACCURACY * whole:
@@ -58,56 +40,56 @@ def iterate_mesh(n: int, bodies: Bodies, joints: Joints) -> None:
 
 def clear_nodes(n: int, column: int, joints: Joints) -> None:
     """Write zeros to three columns of the nodes of a mechanism."""
-    for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
         for k in range(3):
             joints.factors[node, column + k] = 0.0
 
 
 def sweep_both_ways(n: int, bodies: Bodies, joints: Joints) -> float:
     """Write what a sweep and one back make of the residual; return their product."""
-    first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
-    clear_nodes(n, CHANGE, joints)
+    first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
+    clear_nodes(n, tb.CHANGE, joints)
     for j in range(first, last):
         numbers = joints.numbers[j]
-        for r in range(joints.joints[j, J_ROWS]):
-            left = numbers[J_RESIDUAL + r] - change_of_rate(j, r, joints)
-            numbers[J_TRIED + r] = left * numbers[J_FIRMNESS + r] / FIRM
-            give_to_nodes(j, r, numbers[J_TRIED + r], bodies, joints)
-    clear_nodes(n, CHANGE, joints)
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            left = numbers[tb.J_RESIDUAL + r] - change_of_rate(j, r, joints)
+            numbers[tb.J_TRIED + r] = left * numbers[tb.J_FIRMNESS + r] / FIRM
+            give_to_nodes(j, r, numbers[tb.J_TRIED + r], bodies, joints)
+    clear_nodes(n, tb.CHANGE, joints)
     product = 0.0
     for back in range(last - first):
         j = last - 1 - back
         numbers = joints.numbers[j]
-        for more in range(joints.joints[j, J_ROWS]):
-            r = joints.joints[j, J_ROWS] - 1 - more
+        for more in range(joints.joints[j, tb.J_ROWS]):
+            r = joints.joints[j, tb.J_ROWS] - 1 - more
             rate = change_of_rate(j, r, joints)
-            numbers[J_TRIED + r] -= rate * numbers[J_FIRMNESS + r] / FIRM
-            give_to_nodes(j, r, numbers[J_TRIED + r], bodies, joints)
-            product += numbers[J_TRIED + r] * numbers[J_RESIDUAL + r]
+            numbers[tb.J_TRIED + r] -= rate * numbers[tb.J_FIRMNESS + r] / FIRM
+            give_to_nodes(j, r, numbers[tb.J_TRIED + r], bodies, joints)
+            product += numbers[tb.J_TRIED + r] * numbers[tb.J_RESIDUAL + r]
     return product
 
 
 def step_along(n: int, size: float, kept: float, joints: Joints) -> None:
     """Take a step of conjugate gradients: what was tried, and a share of the last direction."""
-    first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
-    for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
+    first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
         row = joints.factors[node]
         for k in range(3):
-            row[VELOCITY_START + k] = row[CHANGE + k] + kept * row[VELOCITY_START + k]
-            row[CHANGE + k] = row[VELOCITY_START + k]
+            row[tb.VELOCITY_START + k] = row[tb.CHANGE + k] + kept * row[tb.VELOCITY_START + k]
+            row[tb.CHANGE + k] = row[tb.VELOCITY_START + k]
     curvature = 0.0
     for j in range(first, last):
         numbers = joints.numbers[j]
-        for r in range(joints.joints[j, J_ROWS]):
-            numbers[J_SEARCH + r] = numbers[J_TRIED + r] + kept * numbers[J_SEARCH + r]
-            numbers[J_TRIED + r] = change_of_rate(j, r, joints)
-            curvature += numbers[J_SEARCH + r] * numbers[J_TRIED + r]
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            numbers[tb.J_SEARCH + r] = numbers[tb.J_TRIED + r] + kept * numbers[tb.J_SEARCH + r]
+            numbers[tb.J_TRIED + r] = change_of_rate(j, r, joints)
+            curvature += numbers[tb.J_SEARCH + r] * numbers[tb.J_TRIED + r]
     share = size / curvature if curvature > 0.0 else 0.0
     for j in range(first, last):
         numbers = joints.numbers[j]
-        for r in range(joints.joints[j, J_ROWS]):
-            numbers[J_IMPULSE + r] += share * numbers[J_SEARCH + r]
-            numbers[J_RESIDUAL + r] -= share * numbers[J_TRIED + r]
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            numbers[tb.J_IMPULSE + r] += share * numbers[tb.J_SEARCH + r]
+            numbers[tb.J_RESIDUAL + r] -= share * numbers[tb.J_TRIED + r]
 
 
 def change_of_rate(j: int, r: int, joints: Joints) -> float:
@@ -115,11 +97,14 @@ def change_of_rate(j: int, r: int, joints: Joints) -> float:
     ends, numbers = joints.joints[j], joints.numbers[j]
     rate = 0.0
     for end in range(ENDS_OF_JOINT):
-        node, at = ends[J_NODE + end], J_ROW + ROW * r + 1 + 3 * end
+        node, at = ends[tb.J_NODE + end], tb.J_ROW + ROW * r + 1 + 3 * end
         if node >= 0:
             change = joints.factors[node]
-            slope, velocity = (numbers[at], numbers[at + 1]), (change[CHANGE], change[CHANGE + 1])
-            rate += row_rate(slope, numbers[at + 2], velocity, change[CHANGE + 2])
+            slope, velocity = (
+                (numbers[at], numbers[at + 1]),
+                (change[tb.CHANGE], change[tb.CHANGE + 1]),
+            )
+            rate += row_rate(slope, numbers[at + 2], velocity, change[tb.CHANGE + 2])
     return rate
 
 
@@ -127,14 +112,17 @@ def give_to_nodes(j: int, r: int, impulse: float, bodies: Bodies, joints: Joints
     """Let the impulse of a row change the velocities at its nodes."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     for end in range(ENDS_OF_JOINT):
-        node, at = ends[J_NODE + end], J_ROW + ROW * r + 1 + 3 * end
+        node, at = ends[tb.J_NODE + end], tb.J_ROW + ROW * r + 1 + 3 * end
         if node >= 0:
-            properties = bodies.properties[joints.sparse[node, N_BODY]]
-            held = joints.places[node + 1, HELD_INVERSE_INERTIA]
+            properties = bodies.properties[joints.sparse[node, tb.N_BODY]]
+            held = joints.places[node + 1, tb.HELD_INVERSE_INERTIA]
             change, slope = joints.factors[node], (numbers[at], numbers[at + 1])
-            change[CHANGE], change[CHANGE + 1] = velocity_later(
-                (change[CHANGE], change[CHANGE + 1]), impulse, slope, properties[INVERSE_MASS]
+            change[tb.CHANGE], change[tb.CHANGE + 1] = velocity_later(
+                (change[tb.CHANGE], change[tb.CHANGE + 1]),
+                impulse,
+                slope,
+                properties[tb.INVERSE_MASS],
             )
-            change[CHANGE + 2] = angular_velocity_later(
-                change[CHANGE + 2], impulse, numbers[at + 2], held
+            change[tb.CHANGE + 2] = angular_velocity_later(
+                change[tb.CHANGE + 2], impulse, numbers[at + 2], held
             )

@@ -6,60 +6,11 @@ joints that depend on each other share their load, and nothing is singular.
 Cost: cosine and sine of each body, some blocks for each joint, and a sparse factorization.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.cholesky import factor
 from tamias2d.engine.direct.matrix import add_diagonal, clear_pivot
 from tamias2d.engine.rotation import cosine_sine
-from tamias2d.engine.tables import (
-    ANGLE,
-    DANGLE,
-    DX,
-    DY,
-    E_NODE_A,
-    HELD_INVERSE_INERTIA,
-    HOLDS,
-    I_NODE,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    J_APART,
-    J_EDGE,
-    J_FIRMNESS,
-    J_FORCE,
-    J_KIND,
-    J_LAW,
-    J_MEMBER,
-    J_NODE,
-    J_ROW,
-    J_ROWS,
-    J_SHARE,
-    J_STATE,
-    J_TURNED,
-    JOINED_SLOT,
-    KEPT,
-    LAW_DAMPING,
-    LAW_STIFFNESS,
-    LEANING,
-    M_GOVERNED,
-    M_JOINT,
-    M_MESHED,
-    N_BODY,
-    NODE_INERTIA,
-    NODE_MASS,
-    OFF_DIAGONAL,
-    PLACE_ANGLE,
-    PLACE_COSINE,
-    PLACE_SINE,
-    PLACE_X,
-    PLACE_Y,
-    SPIN,
-    SPRING,
-    VX,
-    VY,
-    Bodies,
-    Integers,
-    Joints,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Integers, Joints
 from tamias2d.generated.joint_rows import KINDS, ROW, joint_bends, joint_rows, revolute_bends
 from tamias2d.generated.joint_step import (
     coupled_inertia,
@@ -91,11 +42,11 @@ def linearise(n: int, bodies: Bodies, joints: Joints) -> None:
 
     That of a governed one is found where its springs are known.
     """
-    first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
+    first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
     place_members(first + 1, last + 1, 0.0, bodies, joints)
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         write_rows(j, joints)
-    if joints.mechanisms[n, M_GOVERNED] == 0:
+    if joints.mechanisms[n, tb.M_GOVERNED] == 0:
         factor_mechanism(n, 0.0, bodies, joints)
 
 
@@ -108,15 +59,15 @@ def write_rows(j: int, joints: Joints) -> None:
 def rows_where_placed(j: int, joints: Joints) -> None:
     """Write the rows of a joint where its members are placed, and note if the first turned far."""
     ends, numbers = joints.joints[j], joints.numbers[j]
-    a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+    a, b, c = ends[tb.J_MEMBER], ends[tb.J_MEMBER + 1], ends[tb.J_MEMBER + 2]
     place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
-    of_a, of_b = J_ROW + 1, J_ROW + 4
+    of_a, of_b = tb.J_ROW + 1, tb.J_ROW + 4
     before_a = (numbers[of_a], numbers[of_a + 1])
     before_b = (numbers[of_b], numbers[of_b + 1])
-    joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+    joint_rows(ends[tb.J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
     now_a, now_b = (numbers[of_a], numbers[of_a + 1]), (numbers[of_b], numbers[of_b + 1])
     if has_turned(before_a, now_a) or has_turned(before_b, now_b):
-        numbers[J_TURNED] = 1.0
+        numbers[tb.J_TURNED] = 1.0
 
 
 @inlined
@@ -127,8 +78,8 @@ def has_turned(before: tuple[float, float], now: tuple[float, float]) -> bool:
 
 def note_apart(ends: Integers, numbers: Array) -> None:
     """Note by how much the rows of a joint are apart, if that is more than before."""
-    for r in range(ends[J_ROWS] if ends[J_LAW] == KEPT else 0):
-        numbers[J_APART + r] = max(numbers[J_APART + r], abs(numbers[J_ROW + ROW * r]))
+    for r in range(ends[tb.J_ROWS] if ends[tb.J_LAW] == tb.KEPT else 0):
+        numbers[tb.J_APART + r] = max(numbers[tb.J_APART + r], abs(numbers[tb.J_ROW + ROW * r]))
 
 
 def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -136,15 +87,15 @@ def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
 
     Springs count through a substep, s; not where that is 0 and velocities alone are looked at.
     """
-    meshed = joints.mechanisms[n, M_MESHED] == 1
-    first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
+    meshed = joints.mechanisms[n, tb.M_MESHED] == 1
+    first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
     for pivot in range(first, first if meshed else last):
         clear_pivot(pivot, joints.sparse, joints.factors)
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
-        for r in range(ends[J_ROWS]):
+        for r in range(ends[tb.J_ROWS]):
             yielding = yield_of_row(r, ends, numbers, bodies, joints)
-            numbers[J_FIRMNESS + r] = firmness_by_law(yielding, yielding, j, substep, joints)
+            numbers[tb.J_FIRMNESS + r] = firmness_by_law(yielding, yielding, j, substep, joints)
             if not meshed:
                 add_joint_row(r, ends, numbers, joints)
     if not meshed:
@@ -159,12 +110,12 @@ def firmness_by_law(
     It is noted after which share a spring answers.
     """
     firm = firmness_that_yields(yielding)
-    if joints.joints[j, J_LAW] == SPRING:
-        stiffness, damping = joints.laws[j, LAW_STIFFNESS], joints.laws[j, LAW_DAMPING]
+    if joints.joints[j, tb.J_LAW] == tb.SPRING:
+        stiffness, damping = joints.laws[j, tb.LAW_STIFFNESS], joints.laws[j, tb.LAW_DAMPING]
         share = implicit_share(stiffness, damping, hinged, substep)
-        joints.numbers[j, J_SHARE] = share
+        joints.numbers[j, tb.J_SHARE] = share
         return min(firm, spring_firmness(stiffness, damping, share, substep))
-    return firm if joints.joints[j, J_STATE] == HOLDS else 0.0
+    return firm if joints.joints[j, tb.J_STATE] == tb.HOLDS else 0.0
 
 
 def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
@@ -177,34 +128,34 @@ def move_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Jo
     """Write where members are, as above; cosines and sines stand by themselves."""
     angles = joints.turns[0]
     for m in range(first, last):
-        i, place = joints.members[m, JOINED_SLOT], joints.places[m]
+        i, place = joints.members[m, tb.JOINED_SLOT], joints.places[m]
         pose, now = bodies.pose[i], bodies.motion[i]
-        by_x, by_y = shift_later((now[DX], now[DY]), (now[VX], now[VY]), ahead)
-        place[PLACE_X], place[PLACE_Y] = pose[X] + by_x, pose[Y] + by_y
-        place[PLACE_ANGLE] = pose[ANGLE] + turn_later(now[DANGLE], now[SPIN], ahead)
-        angles[m] = place[PLACE_ANGLE]
+        by_x, by_y = shift_later((now[tb.DX], now[tb.DY]), (now[tb.VX], now[tb.VY]), ahead)
+        place[tb.PLACE_X], place[tb.PLACE_Y] = pose[tb.X] + by_x, pose[tb.Y] + by_y
+        place[tb.PLACE_ANGLE] = pose[tb.ANGLE] + turn_later(now[tb.DANGLE], now[tb.SPIN], ahead)
+        angles[m] = place[tb.PLACE_ANGLE]
     turn_all(first, last, joints.turns[0], joints.turns[1], joints.turns[2])
 
 
 @inlined
 def lean_at_hinge(ends: Integers, numbers: Array, given: Array, joints: Joints) -> None:
     """Add how the pull of a hinge leans on the arms of its bodies."""
-    place_a, place_b = joints.places[ends[J_MEMBER]], joints.places[ends[J_MEMBER + 1]]
+    place_a, place_b = joints.places[ends[tb.J_MEMBER]], joints.places[ends[tb.J_MEMBER + 1]]
     bends = joints.bends
     revolute_bends(given, place_a, place_b, bends)
-    if ends[J_NODE] >= 0:
-        place_a[LEANING] += leaning(numbers[J_FORCE], bends[0])
-        place_a[LEANING] += leaning(numbers[J_FORCE + 1], bends[ENDS_OF_JOINT])
-    if ends[J_NODE + 1] >= 0:
-        place_b[LEANING] += leaning(numbers[J_FORCE], bends[1])
-        place_b[LEANING] += leaning(numbers[J_FORCE + 1], bends[ENDS_OF_JOINT + 1])
+    if ends[tb.J_NODE] >= 0:
+        place_a[tb.LEANING] += leaning(numbers[tb.J_FORCE], bends[0])
+        place_a[tb.LEANING] += leaning(numbers[tb.J_FORCE + 1], bends[ENDS_OF_JOINT])
+    if ends[tb.J_NODE + 1] >= 0:
+        place_b[tb.LEANING] += leaning(numbers[tb.J_FORCE], bends[1])
+        place_b[tb.LEANING] += leaning(numbers[tb.J_FORCE + 1], bends[ENDS_OF_JOINT + 1])
 
 
 def turn_members(first: int, last: int, joints: Joints) -> None:
     """Write cosines and sines where generated code takes them."""
     for m in range(first, last):
         place = joints.places[m]
-        place[PLACE_COSINE], place[PLACE_SINE] = joints.turns[1, m], joints.turns[2, m]
+        place[tb.PLACE_COSINE], place[tb.PLACE_SINE] = joints.turns[1, m], joints.turns[2, m]
 
 
 def turn_all(first: int, last: int, angles: Array, cosines: Array, sines: Array) -> None:
@@ -217,19 +168,19 @@ def turn_all(first: int, last: int, angles: Array, cosines: Array, sines: Array)
 
 def add_joint_row(r: int, ends: Integers, numbers: Array, joints: Joints) -> None:
     """Add a row of a joint to the blocks of its nodes and edges."""
-    firm = numbers[J_FIRMNESS + r]
+    firm = numbers[tb.J_FIRMNESS + r]
     for end in range(ENDS_OF_JOINT):
-        if ends[J_NODE + end] >= 0:
-            at = J_ROW + ROW * r + 1 + 3 * end
+        if ends[tb.J_NODE + end] >= 0:
+            at = tb.J_ROW + ROW * r + 1 + 3 * end
             slope, turning = (numbers[at], numbers[at + 1]), numbers[at + 2]
-            add_diagonal(ends[J_NODE + end], firm, slope, turning, joints.factors)
+            add_diagonal(ends[tb.J_NODE + end], firm, slope, turning, joints.factors)
     for pair in range(ENDS_OF_JOINT):
-        edge = ends[J_EDGE + pair]
+        edge = ends[tb.J_EDGE + pair]
         if edge >= 0:
             one, other = pair // 2, 1 + (pair + 1) // 2  # AB, AC, BC
-            if joints.sparse[edge, E_NODE_A] != ends[J_NODE + one]:
+            if joints.sparse[edge, tb.E_NODE_A] != ends[tb.J_NODE + one]:
                 one, other = other, one
-            at = J_ROW + ROW * r + 1
+            at = tb.J_ROW + ROW * r + 1
             add_coupling(at + 3 * one, at + 3 * other, firm, numbers, joints.factors[edge])
 
 
@@ -240,14 +191,16 @@ def yield_of_row(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints:
     """
     yielding = 0.0
     for end in range(ENDS_OF_JOINT):
-        at, member = J_ROW + ROW * r + 1 + 3 * end, ends[J_MEMBER + end]
-        if ends[J_NODE + end] >= 0:
-            inverse_mass = bodies.properties[joints.members[member, JOINED_SLOT], INVERSE_MASS]
+        at, member = tb.J_ROW + ROW * r + 1 + 3 * end, ends[tb.J_MEMBER + end]
+        if ends[tb.J_NODE + end] >= 0:
+            inverse_mass = bodies.properties[
+                joints.members[member, tb.JOINED_SLOT], tb.INVERSE_MASS
+            ]
             slope, inverse = (numbers[at], numbers[at + 1]), joints.places[member]
-            if inverse[HELD_INVERSE_INERTIA] == 0.0:
+            if inverse[tb.HELD_INVERSE_INERTIA] == 0.0:
                 numbers[at + 2] = 0.0
             yielding += row_yield(
-                slope, numbers[at + 2], inverse_mass, inverse[HELD_INVERSE_INERTIA]
+                slope, numbers[at + 2], inverse_mass, inverse[tb.HELD_INVERSE_INERTIA]
             )
     return yielding
 
@@ -267,15 +220,15 @@ def add_coupling(early: int, late: int, firm: float, numbers: Array, e: Array) -
     y_x, y_y = coupled_mass(slope, slope_late[1], firm)
     x_turn, y_turn = coupled_moment(turning, slope_late, firm)
     turn_x, turn_y = coupled_lever(slope, turning_late, firm)
-    e[OFF_DIAGONAL] += x_x
-    e[OFF_DIAGONAL + 1] += x_y
-    e[OFF_DIAGONAL + 2] += x_turn
-    e[OFF_DIAGONAL + 3] += y_x
-    e[OFF_DIAGONAL + 4] += y_y
-    e[OFF_DIAGONAL + 5] += y_turn
-    e[OFF_DIAGONAL + 6] += turn_x
-    e[OFF_DIAGONAL + 7] += turn_y
-    e[OFF_DIAGONAL + 8] += coupled_inertia(turning, turning_late, firm)
+    e[tb.OFF_DIAGONAL] += x_x
+    e[tb.OFF_DIAGONAL + 1] += x_y
+    e[tb.OFF_DIAGONAL + 2] += x_turn
+    e[tb.OFF_DIAGONAL + 3] += y_x
+    e[tb.OFF_DIAGONAL + 4] += y_y
+    e[tb.OFF_DIAGONAL + 5] += y_turn
+    e[tb.OFF_DIAGONAL + 6] += turn_x
+    e[tb.OFF_DIAGONAL + 7] += turn_y
+    e[tb.OFF_DIAGONAL + 8] += coupled_inertia(turning, turning_late, firm)
 
 
 def note_node_masses(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
@@ -288,35 +241,35 @@ def note_node_masses(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
     """
     note_leaning(n, joints)
     changed = False
-    for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
-        i, place = joints.members[node + 1, JOINED_SLOT], joints.places[node + 1]
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        i, place = joints.members[node + 1, tb.JOINED_SLOT], joints.places[node + 1]
         factors = joints.factors[node]
-        inverse_inertia = bodies.properties[i, INVERSE_INERTIA]
-        joints.sparse[node, N_BODY] = i
-        mass, held = 1.0 / bodies.properties[i, INVERSE_MASS], 0.0
-        place[HELD_INVERSE_INERTIA] = 0.0
+        inverse_inertia = bodies.properties[i, tb.INVERSE_INERTIA]
+        joints.sparse[node, tb.N_BODY] = i
+        mass, held = 1.0 / bodies.properties[i, tb.INVERSE_MASS], 0.0
+        place[tb.HELD_INVERSE_INERTIA] = 0.0
         if inverse_inertia > 0.0:
-            held = inertia_held(1.0 / inverse_inertia, place[LEANING], substep)
-            place[HELD_INVERSE_INERTIA] = 1.0 / held
-        changed = changed | (factors[NODE_MASS] != mass) | (factors[NODE_INERTIA] != held)
-        factors[NODE_MASS], factors[NODE_INERTIA] = mass, held
+            held = inertia_held(1.0 / inverse_inertia, place[tb.LEANING], substep)
+            place[tb.HELD_INVERSE_INERTIA] = 1.0 / held
+        changed = changed | (factors[tb.NODE_MASS] != mass) | (factors[tb.NODE_INERTIA] != held)
+        factors[tb.NODE_MASS], factors[tb.NODE_INERTIA] = mass, held
     return bool(changed)
 
 
 def note_leaning(n: int, joints: Joints) -> None:
     """Note how the pull of joints, as it was last, leans on the arms of a mechanism's bodies."""
-    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
-        joints.places[m, LEANING] = 0.0
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+        joints.places[m, tb.LEANING] = 0.0
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers, bends = joints.joints[j], joints.numbers[j], joints.bends
-        if ends[J_KIND] == HINGE:
+        if ends[tb.J_KIND] == HINGE:
             lean_at_hinge(ends, numbers, joints.given[j], joints)
             continue
-        a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+        a, b, c = ends[tb.J_MEMBER], ends[tb.J_MEMBER + 1], ends[tb.J_MEMBER + 2]
         place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
-        joint_bends(ends[J_KIND], joints.given[j], place_a, place_b, place_c, bends)
-        for r in range(ends[J_ROWS]):
+        joint_bends(ends[tb.J_KIND], joints.given[j], place_a, place_b, place_c, bends)
+        for r in range(ends[tb.J_ROWS]):
             for end in range(ENDS_OF_JOINT):
-                if ends[J_NODE + end] >= 0:
-                    by = leaning(numbers[J_FORCE + r], bends[ENDS_OF_JOINT * r + end])
-                    joints.places[ends[J_MEMBER + end], LEANING] += by
+                if ends[tb.J_NODE + end] >= 0:
+                    by = leaning(numbers[tb.J_FORCE + r], bends[ENDS_OF_JOINT * r + end])
+                    joints.places[ends[tb.J_MEMBER + end], tb.LEANING] += by

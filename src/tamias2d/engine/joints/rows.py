@@ -5,57 +5,22 @@ from itertools import chain, combinations
 
 import numpy as np
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.elimination import Elimination, eliminated
 from tamias2d.engine.joints.equal_trees import equal_trees, rows_of, write_blocks_of
 from tamias2d.engine.joints.hinges import HingeTree, by_level, hinge_tree, is_net
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.linearise import TURNED_TOGETHER
 from tamias2d.engine.store import Store
-from tamias2d.engine.tables import (
-    ARRANGED,
-    DYNAMIC,
-    E_NODE_A,
-    E_NODE_B,
-    FILL,
-    H_ANCHOR,
-    H_FAR_ANCHOR,
-    H_SIDE,
-    HOLDS,
-    I_NODE,
-    ISLANDS_KNOWN,
-    J_EDGE,
-    J_KIND,
-    J_LAW,
-    J_MEMBER,
-    J_NODE,
-    J_ROWS,
-    J_STATE,
-    JOINED_ABOVE,
-    JOINED_BODY,
-    JOINED_HINGE,
-    JOINTS,
-    LOWER_LIMIT,
-    M_CHOOSING,
-    M_DRIVEN,
-    M_GOVERNED,
-    M_HINGED,
-    M_JOINT,
-    M_MESHED,
-    M_TIED,
-    MECHANISMS,
-    MOTOR,
-    PIVOT_COUNT,
-    PIVOT_FIRST,
-    PIVOT_NODE,
-    STANDS_STILL,
-    UNUSED,
-    UPPER_LIMIT,
-)
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
 from tamias2d.spec.constraint import ENDS
 
-CHOOSING = (LOWER_LIMIT, UPPER_LIMIT, MOTOR)  # laws of which it is chosen whether they hold
+CHOOSING = (
+    tb.LOWER_LIMIT,
+    tb.UPPER_LIMIT,
+    tb.MOTOR,
+)  # laws of which it is chosen whether they hold
 LOOPED, FEW = 24, 1000  # entries of the fill list, for each joint and besides: more is a mesh
 
 
@@ -95,12 +60,12 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     )
     joints = store.world.joints
     joints.counts[:] = 0
-    joints.counts[[JOINTS, MECHANISMS]] = len(rows), len(mechanisms)
+    joints.counts[[tb.JOINTS, tb.MECHANISMS]] = len(rows), len(mechanisms)
     joints.mechanisms[:] = 0
-    joints.mechanisms[1:, M_JOINT] = np.cumsum([len(own) for own in mechanisms])
-    joints.sparse[: len(nodes) + 1, I_NODE] = np.cumsum([0, *map(len, nodes)]) if rows else 0
+    joints.mechanisms[1:, tb.M_JOINT] = np.cumsum([len(own) for own in mechanisms])
+    joints.sparse[: len(nodes) + 1, tb.I_NODE] = np.cumsum([0, *map(len, nodes)]) if rows else 0
     if rows:
-        joints.members[1:, JOINED_BODY] = list(member)
+        joints.members[1:, tb.JOINED_BODY] = list(member)
     _write_plans(store, plans)
     places = _write_joints(store, rows, mechanisms, plans, trees, member)
     _write_trees(store, rows, trees, member, places)
@@ -108,7 +73,7 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     joints.apart[:] = [high for _, high in apart]
     lows = [low for low, _ in apart]
     joints.apart_first[:] = np.searchsorted(lows, np.arange(len(joints.apart_first)))
-    store.world.touching.counts[[ARRANGED, ISLANDS_KNOWN]] = 0
+    store.world.touching.counts[[tb.ARRANGED, tb.ISLANDS_KNOWN]] = 0
     return places
 
 
@@ -137,11 +102,11 @@ def _write_plans(store: Store, plans: Sequence[Elimination]) -> None:
     pivot = edge = fill = 0
     for plan in plans:
         for node, own, degree in zip(plan.order, plan.fill, plan.degree, strict=True):
-            sparse[pivot, [PIVOT_NODE, PIVOT_FIRST, PIVOT_COUNT]] = node, fill, degree
-            sparse[fill : fill + len(own), FILL] = np.array(own, dtype=np.int64) + edge
+            sparse[pivot, [tb.PIVOT_NODE, tb.PIVOT_FIRST, tb.PIVOT_COUNT]] = node, fill, degree
+            sparse[fill : fill + len(own), tb.FILL] = np.array(own, dtype=np.int64) + edge
             pivot, fill = pivot + 1, fill + len(own)
         for pair, number in plan.edges.items():
-            sparse[edge + number, [E_NODE_A, E_NODE_B]] = pair
+            sparse[edge + number, [tb.E_NODE_A, tb.E_NODE_B]] = pair
         edge += len(plan.edges)
 
 
@@ -161,30 +126,30 @@ def _write_joints(
     for n, (mechanism, plan) in enumerate(zip(mechanisms, plans, strict=True)):
         meshed = not plan.edges and len(plan.order) > 1 and trees[n] is None
         net = meshed and is_net(rows[k] for k in mechanism)
-        joints.mechanisms[n, M_HINGED] = trees[n] is not None or net
-        joints.mechanisms[n, M_MESHED] = meshed
+        joints.mechanisms[n, tb.M_HINGED] = trees[n] is not None or net
+        joints.mechanisms[n, tb.M_MESHED] = meshed
         for k in by_level(mechanism, rows) if net else mechanism:
             row = rows[k]
             number = KINDS.index(row.kind)
-            joints.joints[j, [J_KIND, J_ROWS]] = number, ROWS_OF_KIND[number]
+            joints.joints[j, [tb.J_KIND, tb.J_ROWS]] = number, ROWS_OF_KIND[number]
             own = [0 if body is None else member[body] for body in row.ends]
             nodes = [
-                UNUSED
+                tb.UNUSED
                 if end not in CONSTRAINTS[row.kind].bodies
-                else STANDS_STILL
-                if body is None or kind[body] != DYNAMIC
+                else tb.STANDS_STILL
+                if body is None or kind[body] != tb.DYNAMIC
                 else member[body] - 1
                 for end, body in zip(ENDS, row.ends, strict=True)
             ]
-            joints.mechanisms[n, M_TIED] |= STANDS_STILL in nodes
-            joints.mechanisms[n, M_DRIVEN] |= row.driven
-            joints.mechanisms[n, M_GOVERNED] |= row.governed
-            joints.mechanisms[n, M_CHOOSING] |= row.law in CHOOSING
-            joints.joints[j, [J_LAW, J_STATE]] = row.law, HOLDS
+            joints.mechanisms[n, tb.M_TIED] |= tb.STANDS_STILL in nodes
+            joints.mechanisms[n, tb.M_DRIVEN] |= row.driven
+            joints.mechanisms[n, tb.M_GOVERNED] |= row.governed
+            joints.mechanisms[n, tb.M_CHOOSING] |= row.law in CHOOSING
+            joints.joints[j, [tb.J_LAW, tb.J_STATE]] = row.law, tb.HOLDS
             joints.laws[j] = row.numbers
-            joints.joints[j, J_MEMBER : J_MEMBER + 3] = own
-            joints.joints[j, J_NODE : J_NODE + 3] = nodes
-            joints.joints[j, J_EDGE : J_EDGE + 3] = [
+            joints.joints[j, tb.J_MEMBER : tb.J_MEMBER + 3] = own
+            joints.joints[j, tb.J_NODE : tb.J_NODE + 3] = nodes
+            joints.joints[j, tb.J_EDGE : tb.J_EDGE + 3] = [
                 _edge(plan, one, other, first_edge) for one, other in combinations(nodes, 2)
             ]
             joints.given[j] = 0.0
@@ -205,17 +170,19 @@ def _write_trees(
     """Write on what each node of a tree of hinges hangs, and where."""
     joints = store.world.joints
     joints.hinges[:] = joints.links[:] = joints.net_nodes[:] = 0.0
-    joints.members[:, JOINED_ABOVE], joints.members[:, JOINED_HINGE] = 0, -1
+    joints.members[:, tb.JOINED_ABOVE], joints.members[:, tb.JOINED_HINGE] = 0, -1
     for tree in trees:
         for body, hinge in zip(tree.bodies, tree.hinges, strict=True) if tree else ():
             if hinge is not None:
                 m, (a, b, _) = member[body], rows[hinge].ends
                 above, own, far = (a, 2, 0) if body == b else (b, 0, 2)
-                joints.members[m, JOINED_ABOVE] = 0 if above is None else member[above]
-                joints.members[m, JOINED_HINGE] = places[hinge]
-                joints.hinges[m, H_ANCHOR : H_ANCHOR + 2] = rows[hinge].given[own : own + 2]
-                joints.hinges[m, H_FAR_ANCHOR : H_FAR_ANCHOR + 2] = rows[hinge].given[far : far + 2]
-                joints.hinges[m, H_SIDE] = 1.0 if body == b else -1.0
+                joints.members[m, tb.JOINED_ABOVE] = 0 if above is None else member[above]
+                joints.members[m, tb.JOINED_HINGE] = places[hinge]
+                joints.hinges[m, tb.H_ANCHOR : tb.H_ANCHOR + 2] = rows[hinge].given[own : own + 2]
+                joints.hinges[m, tb.H_FAR_ANCHOR : tb.H_FAR_ANCHOR + 2] = rows[hinge].given[
+                    far : far + 2
+                ]
+                joints.hinges[m, tb.H_SIDE] = 1.0 if body == b else -1.0
 
 
 def _edge(plan: Elimination, one: int, other: int, first: int) -> int:
@@ -229,7 +196,7 @@ def _mechanisms(store: Store, rows: Sequence[JointRow]) -> list[list[int]]:
     kind = store.world.state.kind
     of_body: dict[int, list[int]] = {}
     for k, row in enumerate(rows):
-        moving = [body for body in row.ends if body is not None and kind[body] == DYNAMIC]
+        moving = [body for body in row.ends if body is not None and kind[body] == tb.DYNAMIC]
         joined = {id(own): own for body in moving if (own := of_body.get(body)) is not None}
         first, *others = joined.values() or [[]]
         for other in others:
@@ -244,13 +211,13 @@ def _mechanisms(store: Store, rows: Sequence[JointRow]) -> list[list[int]]:
 def _moving(store: Store, rows: Iterable[JointRow]) -> list[int]:
     """Return the bodies that move, in the order in which joints name them."""
     bodies = (body for row in rows for body in row.ends if body is not None)
-    return [body for body in dict.fromkeys(bodies) if store.world.state.kind[body] == DYNAMIC]
+    return [body for body in dict.fromkeys(bodies) if store.world.state.kind[body] == tb.DYNAMIC]
 
 
 def _still(store: Store, rows: Iterable[JointRow]) -> list[int]:
     """Return the bodies that joints hold, and that do not move."""
     bodies = (body for row in rows for body in row.ends if body is not None)
-    return [body for body in dict.fromkeys(bodies) if store.world.state.kind[body] != DYNAMIC]
+    return [body for body in dict.fromkeys(bodies) if store.world.state.kind[body] != tb.DYNAMIC]
 
 
 def _pairs(
@@ -258,7 +225,7 @@ def _pairs(
 ) -> Iterable[tuple[int, int]]:
     """Yield the pairs of nodes that joints connect."""
     for row in rows:
-        moving = [b for b in row.ends if b is not None and store.world.state.kind[b] == DYNAMIC]
+        moving = [b for b in row.ends if b is not None and store.world.state.kind[b] == tb.DYNAMIC]
         yield from combinations([member[body] - 1 for body in moving], 2)
 
 

@@ -8,6 +8,7 @@ Cost: a visit to each joint and a substitution for each iteration.
 
 from math import inf
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.cholesky import substitute
 from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.impulse import apply_joint_impulse
@@ -18,43 +19,7 @@ from tamias2d.engine.joints.linearise import (
     place_members,
     rows_where_placed,
 )
-from tamias2d.engine.tables import (
-    CHANGE,
-    I_NODE,
-    J_AIM,
-    J_ERROR,
-    J_FIRMNESS,
-    J_GIVEN,
-    J_IMPULSE,
-    J_KIND,
-    J_LAW,
-    J_LEFT,
-    J_MEMBER,
-    J_NODE,
-    J_RESIDUAL,
-    J_ROW,
-    J_ROWS,
-    J_SHARE,
-    J_WARM,
-    JOINED_SLOT,
-    LAW_DAMPING,
-    LAW_RATE,
-    LAW_STIFFNESS,
-    LOWER_LIMIT,
-    M_CHOOSING,
-    M_GOVERNED,
-    M_HALF,
-    M_JOINT,
-    M_MESHED,
-    MOTOR,
-    SPIN,
-    SPRING,
-    UPPER_LIMIT,
-    VX,
-    VY,
-    Bodies,
-    Joints,
-)
+from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.joint_rows import ROW, joint_values
 from tamias2d.generated.joint_step import (
     angular_momentum_later,
@@ -80,22 +45,22 @@ def aim_joints(n: int, length: float, joints: Joints) -> None:
     Its length is a share of that of a substep of a whole step: shorter ones remove less. A limit
     aims at nothing unless it is passed already. Of springs it is noted where they are.
     """
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         aim_joint(j, length, joints)
 
 
 def aim_joint(j: int, length: float, joints: Joints) -> None:
     """Note to which values a substep brings the rows of a joint; its length is as above."""
-    numbers, law = joints.numbers[j], joints.joints[j, J_LAW]
-    for r in range(joints.joints[j, J_ROWS]):
-        value = numbers[J_ROW + ROW * r]
-        if law == LOWER_LIMIT:
+    numbers, law = joints.numbers[j], joints.joints[j, tb.J_LAW]
+    for r in range(joints.joints[j, tb.J_ROWS]):
+        value = numbers[tb.J_ROW + ROW * r]
+        if law == tb.LOWER_LIMIT:
             value = min(value, 0.0)
-        elif law == UPPER_LIMIT:
+        elif law == tb.UPPER_LIMIT:
             value = max(value, 0.0)
-        removed = 0.0 if law == SPRING else REMOVED_BY_JOINTS * length
-        numbers[J_AIM + r] = row_aim(value, removed)
-        numbers[J_GIVEN + r] = -numbers[J_LEFT] if law == SPRING else 0.0
+        removed = 0.0 if law == tb.SPRING else REMOVED_BY_JOINTS * length
+        numbers[tb.J_AIM + r] = row_aim(value, removed)
+        numbers[tb.J_GIVEN + r] = -numbers[tb.J_LEFT] if law == tb.SPRING else 0.0
 
 
 def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -103,10 +68,10 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
 
     Again, they have changed little. Limits push only, and motors give no more than they can.
     """
-    if joints.mechanisms[n, M_GOVERNED] == 1 and not again:
+    if joints.mechanisms[n, tb.M_GOVERNED] == 1 and not again:
         factor_mechanism(n, substep, bodies, joints)
     bring_to_aims(n, again, substep, bodies, joints)
-    for _ in range(MOST_CHOICES if joints.mechanisms[n, M_CHOOSING] == 1 else 0):
+    for _ in range(MOST_CHOICES if joints.mechanisms[n, tb.M_CHOOSING] == 1 else 0):
         find_position_errors(n, substep, bodies, joints)
         note_rates(n, bodies, joints)
         if not choose_rows(n, substep, bodies, joints):
@@ -118,9 +83,9 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
 
 def note_rates(n: int, bodies: Bodies, joints: Joints) -> None:
     """Note the rates of all rows of a mechanism."""
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        for r in range(joints.joints[j, J_ROWS]):
-            joints.numbers[j, J_RESIDUAL + r] = rate_of_row(j, r, bodies, joints)
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            joints.numbers[j, tb.J_RESIDUAL + r] = rate_of_row(j, r, bodies, joints)
 
 
 def return_to_rates(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -129,10 +94,10 @@ def return_to_rates(n: int, bodies: Bodies, joints: Joints) -> None:
     Else what changed would tear the joints, and positions would be looked for far away.
     """
     start_impulses(n, 0.0, joints)
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        for r in range(joints.joints[j, J_ROWS]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        for r in range(joints.joints[j, tb.J_ROWS]):
             rate = rate_of_row(j, r, bodies, joints)
-            joints.numbers[j, J_ERROR + r] = rate - joints.numbers[j, J_RESIDUAL + r]
+            joints.numbers[j, tb.J_ERROR + r] = rate - joints.numbers[j, tb.J_RESIDUAL + r]
     solve_joint_errors(n, bodies, joints)
 
 
@@ -141,15 +106,15 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
 
     A mesh is solved once only: what is left of its rows is made up for in the next substep.
     """
-    if joints.mechanisms[n, M_MESHED] == 1:
+    if joints.mechanisms[n, tb.M_MESHED] == 1:
         find_position_errors(n, substep, bodies, joints)
-        share = 0.5 if joints.mechanisms[n, M_HALF] == 1 else 1.0
+        share = 0.5 if joints.mechanisms[n, tb.M_HALF] == 1 else 1.0
         start_impulses(n, 0.0 if again else share, joints)
         solve_joint_errors(n, bodies, joints)
         if not again:
             keep_impulses(n, share, joints)
         return
-    turning = joints.mechanisms[n, M_CHOOSING] == 0  # trial impulses of motors may go anywhere
+    turning = joints.mechanisms[n, tb.M_CHOOSING] == 0  # trial impulses of motors may go anywhere
     first, before, turned = 0.0, inf, False
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_position_errors(n, substep, bodies, joints)
@@ -169,14 +134,14 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
 
 def take_impulses_back(n: int, bodies: Bodies, joints: Joints) -> None:
     """Take the impulses of the last solution from a mechanism: no solution is near."""
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        for r in range(joints.joints[j, J_ROWS]):
-            apply_joint_impulse(j, r, -joints.numbers[j, J_IMPULSE + r], bodies, joints)
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            apply_joint_impulse(j, r, -joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
 
 
 def turn_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Let the rows of a mechanism be those where its members are placed."""
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         rows_where_placed(j, joints)
     factor_mechanism(n, substep, bodies, joints)
 
@@ -187,39 +152,43 @@ def keep_velocities(n: int, warm: float, bodies: Bodies, joints: Joints) -> None
     Of a mesh, the impulses are about so many times those of the last substep.
     """
     start_impulses(n, warm, joints)
-    for _ in range(1 if joints.mechanisms[n, M_MESHED] == 1 else 2):
-        for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-            for r in range(joints.joints[j, J_ROWS]):
+    for _ in range(1 if joints.mechanisms[n, tb.M_MESHED] == 1 else 2):
+        for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+            for r in range(joints.joints[j, tb.J_ROWS]):
                 rate = rate_of_row(j, r, bodies, joints)
-                if joints.joints[j, J_LAW] == MOTOR:
-                    rate = drive_error(rate, joints.laws[j, LAW_RATE])
-                joints.numbers[j, J_ERROR + r] = rate
+                if joints.joints[j, tb.J_LAW] == tb.MOTOR:
+                    rate = drive_error(rate, joints.laws[j, tb.LAW_RATE])
+                joints.numbers[j, tb.J_ERROR + r] = rate
         solve_joint_errors(n, bodies, joints)
 
 
 def start_impulses(n: int, share: float, joints: Joints) -> None:
     """Let a mesh start from a share of the impulses of the last substep."""
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        for r in range(joints.joints[j, J_ROWS]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        for r in range(joints.joints[j, tb.J_ROWS]):
             numbers = joints.numbers[j]
-            own = share if numbers[J_FIRMNESS + r] > 0.0 else 0.0
-            numbers[J_IMPULSE + r] = own * numbers[J_WARM + r]
+            own = share if numbers[tb.J_FIRMNESS + r] > 0.0 else 0.0
+            numbers[tb.J_IMPULSE + r] = own * numbers[tb.J_WARM + r]
 
 
 def keep_impulses(n: int, share: float, joints: Joints) -> None:
     """Keep the impulses of a mesh for the next substep: they are such a share of a whole one's."""
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        for r in range(joints.joints[j, J_ROWS]):
-            joints.numbers[j, J_WARM + r] = joints.numbers[j, J_IMPULSE + r] / share
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            joints.numbers[j, tb.J_WARM + r] = joints.numbers[j, tb.J_IMPULSE + r] / share
 
 
 def find_position_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
     """Write the rate that each row of a mechanism has too much; return a measure of all, J."""
     place_members(
-        joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1, substep, bodies, joints
+        joints.sparse[n, tb.I_NODE] + 1,
+        joints.sparse[n + 1, tb.I_NODE] + 1,
+        substep,
+        bodies,
+        joints,
     )
     size = 0.0
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         size += errors_of_joint(j, substep, bodies, joints)
     return size
 
@@ -230,28 +199,28 @@ def errors_of_joint(j: int, substep: float, bodies: Bodies, joints: Joints) -> f
     Its values are those where its members are placed.
     """
     ends, numbers = joints.joints[j], joints.numbers[j]
-    a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+    a, b, c = ends[tb.J_MEMBER], ends[tb.J_MEMBER + 1], ends[tb.J_MEMBER + 2]
     place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
-    joint_values(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+    joint_values(ends[tb.J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
     size = 0.0
-    for r in range(ends[J_ROWS]):
+    for r in range(ends[tb.J_ROWS]):
         error = error_of_row(j, r, substep, bodies, joints)
-        numbers[J_ERROR + r] = error
-        size += numbers[J_FIRMNESS + r] * error * error
+        numbers[tb.J_ERROR + r] = error
+        size += numbers[tb.J_FIRMNESS + r] * error * error
     return size
 
 
 def error_of_row(j: int, r: int, substep: float, bodies: Bodies, joints: Joints) -> float:
     """Return the rate that a row of a joint has too much, whose value is that to which it leads."""
     numbers, law = joints.numbers[j], joints.laws[j]
-    value, firm = numbers[J_ROW + ROW * r], numbers[J_FIRMNESS + r]
-    if joints.joints[j, J_LAW] < MOTOR:
-        return row_error(value, numbers[J_AIM + r], substep)
+    value, firm = numbers[tb.J_ROW + ROW * r], numbers[tb.J_FIRMNESS + r]
+    if joints.joints[j, tb.J_LAW] < tb.MOTOR:
+        return row_error(value, numbers[tb.J_AIM + r], substep)
     rate = rate_of_row(j, r, bodies, joints)
-    if joints.joints[j, J_LAW] == MOTOR:
-        return drive_error(rate, law[LAW_RATE])
-    stiffness, damping = law[LAW_STIFFNESS], law[LAW_DAMPING]
-    start, given, share = numbers[J_AIM + r], numbers[J_GIVEN + r], numbers[J_SHARE]
+    if joints.joints[j, tb.J_LAW] == tb.MOTOR:
+        return drive_error(rate, law[tb.LAW_RATE])
+    stiffness, damping = law[tb.LAW_STIFFNESS], law[tb.LAW_DAMPING]
+    start, given, share = numbers[tb.J_AIM + r], numbers[tb.J_GIVEN + r], numbers[tb.J_SHARE]
     if firm == 0.0:
         return 0.0
     return spring_error(value, start, rate, given, stiffness, damping, share, firm, substep)
@@ -262,54 +231,57 @@ def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:
     ends, numbers = joints.joints[j], joints.numbers[j]
     rate = 0.0
     for end in range(ENDS_OF_JOINT):
-        at, i = J_ROW + ROW * r + 1 + 3 * end, joints.members[ends[J_MEMBER + end], JOINED_SLOT]
-        if ends[J_NODE + end] >= 0:
+        at, i = (
+            tb.J_ROW + ROW * r + 1 + 3 * end,
+            joints.members[ends[tb.J_MEMBER + end], tb.JOINED_SLOT],
+        )
+        if ends[tb.J_NODE + end] >= 0:
             now = bodies.motion[i]
-            slope, velocity = (numbers[at], numbers[at + 1]), (now[VX], now[VY])
-            rate += row_rate(slope, numbers[at + 2], velocity, now[SPIN])
+            slope, velocity = (numbers[at], numbers[at + 1]), (now[tb.VX], now[tb.VY])
+            rate += row_rate(slope, numbers[at + 2], velocity, now[tb.SPIN])
     return rate
 
 
 def solve_joint_errors(n: int, bodies: Bodies, joints: Joints) -> None:
     """Give a mechanism the impulses that take the errors of its rows away."""
-    if joints.mechanisms[n, M_MESHED] == 1:
+    if joints.mechanisms[n, tb.M_MESHED] == 1:
         iterate_mesh(n, bodies, joints)
     else:
         solve_directly(n, joints)
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        for r in range(joints.joints[j, J_ROWS]):
-            apply_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            apply_joint_impulse(j, r, joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
 
 
 def solve_directly(n: int, joints: Joints) -> None:
     """Find the impulses of a mechanism by its factored matrix."""
     factors = joints.factors
-    for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
-        factors[node, CHANGE] = factors[node, CHANGE + 1] = factors[node, CHANGE + 2] = 0.0
-    first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        factors[node, tb.CHANGE] = factors[node, tb.CHANGE + 1] = factors[node, tb.CHANGE + 2] = 0.0
+    first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
     for j in range(first, last):
         numbers = joints.numbers[j]
-        for r in range(joints.joints[j, J_ROWS]):
-            impulse = row_impulse(numbers[J_ERROR + r], numbers[J_FIRMNESS + r])
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            impulse = row_impulse(numbers[tb.J_ERROR + r], numbers[tb.J_FIRMNESS + r])
             add_to_ends(j, r, impulse, joints)
     substitute(n, joints.sparse, factors)
     for j in range(first, last):
         numbers = joints.numbers[j]
-        for r in range(joints.joints[j, J_ROWS]):
-            rate = numbers[J_ERROR + r] + change_of_rate(j, r, joints)
-            numbers[J_IMPULSE + r] = row_impulse(rate, numbers[J_FIRMNESS + r])
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            rate = numbers[tb.J_ERROR + r] + change_of_rate(j, r, joints)
+            numbers[tb.J_IMPULSE + r] = row_impulse(rate, numbers[tb.J_FIRMNESS + r])
 
 
 def add_to_ends(j: int, r: int, impulse: float, joints: Joints) -> None:
     """Add the impulse of a row to the right-hand side at its nodes."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     for end in range(ENDS_OF_JOINT):
-        node, at = ends[J_NODE + end], J_ROW + ROW * r + 1 + 3 * end
+        node, at = ends[tb.J_NODE + end], tb.J_ROW + ROW * r + 1 + 3 * end
         if node >= 0:
             change, slope = joints.factors[node], (numbers[at], numbers[at + 1])
-            change[CHANGE], change[CHANGE + 1] = momentum_later(
-                (change[CHANGE], change[CHANGE + 1]), impulse, slope
+            change[tb.CHANGE], change[tb.CHANGE + 1] = momentum_later(
+                (change[tb.CHANGE], change[tb.CHANGE + 1]), impulse, slope
             )
-            change[CHANGE + 2] = angular_momentum_later(
-                change[CHANGE + 2], impulse, numbers[at + 2]
+            change[tb.CHANGE + 2] = angular_momentum_later(
+                change[tb.CHANGE + 2], impulse, numbers[at + 2]
             )

@@ -5,6 +5,7 @@ itself. A mechanism that no contact touches is taken through the step by itself,
 ends of each substep; one that is touched is solved before and after the contacts (IM15).
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.energy import bound_mechanism, note_energy_of_springs
 from tamias2d.engine.joints.governed import begin_motors, begin_rows
 from tamias2d.engine.joints.hinge_laws import keep_tree_positions
@@ -39,79 +40,7 @@ from tamias2d.engine.joints.tree_blocks import (
 from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.solver.slabs import list_all
 from tamias2d.engine.springs.substep import activate
-from tamias2d.engine.tables import (
-    ANGLE,
-    ARRANGED,
-    ASLEEP,
-    DRAG_FACTOR,
-    FORCE_GAIN,
-    FREE_OF_CONTACTS,
-    GOVERNED_ALONE,
-    I_NODE,
-    IMPULSE_RATIO,
-    IN_CONTACT,
-    INCREMENT,
-    IS_HELD,
-    J_APART,
-    J_FORCE,
-    J_GIVEN,
-    J_LEFT,
-    J_LEFT_BEFORE,
-    J_MOTION,
-    J_MOTION_LATER,
-    J_PULL,
-    J_RESERVE,
-    J_RESERVE_LATER,
-    J_SCALE,
-    J_SCALE_LATER,
-    J_SLIGHT,
-    J_STEP_TOTAL,
-    J_TOTAL,
-    J_TURNED,
-    J_WARM,
-    JOINED_BODY,
-    JOINED_SLOT,
-    JOINTS,
-    JOINTS_APART,
-    JOINTS_TURNED,
-    LIMITS,
-    M_CHOOSING,
-    M_GOVERNED,
-    M_HALF,
-    M_HINGED,
-    M_IN_BLOCK,
-    M_JOINT,
-    M_MESHED,
-    M_STATUS,
-    M_TIED,
-    M_WRITTEN,
-    MECHANISMS,
-    MECHANISMS_AWAKE,
-    MECHANISMS_TOUCHED,
-    N_BODY,
-    NETWORKS_TOUCHED,
-    PART_TIME,
-    PLACE_ANGLE,
-    PLACE_X,
-    PLACE_Y,
-    ROOT,
-    S_TREE,
-    SLABS,
-    SLEEP_ID,
-    SUBSTEP,
-    SUBSTEP_START,
-    SUBSTEPS,
-    TICK,
-    TIME_STEP,
-    TOTAL_ENERGY_NOW,
-    TOUCHING,
-    Bodies,
-    Islands,
-    Joints,
-    World,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, Islands, Joints, World
 from tamias2d.generated.joint_step import (
     half_decay,
     half_gain,
@@ -124,49 +53,51 @@ from tamias2d.state import Array
 
 def clear_of_joints(clear: bool, world: World) -> bool:
     """Return whether bodies that have no contacts may go ballistically: not with joints."""
-    return clear and world.joints.counts[JOINTS] == 0
+    return clear and world.joints.counts[tb.JOINTS] == 0
 
 
 def note_places(world: World) -> None:
     """Note which slots the members of mechanisms have, as a batch of steps begins."""
     joints = world.joints
-    if joints.counts[JOINTS] == 0:
+    if joints.counts[tb.JOINTS] == 0:
         return
-    joints.members[0, JOINED_SLOT] = len(world.bodies.kind) - 1  # the plane is the idle body
+    joints.members[0, tb.JOINED_SLOT] = len(world.bodies.kind) - 1  # the plane is the idle body
     for m in range(1, len(joints.members)):
-        joints.members[m, JOINED_SLOT] = world.state.slot_of_body[joints.members[m, JOINED_BODY]]
+        joints.members[m, tb.JOINED_SLOT] = world.state.slot_of_body[
+            joints.members[m, tb.JOINED_BODY]
+        ]
 
 
 def hold_tied(islands: Islands, joints: Joints) -> None:
     """Mark the islands of mechanisms that are tied to what does not move freely."""
-    for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_TIED] == 1:
-            i = joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT]
-            islands.energy[islands.links[i, ROOT], IS_HELD] = 1.0
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_TIED] == 1:
+            i = joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT]
+            islands.energy[islands.links[i, tb.ROOT], tb.IS_HELD] = 1.0
 
 
 def note_mechanisms(world: World) -> None:
     """Place the members of mechanisms, and note which of these are awake, before arranging."""
     joints = world.joints
-    if joints.counts[JOINTS] == 0:
+    if joints.counts[tb.JOINTS] == 0:
         return
     place_moved(world.bodies, joints)
-    for n in range(joints.counts[MECHANISMS]):
+    for n in range(joints.counts[tb.MECHANISMS]):
         asleep = is_asleep(n, world.islands, joints)
-        if asleep != (joints.mechanisms[n, M_STATUS] == ASLEEP):
-            joints.mechanisms[n, M_STATUS] = ASLEEP if asleep else FREE_OF_CONTACTS
-            world.touching.counts[ARRANGED] = 0
+        if asleep != (joints.mechanisms[n, tb.M_STATUS] == tb.ASLEEP):
+            joints.mechanisms[n, tb.M_STATUS] = tb.ASLEEP if asleep else tb.FREE_OF_CONTACTS
+            world.touching.counts[tb.ARRANGED] = 0
 
 
 def place_moved(bodies: Bodies, joints: Joints) -> None:
     """Place all members where one is not where it was; rows of whose members are have to be new."""
-    last = joints.sparse[joints.counts[MECHANISMS], I_NODE] + 1
+    last = joints.sparse[joints.counts[tb.MECHANISMS], tb.I_NODE] + 1
     anew = have_moved(0, 1, bodies, joints) or have_moved(last, len(joints.members), bodies, joints)
     moved = anew
-    for n in range(joints.counts[MECHANISMS]):
-        first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    for n in range(joints.counts[tb.MECHANISMS]):
+        first, last = joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1
         if anew or have_moved(first, last, bodies, joints):
-            joints.mechanisms[n, M_WRITTEN], moved = 0, True
+            joints.mechanisms[n, tb.M_WRITTEN], moved = 0, True
     if moved:
         place_members(0, len(joints.members), 0.0, bodies, joints)
     else:
@@ -177,16 +108,16 @@ def have_moved(first: int, last: int, bodies: Bodies, joints: Joints) -> bool:
     """Return whether members are not where they were placed last."""
     moved = False
     for m in range(first, last):
-        pose, place = bodies.pose[joints.members[m, JOINED_SLOT]], joints.places[m]
-        same = (place[PLACE_X] == pose[X]) & (place[PLACE_Y] == pose[Y])
-        moved = moved | (not (same & (place[PLACE_ANGLE] == pose[ANGLE])))
+        pose, place = bodies.pose[joints.members[m, tb.JOINED_SLOT]], joints.places[m]
+        same = (place[tb.PLACE_X] == pose[tb.X]) & (place[tb.PLACE_Y] == pose[tb.Y])
+        moved = moved | (not (same & (place[tb.PLACE_ANGLE] == pose[tb.ANGLE])))
     return bool(moved)
 
 
 def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
     """Return whether a mechanism sleeps; its bodies do so together."""
-    first = joints.sparse[n, I_NODE]
-    return bool(islands.links[joints.members[first + 1, JOINED_SLOT], SLEEP_ID] > 0)
+    first = joints.sparse[n, tb.I_NODE]
+    return bool(islands.links[joints.members[first + 1, tb.JOINED_SLOT], tb.SLEEP_ID] > 0)
 
 
 def activate_joined(world: World) -> None:
@@ -197,30 +128,36 @@ def activate_joined(world: World) -> None:
     """
     joints, bodies = world.joints, world.bodies
     awake = touched_ones = 0
-    for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_STATUS] != ASLEEP:
-            first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
             touched = 0
             for m in range(first + 1, last + 1):
-                touched += bodies.moved[joints.members[m, JOINED_SLOT]]
-            touched += joints.mechanisms[n, M_CHOOSING]
-            alone = GOVERNED_ALONE if joints.mechanisms[n, M_GOVERNED] == 1 else FREE_OF_CONTACTS
-            joints.mechanisms[n, M_STATUS] = IN_CONTACT if touched > 0 else alone
+                touched += bodies.moved[joints.members[m, tb.JOINED_SLOT]]
+            touched += joints.mechanisms[n, tb.M_CHOOSING]
+            alone = (
+                tb.GOVERNED_ALONE
+                if joints.mechanisms[n, tb.M_GOVERNED] == 1
+                else tb.FREE_OF_CONTACTS
+            )
+            joints.mechanisms[n, tb.M_STATUS] = tb.IN_CONTACT if touched > 0 else alone
             awake += 1
-            touched_ones += joints.mechanisms[n, M_STATUS] != FREE_OF_CONTACTS
-    joints.counts[MECHANISMS_AWAKE], joints.counts[MECHANISMS_TOUCHED] = awake, touched_ones
-    for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_STATUS] != ASLEEP:
-            for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
-                activate(joints.members[m, JOINED_SLOT], bodies, world.touching, world.constraints)
+            touched_ones += joints.mechanisms[n, tb.M_STATUS] != tb.FREE_OF_CONTACTS
+    joints.counts[tb.MECHANISMS_AWAKE], joints.counts[tb.MECHANISMS_TOUCHED] = awake, touched_ones
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+                activate(
+                    joints.members[m, tb.JOINED_SLOT], bodies, world.touching, world.constraints
+                )
 
 
 def join_slabs(tree_count: int, world: World) -> None:
     """Make one slab of all where mechanisms are awake: they reach from any slab to any other."""
     constraints = world.constraints
-    if world.joints.counts[MECHANISMS_AWAKE] > 0 and constraints.counts[SLABS] > 1:
-        constraints.counts[SLABS] = 1
-        constraints.slabs[1, S_TREE] = tree_count
+    if world.joints.counts[tb.MECHANISMS_AWAKE] > 0 and constraints.counts[tb.SLABS] > 1:
+        constraints.counts[tb.SLABS] = 1
+        constraints.slabs[1, tb.S_TREE] = tree_count
         list_all(world.bodies, world.touching, constraints)
 
 
@@ -230,32 +167,32 @@ def begin_joints(substep: float, world: World) -> None:
     Rows are found anew unless the last step has left them as they are to be.
     """
     joints, bodies = world.joints, world.bodies
-    if joints.counts[MECHANISMS_AWAKE] == 0:
+    if joints.counts[tb.MECHANISMS_AWAKE] == 0:
         return
-    for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
             if note_node_masses(n, substep, bodies, joints):
-                joints.mechanisms[n, M_WRITTEN] = 0
-            if joints.mechanisms[n, M_GOVERNED] == 1:
+                joints.mechanisms[n, tb.M_WRITTEN] = 0
+            if joints.mechanisms[n, tb.M_GOVERNED] == 1:
                 begin_rows(n, joints)
-            begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
-            if joints.mechanisms[n, M_HINGED] == 1 and joints.mechanisms[n, M_MESHED] == 1:
+            begin_impulses(n, world.control.progress[tb.IMPULSE_RATIO], joints)
+            if joints.mechanisms[n, tb.M_HINGED] == 1 and joints.mechanisms[n, tb.M_MESHED] == 1:
                 begin_net(n, bodies, joints)
-            if joints.mechanisms[n, M_IN_BLOCK] == 0 and joints.mechanisms[n, M_WRITTEN] == 0:
+            if joints.mechanisms[n, tb.M_IN_BLOCK] == 0 and joints.mechanisms[n, tb.M_WRITTEN] == 0:
                 write_mechanism(n, bodies, joints)
-            joints.mechanisms[n, M_HALF] = joints.mechanisms[n, M_STATUS] != IN_CONTACT
-            if joints.mechanisms[n, M_HALF] == 1:
+            joints.mechanisms[n, tb.M_HALF] = joints.mechanisms[n, tb.M_STATUS] != tb.IN_CONTACT
+            if joints.mechanisms[n, tb.M_HALF] == 1:
                 kick_half(n, False, bodies, joints)
     begin_blocks(bodies, joints)
-    for n in range(joints.counts[MECHANISMS]):
-        joints.mechanisms[n, M_WRITTEN] = 0
-        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+    for n in range(joints.counts[tb.MECHANISMS]):
+        joints.mechanisms[n, tb.M_WRITTEN] = 0
+        if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
             note_energy_of_springs(n, joints)
 
 
 def write_mechanism(n: int, bodies: Bodies, joints: Joints) -> None:
     """Write the rows of a mechanism where its bodies are, and its matrix."""
-    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    hinged, meshed = joints.mechanisms[n, tb.M_HINGED] == 1, joints.mechanisms[n, tb.M_MESHED] == 1
     if hinged and meshed:
         linearise_net(n, bodies, joints)
     elif hinged:
@@ -266,62 +203,62 @@ def write_mechanism(n: int, bodies: Bodies, joints: Joints) -> None:
 
 def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
     """Begin to add up the impulses of a part; those of a mesh count for a substep of this one."""
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        for k in range(J_TOTAL, J_GIVEN + 3):
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        for k in range(tb.J_TOTAL, tb.J_GIVEN + 3):
             joints.numbers[j, k] = 0.0
-        for k in range(J_WARM, J_WARM + 3):
+        for k in range(tb.J_WARM, tb.J_WARM + 3):
             joints.numbers[j, k] *= ratio
-        joints.numbers[j, J_LEFT] = joints.numbers[j, J_LEFT_BEFORE]
+        joints.numbers[j, tb.J_LEFT] = joints.numbers[j, tb.J_LEFT_BEFORE]
 
 
 def keep_joint_impulses(world: World) -> None:
     """Add the impulses of a part that was taken to those of the step, and note the forces."""
     joints = world.joints
-    known = joints.counts[JOINTS_APART] + joints.counts[JOINTS_TURNED]
-    time = world.control.progress[PART_TIME]
-    kept = 0.0 if world.control.counts[TICK] == 0 else 1.0
-    for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_STATUS] != ASLEEP:
-            for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+    known = joints.counts[tb.JOINTS_APART] + joints.counts[tb.JOINTS_TURNED]
+    time = world.control.progress[tb.PART_TIME]
+    kept = 0.0 if world.control.counts[tb.TICK] == 0 else 1.0
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
                 numbers = joints.numbers[j]
                 for k in range(9):
-                    before = kept * numbers[J_STEP_TOTAL + k]
-                    numbers[J_STEP_TOTAL + k] = before + numbers[J_TOTAL + k]
-                numbers[J_LEFT_BEFORE] = numbers[J_LEFT]
-                numbers[J_RESERVE] = numbers[J_RESERVE_LATER]
-                numbers[J_MOTION] = numbers[J_MOTION_LATER]
-                numbers[J_SCALE] = numbers[J_SCALE_LATER]
+                    before = kept * numbers[tb.J_STEP_TOTAL + k]
+                    numbers[tb.J_STEP_TOTAL + k] = before + numbers[tb.J_TOTAL + k]
+                numbers[tb.J_LEFT_BEFORE] = numbers[tb.J_LEFT]
+                numbers[tb.J_RESERVE] = numbers[tb.J_RESERVE_LATER]
+                numbers[tb.J_MOTION] = numbers[tb.J_MOTION_LATER]
+                numbers[tb.J_SCALE] = numbers[tb.J_SCALE_LATER]
                 for k in range(3):
-                    numbers[J_FORCE + k] = numbers[J_PULL + k] / time
-                    if numbers[J_APART + k] > numbers[J_SLIGHT + k]:
-                        joints.counts[JOINTS_APART] = 1
-                if numbers[J_TURNED] > 0.0:
-                    joints.counts[JOINTS_TURNED] = 1
-    if joints.counts[JOINTS_APART] + joints.counts[JOINTS_TURNED] > known:
-        world.control.counts[LIMITS] += 1
+                    numbers[tb.J_FORCE + k] = numbers[tb.J_PULL + k] / time
+                    if numbers[tb.J_APART + k] > numbers[tb.J_SLIGHT + k]:
+                        joints.counts[tb.JOINTS_APART] = 1
+                if numbers[tb.J_TURNED] > 0.0:
+                    joints.counts[tb.JOINTS_TURNED] = 1
+    if joints.counts[tb.JOINTS_APART] + joints.counts[tb.JOINTS_TURNED] > known:
+        world.control.counts[tb.LIMITS] += 1
 
 
 def solve_joints(again: bool, substep: float, world: World) -> None:
     """Let joints hold at the end of a substep; again, after contacts were visited."""
     joints, bodies = world.joints, world.bodies
-    if joints.counts[MECHANISMS_AWAKE] == 0:
+    if joints.counts[tb.MECHANISMS_AWAKE] == 0:
         return
     control = world.control
-    length = min(substep * control.counts[SUBSTEPS] / control.settings[TIME_STEP], 1.0)
+    length = min(substep * control.counts[tb.SUBSTEPS] / control.settings[tb.TIME_STEP], 1.0)
     if not again:
         aim_blocks(length, joints)
-    least = IN_CONTACT if again else FREE_OF_CONTACTS
+    least = tb.IN_CONTACT if again else tb.FREE_OF_CONTACTS
     bring_blocks_to_aims(least, again, substep, bodies, joints)
-    for n in range(joints.counts[MECHANISMS]):
-        status = joints.mechanisms[n, M_STATUS]
-        if joints.mechanisms[n, M_IN_BLOCK] == 1:
+    for n in range(joints.counts[tb.MECHANISMS]):
+        status = joints.mechanisms[n, tb.M_STATUS]
+        if joints.mechanisms[n, tb.M_IN_BLOCK] == 1:
             continue
-        if status == IN_CONTACT or (status != ASLEEP and not again):
+        if status == tb.IN_CONTACT or (status != tb.ASLEEP and not again):
             if not again:
                 aim_mechanism(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
             bring_to_end(n, again, length, substep, bodies, joints)
-            joints.mechanisms[n, M_HALF] = 0
+            joints.mechanisms[n, tb.M_HALF] = 0
 
 
 def aim_mechanism(n: int, length: float, joints: Joints) -> None:
@@ -329,7 +266,7 @@ def aim_mechanism(n: int, length: float, joints: Joints) -> None:
 
     A net needs no note.
     """
-    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    hinged, meshed = joints.mechanisms[n, tb.M_HINGED] == 1, joints.mechanisms[n, tb.M_MESHED] == 1
     if hinged and not meshed:
         aim_tree(n, length, joints)
     elif not hinged:
@@ -340,7 +277,7 @@ def bring_to_end(
     n: int, again: bool, length: float, substep: float, bodies: Bodies, joints: Joints
 ) -> None:
     """Change the velocities of a mechanism so that a substep leads to what its rows aim at."""
-    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    hinged, meshed = joints.mechanisms[n, tb.M_HINGED] == 1, joints.mechanisms[n, tb.M_MESHED] == 1
     if hinged and meshed:
         bring_net_to_aims(n, again, length, substep, bodies, joints)
     elif hinged:
@@ -352,15 +289,15 @@ def bring_to_end(
 def relax_joints(world: World) -> None:
     """Find the rows of mechanisms where bodies are; what springs have left is noted."""
     joints, bodies = world.joints, world.bodies
-    if joints.counts[MECHANISMS_AWAKE] == 0:
+    if joints.counts[tb.MECHANISMS_AWAKE] == 0:
         return
     write_blocks(bodies, joints)
     note_left_of_blocks(joints)
-    for n in range(joints.counts[MECHANISMS]):
-        alone = joints.mechanisms[n, M_IN_BLOCK] == 0
-        if alone and joints.mechanisms[n, M_STATUS] != ASLEEP:
+    for n in range(joints.counts[tb.MECHANISMS]):
+        alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
+        if alone and joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
             write_mechanism(n, bodies, joints)
-            if joints.mechanisms[n, M_GOVERNED] == 1:
+            if joints.mechanisms[n, tb.M_GOVERNED] == 1:
                 note_left(n, joints)
 
 
@@ -371,23 +308,25 @@ def fit_touched(world: World) -> None:
     Those that no contact touches catch up with forces first, and with their springs.
     """
     joints = world.joints
-    if joints.counts[MECHANISMS_AWAKE] == 0:
+    if joints.counts[tb.MECHANISMS_AWAKE] == 0:
         return
-    for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_STATUS] == GOVERNED_ALONE:
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_STATUS] == tb.GOVERNED_ALONE:
             kick_half(n, True, world.bodies, joints)
-            if joints.mechanisms[n, M_IN_BLOCK] == 0:
+            if joints.mechanisms[n, tb.M_IN_BLOCK] == 0:
                 give_left(n, world.bodies, joints)
     give_left_of_blocks(world.bodies, joints)
-    fit_velocities(GOVERNED_ALONE, world.control.settings[SUBSTEP], world.bodies, world.joints)
+    fit_velocities(
+        tb.GOVERNED_ALONE, world.control.settings[tb.SUBSTEP], world.bodies, world.joints
+    )
 
 
 def fit_velocities(least: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of their rows from the velocities of mechanisms with at least a status."""
-    fit_blocks(least, IN_CONTACT, bodies, joints)
-    for n in range(joints.counts[MECHANISMS]):
-        alone = joints.mechanisms[n, M_IN_BLOCK] == 0
-        if alone and joints.mechanisms[n, M_STATUS] >= least:
+    fit_blocks(least, tb.IN_CONTACT, bodies, joints)
+    for n in range(joints.counts[tb.MECHANISMS]):
+        alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
+        if alone and joints.mechanisms[n, tb.M_STATUS] >= least:
             fit(n, 0.0, substep, bodies, joints)
 
 
@@ -396,8 +335,8 @@ def fit(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> 
 
     What is left in a net parts it little in a substep, s. Springs do not count.
     """
-    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
-    governed = joints.mechanisms[n, M_GOVERNED] == 1
+    hinged, meshed = joints.mechanisms[n, tb.M_HINGED] == 1, joints.mechanisms[n, tb.M_MESHED] == 1
+    governed = joints.mechanisms[n, tb.M_GOVERNED] == 1
     if hinged and meshed:
         fit_net(n, warm, substep, bodies, joints)
     elif hinged:
@@ -414,24 +353,24 @@ def end_joints(world: World) -> None:
     """End a step: let the velocities of mechanisms that are free of contacts catch up, and fit."""
     joints, bodies = world.joints, world.bodies
     energy = world.constraints.energy
-    if joints.counts[MECHANISMS_AWAKE] == 0:
+    if joints.counts[tb.MECHANISMS_AWAKE] == 0:
         return
-    for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS:
             kick_half(n, True, bodies, joints)
-    fit_blocks(FREE_OF_CONTACTS, FREE_OF_CONTACTS, bodies, joints)
+    fit_blocks(tb.FREE_OF_CONTACTS, tb.FREE_OF_CONTACTS, bodies, joints)
     store_blocks(joints)
-    for n in range(joints.counts[MECHANISMS]):
-        alone = joints.mechanisms[n, M_IN_BLOCK] == 0
-        status = joints.mechanisms[n, M_STATUS]
-        if status == FREE_OF_CONTACTS and alone:
-            fit(n, 0.5, world.control.settings[SUBSTEP], bodies, joints)
-        if status != ASLEEP and status != IN_CONTACT:
+    for n in range(joints.counts[tb.MECHANISMS]):
+        alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
+        status = joints.mechanisms[n, tb.M_STATUS]
+        if status == tb.FREE_OF_CONTACTS and alone:
+            fit(n, 0.5, world.control.settings[tb.SUBSTEP], bodies, joints)
+        if status != tb.ASLEEP and status != tb.IN_CONTACT:
             bound_mechanism(n, world.control, bodies, joints, world.islands, energy)
-        awake = joints.mechanisms[n, M_STATUS] != ASLEEP
-        joints.mechanisms[n, M_WRITTEN] = 1 if awake else 0
-        if alone and awake and joints.mechanisms[n, M_HINGED] == 1:
-            if joints.mechanisms[n, M_MESHED] == 1:
+        awake = joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP
+        joints.mechanisms[n, tb.M_WRITTEN] = 1 if awake else 0
+        if alone and awake and joints.mechanisms[n, tb.M_HINGED] == 1:
+            if joints.mechanisms[n, tb.M_MESHED] == 1:
                 store_links(n, joints)
             else:
                 store_hinge_impulses(n, joints)
@@ -442,28 +381,31 @@ def past_untouched(first: int, last: int, world: World) -> int:
 
     Mechanisms have bounded their own then.
     """
-    alone = world.touching.counts[TOUCHING] + world.springs.counts[NETWORKS_TOUCHED] == 0
-    if not alone or world.joints.counts[MECHANISMS_TOUCHED] > 0:
+    alone = world.touching.counts[tb.TOUCHING] + world.springs.counts[tb.NETWORKS_TOUCHED] == 0
+    if not alone or world.joints.counts[tb.MECHANISMS_TOUCHED] > 0:
         return first
     for k in range(first, last):
         flight = world.bodies.flight[world.touching.active_by_slab[k]]
-        flight[FORCE_GAIN] = flight[FORCE_GAIN + 1] = flight[FORCE_GAIN + 2] = 0.0
+        flight[tb.FORCE_GAIN] = flight[tb.FORCE_GAIN + 1] = flight[tb.FORCE_GAIN + 2] = 0.0
     return last
 
 
 def look_at_touched(world: World) -> None:
     """Let the energy of each island be looked at if contacts touch mechanisms, not their sum."""
     energy = world.constraints.energy
-    if world.joints.counts[MECHANISMS_AWAKE] > 0 and world.joints.counts[MECHANISMS_TOUCHED] > 0:
-        energy[TOTAL_ENERGY_NOW] = 2.0 * UNLIMITED
+    if (
+        world.joints.counts[tb.MECHANISMS_AWAKE] > 0
+        and world.joints.counts[tb.MECHANISMS_TOUCHED] > 0
+    ):
+        energy[tb.TOTAL_ENERGY_NOW] = 2.0 * UNLIMITED
 
 
 def kick_half(n: int, ahead: bool, bodies: Bodies, joints: Joints) -> None:
     """Take the velocities of a mechanism half a substep ahead of the forces, or behind them."""
-    for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
-        i = joints.sparse[node, N_BODY]
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        i = joints.sparse[node, tb.N_BODY]
         now, state = bodies.motion[i], bodies.substep_state[i]
-        drag, turning = state[DRAG_FACTOR], state[DRAG_FACTOR + 2]
+        drag, turning = state[tb.DRAG_FACTOR], state[tb.DRAG_FACTOR + 2]
         if drag == 1.0 and turning == 1.0:  # without roots and quotients
             kick_body(ahead, 1.0, 1.0, now, state)
         else:
@@ -475,7 +417,7 @@ def kick_body(ahead: bool, decay: float, turning_decay: float, now: Array, state
     """Take a body's velocities half a substep ahead, or behind, with their factors by drag."""
     for k in range(3):
         factor = turning_decay if k == 2 else decay
-        gain = half_gain(state[INCREMENT + k], factor)
+        gain = half_gain(state[tb.INCREMENT + k], factor)
         later = kick_velocity_later(now[k], factor, gain)
         now[k] = later if ahead else kick_velocity_start(now[k], factor, gain)
-        state[SUBSTEP_START + k] = now[k]
+        state[tb.SUBSTEP_START + k] = now[k]

@@ -4,87 +4,10 @@ A row holds the same node of all trees of a block; the first row is what their r
 get the same bits as trees that are solved by themselves.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.hinge_tree import gone_through
 from tamias2d.engine.rotation import cosine_sine
-from tamias2d.engine.tables import (
-    SUBSTEP_START,
-    T_ACTIVE,
-    T_AIM_X,
-    T_AIM_Y,
-    T_ANCHOR_X,
-    T_ANCHOR_Y,
-    T_ANGLE,
-    T_APART_X,
-    T_ARM_X,
-    T_ARM_Y,
-    T_CHANGE_SPIN,
-    T_CHANGE_X,
-    T_CHANGE_Y,
-    T_COSINE,
-    T_DANGLE,
-    T_DX,
-    T_DY,
-    T_ERROR_X,
-    T_ERROR_Y,
-    T_FAR_ANCHOR_X,
-    T_FAR_ANCHOR_Y,
-    T_FAR_ARM_X,
-    T_FAR_ARM_Y,
-    T_FAR_TURN,
-    T_FIRM,
-    T_GAP_X,
-    T_GAP_Y,
-    T_GIVEN_X,
-    T_GIVEN_Y,
-    T_HELD_INVERSE_INERTIA,
-    T_HUNG_XX,
-    T_HUNG_XY,
-    T_HUNG_YY,
-    T_IMPULSE_X,
-    T_IMPULSE_Y,
-    T_INERTIA,
-    T_INVERSE_MASS,
-    T_LARGEST,
-    T_LAW,
-    T_LEVER_X,
-    T_LEVER_Y,
-    T_MASS,
-    T_MOMENT_X,
-    T_MOMENT_Y,
-    T_NODE_INERTIA,
-    T_NODE_MOMENT_X,
-    T_NODE_MOMENT_Y,
-    T_NODE_XX,
-    T_NODE_XY,
-    T_NODE_YY,
-    T_OWED_TURN,
-    T_OWED_X,
-    T_OWED_Y,
-    T_PASSED_TURN,
-    T_PASSED_X,
-    T_PASSED_Y,
-    T_POSE_ANGLE,
-    T_POSE_X,
-    T_POSE_Y,
-    T_PULL_X,
-    T_PULL_Y,
-    T_SHARE,
-    T_SINE,
-    T_SIZE,
-    T_SLIGHT,
-    T_SPIN,
-    T_START_SPIN,
-    T_START_X,
-    T_START_Y,
-    T_TURN,
-    T_VX,
-    T_VY,
-    T_X,
-    T_Y,
-    T_YIELD,
-    Bodies,
-    Integers,
-)
+from tamias2d.engine.tables import Bodies, Integers
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.hinge_tree import (
     angular_momentum_passed,
@@ -119,30 +42,32 @@ from tamias2d.state import Array, Vector
 
 def load_node(slots: Integers, bodies: Bodies, row: Array) -> None:
     """Load how the bodies of a row move, and how they did as the substep began."""
-    load_rows(slots, 0, bodies.motion, row, T_VX)
-    load_part(slots, 0, bodies.substep_state, SUBSTEP_START, row, T_START_X)
+    load_rows(slots, 0, bodies.motion, row, tb.T_VX)
+    load_part(slots, 0, bodies.substep_state, tb.SUBSTEP_START, row, tb.T_START_X)
 
 
 def store_node(slots: Integers, bodies: Bodies, row: Array) -> None:
     """Store what impulses have made of that."""
-    store_half(slots, 0, bodies.motion, row, T_VX)
+    store_half(slots, 0, bodies.motion, row, tb.T_VX)
     for m in range(LANES):
         state = bodies.substep_state[slots[m]]
-        state[SUBSTEP_START] = row[T_START_X + m]
-        state[SUBSTEP_START + 1] = row[T_START_Y + m]
-        state[SUBSTEP_START + 2] = row[T_START_SPIN + m]
+        state[tb.SUBSTEP_START] = row[tb.T_START_X + m]
+        state[tb.SUBSTEP_START + 1] = row[tb.T_START_Y + m]
+        state[tb.SUBSTEP_START + 2] = row[tb.T_START_SPIN + m]
 
 
 @separate
 def place_lanes(ahead: float, row: Array) -> None:
     """Write where the bodies of a row are, or will be so many seconds ahead."""
     for m in range(LANES):
-        shift, velocity = (row[T_DX + m], row[T_DY + m]), (row[T_VX + m], row[T_VY + m])
+        shift, velocity = (row[tb.T_DX + m], row[tb.T_DY + m]), (row[tb.T_VX + m], row[tb.T_VY + m])
         by_x, by_y = shift_later(shift, velocity, ahead)
-        row[T_X + m], row[T_Y + m] = row[T_POSE_X + m] + by_x, row[T_POSE_Y + m] + by_y
-        angle = row[T_POSE_ANGLE + m] + turn_later(row[T_DANGLE + m], row[T_SPIN + m], ahead)
-        row[T_ANGLE + m] = angle
-        row[T_COSINE + m], row[T_SINE + m] = cosine_sine(angle)
+        row[tb.T_X + m], row[tb.T_Y + m] = row[tb.T_POSE_X + m] + by_x, row[tb.T_POSE_Y + m] + by_y
+        angle = row[tb.T_POSE_ANGLE + m] + turn_later(
+            row[tb.T_DANGLE + m], row[tb.T_SPIN + m], ahead
+        )
+        row[tb.T_ANGLE + m] = angle
+        row[tb.T_COSINE + m], row[tb.T_SINE + m] = cosine_sine(angle)
 
 
 @separate
@@ -150,27 +75,27 @@ def keep_given_lanes(chosen: Array, row: Array) -> None:
     """Add what went through hinges since they were written to what did before, in some lanes."""
     for m in range(LANES):
         kept = chosen[m] > 0.0
-        given = (row[T_GIVEN_X + m], row[T_GIVEN_Y + m])
-        arm = (row[T_ARM_X + m], row[T_ARM_Y + m])
-        far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
-        pull, turn = (row[T_PULL_X + m], row[T_PULL_Y + m]), row[T_TURN + m]
-        pull, turn, far_turn = gone_through(pull, turn, row[T_FAR_TURN + m], given, arm, far)
-        row[T_PULL_X + m] = pull[0] if kept else row[T_PULL_X + m]
-        row[T_PULL_Y + m] = pull[1] if kept else row[T_PULL_Y + m]
-        row[T_TURN + m] = turn if kept else row[T_TURN + m]
-        row[T_FAR_TURN + m] = far_turn if kept else row[T_FAR_TURN + m]
-        row[T_GIVEN_X + m] = 0.0 if kept else given[0]
-        row[T_GIVEN_Y + m] = 0.0 if kept else given[1]
+        given = (row[tb.T_GIVEN_X + m], row[tb.T_GIVEN_Y + m])
+        arm = (row[tb.T_ARM_X + m], row[tb.T_ARM_Y + m])
+        far = (row[tb.T_FAR_ARM_X + m], row[tb.T_FAR_ARM_Y + m])
+        pull, turn = (row[tb.T_PULL_X + m], row[tb.T_PULL_Y + m]), row[tb.T_TURN + m]
+        pull, turn, far_turn = gone_through(pull, turn, row[tb.T_FAR_TURN + m], given, arm, far)
+        row[tb.T_PULL_X + m] = pull[0] if kept else row[tb.T_PULL_X + m]
+        row[tb.T_PULL_Y + m] = pull[1] if kept else row[tb.T_PULL_Y + m]
+        row[tb.T_TURN + m] = turn if kept else row[tb.T_TURN + m]
+        row[tb.T_FAR_TURN + m] = far_turn if kept else row[tb.T_FAR_TURN + m]
+        row[tb.T_GIVEN_X + m] = 0.0 if kept else given[0]
+        row[tb.T_GIVEN_Y + m] = 0.0 if kept else given[1]
 
 
 @inlined
 def arms_of_lane(m: int, row: Array, above: Array) -> tuple[Vector, Vector, Vector]:
     """Return the arms of a hinge in a lane, where bodies are placed, and how far it is apart, m."""
-    anchor = (row[T_ANCHOR_X + m], row[T_ANCHOR_Y + m])
-    far_anchor = (row[T_FAR_ANCHOR_X + m], row[T_FAR_ANCHOR_Y + m])
-    arm = hinge_arm(anchor, row[T_COSINE + m], row[T_SINE + m])
-    far = hinge_arm(far_anchor, above[T_COSINE + m], above[T_SINE + m])
-    here, there = (row[T_X + m], row[T_Y + m]), (above[T_X + m], above[T_Y + m])
+    anchor = (row[tb.T_ANCHOR_X + m], row[tb.T_ANCHOR_Y + m])
+    far_anchor = (row[tb.T_FAR_ANCHOR_X + m], row[tb.T_FAR_ANCHOR_Y + m])
+    arm = hinge_arm(anchor, row[tb.T_COSINE + m], row[tb.T_SINE + m])
+    far = hinge_arm(far_anchor, above[tb.T_COSINE + m], above[tb.T_SINE + m])
+    here, there = (row[tb.T_X + m], row[tb.T_Y + m]), (above[tb.T_X + m], above[tb.T_Y + m])
     return arm, far, hinge_gap(here, arm, there, far)
 
 
@@ -181,27 +106,27 @@ def turn_lanes(chosen: Array, row: Array, above: Array) -> None:
         turns = chosen[m] > 0.0
         arm, far, gap = arms_of_lane(m, row, above)
         met = arm_met(far, gap)
-        row[T_ARM_X + m] = arm[0] if turns else row[T_ARM_X + m]
-        row[T_ARM_Y + m] = arm[1] if turns else row[T_ARM_Y + m]
-        row[T_FAR_ARM_X + m] = met[0] if turns else row[T_FAR_ARM_X + m]
-        row[T_FAR_ARM_Y + m] = met[1] if turns else row[T_FAR_ARM_Y + m]
-        row[T_GAP_X + m] = gap[0] if turns else row[T_GAP_X + m]
-        row[T_GAP_Y + m] = gap[1] if turns else row[T_GAP_Y + m]
+        row[tb.T_ARM_X + m] = arm[0] if turns else row[tb.T_ARM_X + m]
+        row[tb.T_ARM_Y + m] = arm[1] if turns else row[tb.T_ARM_Y + m]
+        row[tb.T_FAR_ARM_X + m] = met[0] if turns else row[tb.T_FAR_ARM_X + m]
+        row[tb.T_FAR_ARM_Y + m] = met[1] if turns else row[tb.T_FAR_ARM_Y + m]
+        row[tb.T_GAP_X + m] = gap[0] if turns else row[tb.T_GAP_X + m]
+        row[tb.T_GAP_Y + m] = gap[1] if turns else row[tb.T_GAP_Y + m]
 
 
 @separate
 def note_apart_lanes(row: Array) -> None:
     """Note by how much the hinges of a row are apart, if that is more than before."""
     for m in range(2 * LANES):
-        row[T_APART_X + m] = max(row[T_APART_X + m], abs(row[T_GAP_X + m]))
+        row[tb.T_APART_X + m] = max(row[tb.T_APART_X + m], abs(row[tb.T_GAP_X + m]))
 
 
 @separate
 def aim_lanes(removed: float, row: Array) -> None:
     """Note to which gaps a substep brings the hinges of a row."""
     for m in range(LANES):
-        row[T_AIM_X + m] = row_aim(row[T_GAP_X + m], removed)
-        row[T_AIM_Y + m] = row_aim(row[T_GAP_Y + m], removed)
+        row[tb.T_AIM_X + m] = row_aim(row[tb.T_GAP_X + m], removed)
+        row[tb.T_AIM_Y + m] = row_aim(row[tb.T_GAP_Y + m], removed)
 
 
 @separate
@@ -211,43 +136,55 @@ def begin_lanes(row: Array) -> None:
     What is copied has a loop by itself, as have three columns of zeros: that is done at once.
     """
     for m in range(LANES):
-        row[T_NODE_XX + m] = row[T_MASS + m]
+        row[tb.T_NODE_XX + m] = row[tb.T_MASS + m]
     for m in range(LANES):
-        row[T_NODE_YY + m] = row[T_MASS + m]
+        row[tb.T_NODE_YY + m] = row[tb.T_MASS + m]
     for m in range(LANES):
-        row[T_NODE_INERTIA + m] = row[T_INERTIA + m]
+        row[tb.T_NODE_INERTIA + m] = row[tb.T_INERTIA + m]
     for m in range(3 * LANES):
-        row[T_NODE_XY + m] = 0.0
+        row[tb.T_NODE_XY + m] = 0.0
 
 
 @separate
 def hang_lanes(row: Array, above: Array) -> None:
     """Find what the nodes of a row are for their hinges, and add it to the nodes above."""
     for m in range(LANES):
-        mass_x = (row[T_NODE_XX + m], row[T_NODE_XY + m])
-        mass_y = (row[T_NODE_XY + m], row[T_NODE_YY + m])
-        moment = (row[T_NODE_MOMENT_X + m], row[T_NODE_MOMENT_Y + m])
-        arm = (row[T_ARM_X + m], row[T_ARM_Y + m])
+        mass_x = (row[tb.T_NODE_XX + m], row[tb.T_NODE_XY + m])
+        mass_y = (row[tb.T_NODE_XY + m], row[tb.T_NODE_YY + m])
+        moment = (row[tb.T_NODE_MOMENT_X + m], row[tb.T_NODE_MOMENT_Y + m])
+        arm = (row[tb.T_ARM_X + m], row[tb.T_ARM_Y + m])
         turned = hinge_moment(mass_x, mass_y, moment, arm)
-        inertia = hinge_inertia(moment, row[T_NODE_INERTIA + m], turned, arm)
-        firm = row[T_FIRM + m]
+        inertia = hinge_inertia(moment, row[tb.T_NODE_INERTIA + m], turned, arm)
+        firm = row[tb.T_FIRM + m]
         yielding = turning_yield(inertia, firm)
-        yielding = yielding if row[T_INERTIA + m] > 0.0 else 0.0
+        yielding = yielding if row[tb.T_INERTIA + m] > 0.0 else 0.0
         share = turned_share(firm, yielding)
         lever = hinge_lever(turned, yielding)
         hung_x, hung_y = hung_mass(mass_x, lever[0], turned), hung_mass(mass_y, lever[1], turned)
-        row[T_YIELD + m], row[T_LEVER_X + m], row[T_LEVER_Y + m] = yielding, lever[0], lever[1]
-        row[T_MOMENT_X + m], row[T_MOMENT_Y + m], row[T_SHARE + m] = turned[0], turned[1], share
-        row[T_HUNG_XX + m], row[T_HUNG_XY + m], row[T_HUNG_YY + m] = hung_x[0], hung_x[1], hung_y[1]
-        far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
+        row[tb.T_YIELD + m], row[tb.T_LEVER_X + m], row[tb.T_LEVER_Y + m] = (
+            yielding,
+            lever[0],
+            lever[1],
+        )
+        row[tb.T_MOMENT_X + m], row[tb.T_MOMENT_Y + m], row[tb.T_SHARE + m] = (
+            turned[0],
+            turned[1],
+            share,
+        )
+        row[tb.T_HUNG_XX + m], row[tb.T_HUNG_XY + m], row[tb.T_HUNG_YY + m] = (
+            hung_x[0],
+            hung_x[1],
+            hung_y[1],
+        )
+        far = (row[tb.T_FAR_ARM_X + m], row[tb.T_FAR_ARM_Y + m])
         hung_y = (hung_x[1], hung_y[1])
         passed = hung_moment(hung_x, hung_y, turned, share, far)
-        above[T_NODE_XX + m] += hung_x[0]
-        above[T_NODE_XY + m] += hung_x[1]
-        above[T_NODE_YY + m] += hung_y[1]
-        above[T_NODE_MOMENT_X + m] += passed[0]
-        above[T_NODE_MOMENT_Y + m] += passed[1]
-        above[T_NODE_INERTIA + m] += hung_inertia(passed, turned, inertia, share, far)
+        above[tb.T_NODE_XX + m] += hung_x[0]
+        above[tb.T_NODE_XY + m] += hung_x[1]
+        above[tb.T_NODE_YY + m] += hung_y[1]
+        above[tb.T_NODE_MOMENT_X + m] += passed[0]
+        above[tb.T_NODE_MOMENT_Y + m] += passed[1]
+        above[tb.T_NODE_INERTIA + m] += hung_inertia(passed, turned, inertia, share, far)
 
 
 @separate
@@ -255,54 +192,63 @@ def gap_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Array) 
     """Write the rates that the hinges of a row have too much to get to their aims."""
     for m in range(LANES):
         _, _, gap = arms_of_lane(m, row, above)
-        error_x = row_error(gap[0], row[T_AIM_X + m], substep)
-        error_y = row_error(gap[1], row[T_AIM_Y + m], substep)
-        row[T_ERROR_X + m], row[T_ERROR_Y + m] = error_x, error_y
-        lanes[T_SIZE + m] = lanes[T_SIZE + m] + (error_x * error_x + error_y * error_y)
+        error_x = row_error(gap[0], row[tb.T_AIM_X + m], substep)
+        error_y = row_error(gap[1], row[tb.T_AIM_Y + m], substep)
+        row[tb.T_ERROR_X + m], row[tb.T_ERROR_Y + m] = error_x, error_y
+        lanes[tb.T_SIZE + m] = lanes[tb.T_SIZE + m] + (error_x * error_x + error_y * error_y)
 
 
 @separate
 def rates_of_lanes(row: Array, above: Array) -> None:
     """Write the rates at which the hinges of a row part."""
     for m in range(LANES):
-        arm = (row[T_ARM_X + m], row[T_ARM_Y + m])
-        far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
-        here = point_velocity((row[T_VX + m], row[T_VY + m]), row[T_SPIN + m], arm)
-        there = point_velocity((above[T_VX + m], above[T_VY + m]), above[T_SPIN + m], far)
-        row[T_ERROR_X + m], row[T_ERROR_Y + m] = here[0] - there[0], here[1] - there[1]
+        arm = (row[tb.T_ARM_X + m], row[tb.T_ARM_Y + m])
+        far = (row[tb.T_FAR_ARM_X + m], row[tb.T_FAR_ARM_Y + m])
+        here = point_velocity((row[tb.T_VX + m], row[tb.T_VY + m]), row[tb.T_SPIN + m], arm)
+        there = point_velocity((above[tb.T_VX + m], above[tb.T_VY + m]), above[tb.T_SPIN + m], far)
+        row[tb.T_ERROR_X + m], row[tb.T_ERROR_Y + m] = here[0] - there[0], here[1] - there[1]
 
 
 def owe_nothing(row: Array) -> None:
     """Let the nodes of a row owe nothing yet."""
     for m in range(3 * LANES):
-        row[T_OWED_X + m] = 0.0
+        row[tb.T_OWED_X + m] = 0.0
 
 
 @separate
 def owe_lanes(row: Array) -> None:
     """Find what the nodes of a row owe at their hinges."""
     for m in range(LANES):
-        owed, arm = (row[T_OWED_X + m], row[T_OWED_Y + m]), (row[T_ARM_X + m], row[T_ARM_Y + m])
-        turning = turn_owed(row[T_OWED_TURN + m], owed, arm, row[T_LAW + m])
-        hung = momentum_hung(owed, turning, (row[T_LEVER_X + m], row[T_LEVER_Y + m]))
-        row[T_OWED_X + m], row[T_OWED_Y + m] = hung
-        row[T_OWED_TURN + m] = turning
+        owed, arm = (
+            (row[tb.T_OWED_X + m], row[tb.T_OWED_Y + m]),
+            (row[tb.T_ARM_X + m], row[tb.T_ARM_Y + m]),
+        )
+        turning = turn_owed(row[tb.T_OWED_TURN + m], owed, arm, row[tb.T_LAW + m])
+        hung = momentum_hung(owed, turning, (row[tb.T_LEVER_X + m], row[tb.T_LEVER_Y + m]))
+        row[tb.T_OWED_X + m], row[tb.T_OWED_Y + m] = hung
+        row[tb.T_OWED_TURN + m] = turning
 
 
 @separate
 def pass_lanes(row: Array) -> None:
     """Find what the nodes above are to owe for those of a row, and for the errors of hinges."""
     for m in range(LANES):
-        hung = (row[T_OWED_X + m], row[T_OWED_Y + m])
-        error = (row[T_ERROR_X + m], row[T_ERROR_Y + m])
-        far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
-        turned = (row[T_MOMENT_X + m], row[T_MOMENT_Y + m])
-        mass_x = (row[T_HUNG_XX + m], row[T_HUNG_XY + m])
-        mass_y = (row[T_HUNG_XY + m], row[T_HUNG_YY + m])
+        hung = (row[tb.T_OWED_X + m], row[tb.T_OWED_Y + m])
+        error = (row[tb.T_ERROR_X + m], row[tb.T_ERROR_Y + m])
+        far = (row[tb.T_FAR_ARM_X + m], row[tb.T_FAR_ARM_Y + m])
+        turned = (row[tb.T_MOMENT_X + m], row[tb.T_MOMENT_Y + m])
+        mass_x = (row[tb.T_HUNG_XX + m], row[tb.T_HUNG_XY + m])
+        mass_y = (row[tb.T_HUNG_XY + m], row[tb.T_HUNG_YY + m])
         passed = momentum_passed(hung, error, mass_x, mass_y)
-        row[T_PASSED_X + m], row[T_PASSED_Y + m] = passed
-        row[T_PASSED_TURN + m] = angular_momentum_passed(
-            passed, row[T_OWED_TURN + m], error, turned, row[T_SHARE + m], far, row[T_LAW + m]
+        row[tb.T_PASSED_X + m], row[tb.T_PASSED_Y + m] = passed
+        row[tb.T_PASSED_TURN + m] = angular_momentum_passed(
+            passed,
+            row[tb.T_OWED_TURN + m],
+            error,
+            turned,
+            row[tb.T_SHARE + m],
+            far,
+            row[tb.T_LAW + m],
         )
 
 
@@ -310,42 +256,48 @@ def pass_lanes(row: Array) -> None:
 def add_owed(row: Array, above: Array) -> None:
     """Let the nodes above owe what those of a row pass on."""
     for m in range(3 * LANES):
-        above[T_OWED_X + m] += row[T_PASSED_X + m]
+        above[tb.T_OWED_X + m] += row[tb.T_PASSED_X + m]
 
 
 @separate
 def let_lanes_go(row: Array) -> None:
     """Let roots that nothing ties move so that no impulse goes through their hinges."""
     for m in range(LANES):
-        mass_x = (row[T_HUNG_XX + m], row[T_HUNG_XY + m])
-        mass_y = (row[T_HUNG_XY + m], row[T_HUNG_YY + m])
-        by_x, by_y = root_change((row[T_OWED_X + m], row[T_OWED_Y + m]), mass_x, mass_y)
-        row[T_ERROR_X + m], row[T_ERROR_Y + m] = -by_x, -by_y
+        mass_x = (row[tb.T_HUNG_XX + m], row[tb.T_HUNG_XY + m])
+        mass_y = (row[tb.T_HUNG_XY + m], row[tb.T_HUNG_YY + m])
+        by_x, by_y = root_change((row[tb.T_OWED_X + m], row[tb.T_OWED_Y + m]), mass_x, mass_y)
+        row[tb.T_ERROR_X + m], row[tb.T_ERROR_Y + m] = -by_x, -by_y
 
 
 @separate
 def pass_lanes_down(lanes: Array, row: Array, above: Array) -> None:
     """Find how the velocities of a row's bodies change, and the impulses through their hinges."""
     for m in range(LANES):
-        by, spin_above = (above[T_CHANGE_X + m], above[T_CHANGE_Y + m]), above[T_CHANGE_SPIN + m]
-        far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
-        error = (row[T_ERROR_X + m], row[T_ERROR_Y + m])
+        by, spin_above = (
+            (above[tb.T_CHANGE_X + m], above[tb.T_CHANGE_Y + m]),
+            above[tb.T_CHANGE_SPIN + m],
+        )
+        far = (row[tb.T_FAR_ARM_X + m], row[tb.T_FAR_ARM_Y + m])
+        error = (row[tb.T_ERROR_X + m], row[tb.T_ERROR_Y + m])
         at_hinge = hinge_change(by, spin_above, far, error)
-        lever, arm = (row[T_LEVER_X + m], row[T_LEVER_Y + m]), (row[T_ARM_X + m], row[T_ARM_Y + m])
-        turning, share = row[T_OWED_TURN + m], row[T_SHARE + m]
-        turn = spin_change(spin_above, share, at_hinge, lever, turning, row[T_YIELD + m])
+        lever, arm = (
+            (row[tb.T_LEVER_X + m], row[tb.T_LEVER_Y + m]),
+            (row[tb.T_ARM_X + m], row[tb.T_ARM_Y + m]),
+        )
+        turning, share = row[tb.T_OWED_TURN + m], row[tb.T_SHARE + m]
+        turn = spin_change(spin_above, share, at_hinge, lever, turning, row[tb.T_YIELD + m])
         own = change(at_hinge, turn, arm)
-        row[T_CHANGE_X + m], row[T_CHANGE_Y + m] = own
-        row[T_CHANGE_SPIN + m] = turn
-        mass_x = (row[T_HUNG_XX + m], row[T_HUNG_XY + m])
-        mass_y = (row[T_HUNG_XY + m], row[T_HUNG_YY + m])
-        hung = (row[T_OWED_X + m], row[T_OWED_Y + m])
-        turned = (row[T_MOMENT_X + m], row[T_MOMENT_Y + m])
+        row[tb.T_CHANGE_X + m], row[tb.T_CHANGE_Y + m] = own
+        row[tb.T_CHANGE_SPIN + m] = turn
+        mass_x = (row[tb.T_HUNG_XX + m], row[tb.T_HUNG_XY + m])
+        mass_y = (row[tb.T_HUNG_XY + m], row[tb.T_HUNG_YY + m])
+        hung = (row[tb.T_OWED_X + m], row[tb.T_OWED_Y + m])
+        turned = (row[tb.T_MOMENT_X + m], row[tb.T_MOMENT_Y + m])
         impulse = hinge_impulse(at_hinge, spin_above, mass_x, mass_y, turned, share, hung)
-        row[T_IMPULSE_X + m], row[T_IMPULSE_Y + m] = impulse
+        row[tb.T_IMPULSE_X + m], row[tb.T_IMPULSE_Y + m] = impulse
     for m in range(LANES):
-        turn, spin = abs(row[T_CHANGE_SPIN + m]), abs(row[T_SPIN + m])
-        lanes[T_LARGEST + m] = max(lanes[T_LARGEST + m], turn * (spin + turn))
+        turn, spin = abs(row[tb.T_CHANGE_SPIN + m]), abs(row[tb.T_SPIN + m])
+        lanes[tb.T_LARGEST + m] = max(lanes[tb.T_LARGEST + m], turn * (spin + turn))
 
 
 @separate
@@ -353,18 +305,24 @@ def push_own_lanes(chosen: Array, sign: float, row: Array) -> None:
     """Give the bodies of a row the impulses through their hinges, or take these back."""
     for m in range(LANES):
         pushed = chosen[m] > 0.0
-        impulse = (sign * row[T_IMPULSE_X + m], sign * row[T_IMPULSE_Y + m])
-        row[T_GIVEN_X + m] = row[T_GIVEN_X + m] + impulse[0] if pushed else row[T_GIVEN_X + m]
-        row[T_GIVEN_Y + m] = row[T_GIVEN_Y + m] + impulse[1] if pushed else row[T_GIVEN_Y + m]
-        arm = (row[T_ARM_X + m], row[T_ARM_Y + m])
-        by_x, by_y = velocity_hinged((0.0, 0.0), impulse, row[T_INVERSE_MASS + m])
-        turn = angular_velocity_hinged(0.0, arm, impulse, row[T_HELD_INVERSE_INERTIA + m])
-        row[T_VX + m] = row[T_VX + m] + by_x if pushed else row[T_VX + m]
-        row[T_VY + m] = row[T_VY + m] + by_y if pushed else row[T_VY + m]
-        row[T_SPIN + m] = row[T_SPIN + m] + turn if pushed else row[T_SPIN + m]
-        row[T_START_X + m] = row[T_START_X + m] + by_x if pushed else row[T_START_X + m]
-        row[T_START_Y + m] = row[T_START_Y + m] + by_y if pushed else row[T_START_Y + m]
-        row[T_START_SPIN + m] = row[T_START_SPIN + m] + turn if pushed else row[T_START_SPIN + m]
+        impulse = (sign * row[tb.T_IMPULSE_X + m], sign * row[tb.T_IMPULSE_Y + m])
+        row[tb.T_GIVEN_X + m] = (
+            row[tb.T_GIVEN_X + m] + impulse[0] if pushed else row[tb.T_GIVEN_X + m]
+        )
+        row[tb.T_GIVEN_Y + m] = (
+            row[tb.T_GIVEN_Y + m] + impulse[1] if pushed else row[tb.T_GIVEN_Y + m]
+        )
+        arm = (row[tb.T_ARM_X + m], row[tb.T_ARM_Y + m])
+        by_x, by_y = velocity_hinged((0.0, 0.0), impulse, row[tb.T_INVERSE_MASS + m])
+        turn = angular_velocity_hinged(0.0, arm, impulse, row[tb.T_HELD_INVERSE_INERTIA + m])
+        row[tb.T_VX + m] = row[tb.T_VX + m] + by_x if pushed else row[tb.T_VX + m]
+        row[tb.T_VY + m] = row[tb.T_VY + m] + by_y if pushed else row[tb.T_VY + m]
+        row[tb.T_SPIN + m] = row[tb.T_SPIN + m] + turn if pushed else row[tb.T_SPIN + m]
+        row[tb.T_START_X + m] = row[tb.T_START_X + m] + by_x if pushed else row[tb.T_START_X + m]
+        row[tb.T_START_Y + m] = row[tb.T_START_Y + m] + by_y if pushed else row[tb.T_START_Y + m]
+        row[tb.T_START_SPIN + m] = (
+            row[tb.T_START_SPIN + m] + turn if pushed else row[tb.T_START_SPIN + m]
+        )
 
 
 @separate
@@ -375,21 +333,21 @@ def pass_impulses(chosen: Array, sign: float, row: Array, above: Array) -> None:
     """
     for m in range(LANES):
         pushed = chosen[m] > 0.0
-        impulse = (-(sign * row[T_IMPULSE_X + m]), -(sign * row[T_IMPULSE_Y + m]))
-        far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
-        by_x, by_y = velocity_hinged((0.0, 0.0), impulse, above[T_INVERSE_MASS + m])
-        turn = angular_velocity_hinged(0.0, far, impulse, above[T_HELD_INVERSE_INERTIA + m])
-        row[T_PASSED_X + m] = by_x if pushed else -0.0
-        row[T_PASSED_Y + m] = by_y if pushed else -0.0
-        row[T_PASSED_TURN + m] = turn if pushed else -0.0
+        impulse = (-(sign * row[tb.T_IMPULSE_X + m]), -(sign * row[tb.T_IMPULSE_Y + m]))
+        far = (row[tb.T_FAR_ARM_X + m], row[tb.T_FAR_ARM_Y + m])
+        by_x, by_y = velocity_hinged((0.0, 0.0), impulse, above[tb.T_INVERSE_MASS + m])
+        turn = angular_velocity_hinged(0.0, far, impulse, above[tb.T_HELD_INVERSE_INERTIA + m])
+        row[tb.T_PASSED_X + m] = by_x if pushed else -0.0
+        row[tb.T_PASSED_Y + m] = by_y if pushed else -0.0
+        row[tb.T_PASSED_TURN + m] = turn if pushed else -0.0
 
 
 @separate
 def add_pushed(row: Array, above: Array) -> None:
     """Add that to the velocities of these bodies, now and as the substep began."""
     for m in range(3 * LANES):
-        above[T_VX + m] += row[T_PASSED_X + m]
-        above[T_START_X + m] += row[T_PASSED_X + m]
+        above[tb.T_VX + m] += row[tb.T_PASSED_X + m]
+        above[tb.T_START_X + m] += row[tb.T_PASSED_X + m]
 
 
 def some_lanes(chosen: int, lanes: Array) -> bool:
@@ -409,5 +367,5 @@ def all_lanes(chosen: int, number: float, lanes: Array) -> None:
 def end_slight_lanes(substep: float, lanes: Array) -> None:
     """Let lanes in which bodies turn little as impulses act, in a substep, s, be active no more."""
     for m in range(LANES):
-        much = substep * substep * lanes[T_LARGEST + m] > lanes[T_SLIGHT + m]
-        lanes[T_ACTIVE + m] = lanes[T_ACTIVE + m] if much else 0.0
+        much = substep * substep * lanes[tb.T_LARGEST + m] > lanes[tb.T_SLIGHT + m]
+        lanes[tb.T_ACTIVE + m] = lanes[tb.T_ACTIVE + m] if much else 0.0

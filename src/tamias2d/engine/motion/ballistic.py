@@ -9,6 +9,7 @@ row of the course, until no body leaves its bounds, in which the list of pairs h
 The bits are those of ordinary steps.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.bvh import FAR
 from tamias2d.engine.broad_phase.comoving_frame import move_frame
 from tamias2d.engine.motion.chunks import (
@@ -22,44 +23,7 @@ from tamias2d.engine.motion.chunks import (
     take_mixed,
 )
 from tamias2d.engine.state import LARGEST
-from tamias2d.engine.tables import (
-    ANGLE_MARGIN,
-    AT_START,
-    BASE_ANGLE,
-    CHUNK,
-    CONTACTS,
-    DYNAMIC,
-    FRAME_VX,
-    FRAME_VY,
-    FRAME_X,
-    FRAME_Y,
-    GRAVITY_X,
-    GRAVITY_Y,
-    HIGH_X,
-    HIGH_Y,
-    L_AFTER,
-    L_BEFORE,
-    L_BY,
-    L_HIGH,
-    L_LOW,
-    LIST_HOLDS,
-    LOW_X,
-    LOW_Y,
-    PLAIN,
-    PROPAGATOR,
-    SLEEP_STEPS,
-    STAGE,
-    STATIC,
-    STEPS_TAKEN,
-    TIME_STEP,
-    UNIFORM,
-    Bodies,
-    BodyState,
-    BroadPhase,
-    Chunks,
-    Control,
-    World,
-)
+from tamias2d.engine.tables import Bodies, BodyState, BroadPhase, Chunks, Control, World
 from tamias2d.generated.definitions import acceleration
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
@@ -78,8 +42,8 @@ def integrate_ballistic(world: World, steps: int) -> int:
     if not may_be_ballistic(world):
         return 0
     note_gravity(control, chunks.stream[len(chunks.course)])
-    x, y = broad_phase.frame[FRAME_X], broad_phase.frame[FRAME_Y]
-    frame_x, frame_y = broad_phase.frame[FRAME_VX], broad_phase.frame[FRAME_VY]
+    x, y = broad_phase.frame[tb.FRAME_X], broad_phase.frame[tb.FRAME_Y]
+    frame_x, frame_y = broad_phase.frame[tb.FRAME_VX], broad_phase.frame[tb.FRAME_VY]
     tried = 0
     while steps > 0 and steps != tried:
         tried = steps
@@ -89,8 +53,8 @@ def integrate_ballistic(world: World, steps: int) -> int:
             steps = advance_chunks(
                 steps, first, last, control, world.state, world.bodies, broad_phase, chunks
             )
-            broad_phase.frame[FRAME_X], broad_phase.frame[FRAME_Y] = x, y
-            broad_phase.frame[FRAME_VX], broad_phase.frame[FRAME_VY] = frame_x, frame_y
+            broad_phase.frame[tb.FRAME_X], broad_phase.frame[tb.FRAME_Y] = x, y
+            broad_phase.frame[tb.FRAME_VX], broad_phase.frame[tb.FRAME_VY] = frame_x, frame_y
             if steps < tried:
                 restore_chunks(last, chunks)
                 break
@@ -98,29 +62,29 @@ def integrate_ballistic(world: World, steps: int) -> int:
         store_all_mixed(world.state, chunks)
         for _ in range(steps):
             move_frame(broad_phase)
-        control.counts[STEPS_TAKEN] += steps
+        control.counts[tb.STEPS_TAKEN] += steps
     return steps
 
 
 def may_be_ballistic(world: World) -> bool:
     """Return whether a step begins with no contact on a list that holds, without sleep or NaN."""
     counts, gravity = world.broad_phase.counts, world.control.settings
-    total = gravity[GRAVITY_X] + gravity[GRAVITY_Y]
+    total = gravity[tb.GRAVITY_X] + gravity[tb.GRAVITY_Y]
     return bool(
-        world.control.counts[STAGE] == AT_START
-        and counts[CONTACTS] == 0
-        and counts[LIST_HOLDS] == 1
-        and world.islands.counts[SLEEP_STEPS] == 0
+        world.control.counts[tb.STAGE] == tb.AT_START
+        and counts[tb.CONTACTS] == 0
+        and counts[tb.LIST_HOLDS] == 1
+        and world.islands.counts[tb.SLEEP_STEPS] == 0
         and total - total == 0.0
     )
 
 
 def note_gravity(control: Control, plain: Array) -> None:
     """Note the acceleration of plain chunks, on which nothing acts but gravity."""
-    gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     by_x, by_y = acceleration(gravity, (0.0, 0.0), 1.0)
-    for k in range(CHUNK):
-        plain[L_BY + 3 * k], plain[L_BY + 3 * k + 1] = by_x, by_y
+    for k in range(tb.CHUNK):
+        plain[tb.L_BY + 3 * k], plain[tb.L_BY + 3 * k + 1] = by_x, by_y
 
 
 def advance_chunks(
@@ -135,9 +99,9 @@ def advance_chunks(
 ) -> int:
     """Let some chunks take steps while no body leaves its bounds; return how many."""
     plain = chunks.stream[len(chunks.course)]
-    note_frame(broad_phase, plain, L_BEFORE)
+    note_frame(broad_phase, plain, tb.L_BEFORE)
     move_frame(broad_phase)
-    note_frame(broad_phase, plain, L_AFTER)
+    note_frame(broad_phase, plain, tb.L_AFTER)
     out = 0
     for g in range(first, last):
         out += begin_chunk(g, control, state, bodies, broad_phase, chunks)
@@ -147,10 +111,10 @@ def advance_chunks(
         if taken == steps:
             break
         move_frame(broad_phase)
-        note_frame(broad_phase, plain, L_AFTER)
+        note_frame(broad_phase, plain, tb.L_AFTER)
         for g in range(first, last):
             course = chunks.course[g]
-            if course[PLAIN] == 1.0:
+            if course[tb.PLAIN] == 1.0:
                 out += take_lanes(chunks.poses[g], chunks.velocities[g], course, plain)
             else:
                 out += take_mixed(broad_phase, course, chunks.stream[g])
@@ -171,27 +135,27 @@ def begin_chunk(
     A uniform chunk on which something else than gravity acts is a mixed one.
     """
     course, plain = chunks.course[g], chunks.stream[len(chunks.course)]
-    course[PLAIN] = course[UNIFORM]
-    if course[PLAIN] == 1.0:
+    course[tb.PLAIN] = course[tb.UNIFORM]
+    if course[tb.PLAIN] == 1.0:
         pose, velocity = chunks.poses[g], chunks.velocities[g]
         if begin_plain(pose, velocity, chunks.load_bits[g], course, plain) == 0:
             return 0
         restore_chunk(g, chunks)
-        course[PLAIN] = 0.0
+        course[tb.PLAIN] = 0.0
     return begin_mixed(g, control, state, bodies, broad_phase, chunks)
 
 
 def restore_chunks(last: int, chunks: Chunks) -> None:
     """Put plain chunks back to where they were as the call began."""
     for g in range(last):
-        if chunks.course[g, PLAIN] == 1.0:
+        if chunks.course[g, tb.PLAIN] == 1.0:
             restore_chunk(g, chunks)
 
 
 def store_all_mixed(state: BodyState, chunks: Chunks) -> None:
     """Put the bodies of mixed chunks where their lanes got to."""
     for g in range(len(chunks.course)):
-        if chunks.course[g, PLAIN] == 0.0:
+        if chunks.course[g, tb.PLAIN] == 0.0:
             store_mixed(g, state.kind, chunks.poses[g], chunks.velocities[g], chunks.course[g])
 
 
@@ -202,21 +166,21 @@ def note_course(world: World) -> None:
     contain infinity.
     """
     state, chunks = world.state, world.chunks
-    most_turn = LARGEST * world.control.settings[TIME_STEP]
+    most_turn = LARGEST * world.control.settings[tb.TIME_STEP]
     one = 0
-    while one < len(state.kind) - 1 and state.kind[one] != DYNAMIC:
+    while one < len(state.kind) - 1 and state.kind[one] != tb.DYNAMIC:
         one += 1
     plain = chunks.stream[len(chunks.course)]
-    for k in range(CHUNK):
+    for k in range(tb.CHUNK):
         set_propagator(k, state.properties[one], world.bodies.propagators, plain)
     for g in range(len(chunks.course)):
         alike = 0
-        for k in range(CHUNK):
-            i = CHUNK * g + k
+        for k in range(tb.CHUNK):
+            i = tb.CHUNK * g + k
             note_bounds(i, k, most_turn, state, world.broad_phase, chunks.course[g])
-            same = state.properties[i, PROPAGATOR] == state.properties[one, PROPAGATOR]
-            alike += 1 if state.kind[i] == DYNAMIC and same else 0
-        chunks.course[g, UNIFORM] = 1.0 if alike == CHUNK else 0.0
+            same = state.properties[i, tb.PROPAGATOR] == state.properties[one, tb.PROPAGATOR]
+            alike += 1 if state.kind[i] == tb.DYNAMIC and same else 0
+        chunks.course[g, tb.UNIFORM] = 1.0 if alike == tb.CHUNK else 0.0
 
 
 def note_bounds(
@@ -227,13 +191,13 @@ def note_bounds(
     A disc may turn by any angle, but by more than `most_turn` in a step only with an angular
     velocity that is not valid.
     """
-    low, high = course[L_LOW + 3 * k :], course[L_HIGH + 3 * k :]
+    low, high = course[tb.L_LOW + 3 * k :], course[tb.L_HIGH + 3 * k :]
     for n in range(3):
         low[n], high[n] = -FAR, FAR
-    if state.kind[i] >= STATIC:
+    if state.kind[i] >= tb.STATIC:
         fat = broad_phase.fat_bounds[state.slot_of_body[i]]
-        low[0], high[0] = max(-FAR, fat[LOW_X]), min(FAR, fat[HIGH_X])
-        low[1], high[1] = max(-FAR, fat[LOW_Y]), min(FAR, fat[HIGH_Y])
-        margin = min(fat[ANGLE_MARGIN], most_turn)
-        low[2] = max(-FAR, fat[BASE_ANGLE] - margin)
-        high[2] = min(FAR, fat[BASE_ANGLE] + margin)
+        low[0], high[0] = max(-FAR, fat[tb.LOW_X]), min(FAR, fat[tb.HIGH_X])
+        low[1], high[1] = max(-FAR, fat[tb.LOW_Y]), min(FAR, fat[tb.HIGH_Y])
+        margin = min(fat[tb.ANGLE_MARGIN], most_turn)
+        low[2] = max(-FAR, fat[tb.BASE_ANGLE] - margin)
+        high[2] = min(FAR, fat[tb.BASE_ANGLE] + margin)

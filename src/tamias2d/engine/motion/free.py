@@ -3,29 +3,10 @@
 A body is moved at the end of the step only, once it is known what it meets.
 """
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.bounds import goes_far
 from tamias2d.engine.solver.energy import unchanged_by_contacts
-from tamias2d.engine.tables import (
-    ANGULAR,
-    DECAY,
-    DX,
-    DYNAMIC,
-    FORCE_GAIN,
-    GAIN,
-    GRAVITY_X,
-    GRAVITY_Y,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    KINEMATIC,
-    LIFT,
-    PROPAGATOR,
-    STEP_START,
-    UNMOVED,
-    UNTOUCHED,
-    WHOLE_STEP,
-    Bodies,
-    Control,
-)
+from tamias2d.engine.tables import Bodies, Control
 from tamias2d.generated.definitions import (
     acceleration,
     angular_acceleration,
@@ -43,13 +24,13 @@ def integrate_free(control: Control, bodies: Bodies) -> bool:
     """
     far = False
     for i in range(len(bodies.kind)):
-        if bodies.moved[i] == UNTOUCHED and unchanged_by_contacts(
+        if bodies.moved[i] == tb.UNTOUCHED and unchanged_by_contacts(
             control, bodies.substep_state[i], bodies.motion[i]
         ):
             for n in range(3):
-                bodies.motion[i, n] = bodies.substep_state[i, STEP_START + n]
-            bodies.moved[i] = UNMOVED
-        if bodies.kind[i] >= KINEMATIC and bodies.moved[i] == UNMOVED:
+                bodies.motion[i, n] = bodies.substep_state[i, tb.STEP_START + n]
+            bodies.moved[i] = tb.UNMOVED
+        if bodies.kind[i] >= tb.KINEMATIC and bodies.moved[i] == tb.UNMOVED:
             integrate_body(i, control, bodies)
         bodies.moved[i] = 0
         far = far | goes_far(i, bodies)
@@ -59,26 +40,26 @@ def integrate_free(control: Control, bodies: Bodies) -> bool:
 def integrate_body(i: int, control: Control, bodies: Bodies) -> None:
     """Find the displacement of a body on which no contact acts, and its new velocity."""
     by_x = by_y = turning = 0.0
-    if bodies.kind[i] == DYNAMIC:
-        gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
+    if bodies.kind[i] == tb.DYNAMIC:
+        gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
         force, torque = (bodies.load[i, 0], bodies.load[i, 1]), bodies.load[i, 2]
-        by_x, by_y = acceleration(gravity, force, bodies.properties[i, INVERSE_MASS])
-        turning = angular_acceleration(torque, bodies.properties[i, INVERSE_INERTIA])
-    propagator = bodies.propagators[int(bodies.properties[i, PROPAGATOR])]
+        by_x, by_y = acceleration(gravity, force, bodies.properties[i, tb.INVERSE_MASS])
+        turning = angular_acceleration(torque, bodies.properties[i, tb.INVERSE_INERTIA])
+    propagator = bodies.propagators[int(bodies.properties[i, tb.PROPAGATOR])]
     motion, flight = bodies.motion, bodies.flight
-    integrate_coordinate(i, 0, WHOLE_STEP, by_x, propagator, motion, flight)
-    integrate_coordinate(i, 1, WHOLE_STEP, by_y, propagator, motion, flight)
-    integrate_coordinate(i, 2, WHOLE_STEP + ANGULAR, turning, propagator, motion, flight)
+    integrate_coordinate(i, 0, tb.WHOLE_STEP, by_x, propagator, motion, flight)
+    integrate_coordinate(i, 1, tb.WHOLE_STEP, by_y, propagator, motion, flight)
+    integrate_coordinate(i, 2, tb.WHOLE_STEP + tb.ANGULAR, turning, propagator, motion, flight)
 
 
 def integrate_coordinate(
     i: int, axis: int, at: int, by: float, propagator: Array, motion: Array, flight: Array
 ) -> None:
     """Take one coordinate of a body through the step, under an acceleration (DD41)."""
-    before, gain = motion[i, axis], propagator[at + GAIN]
+    before, gain = motion[i, axis], propagator[at + tb.GAIN]
     after = coordinate_velocity_later(
-        propagator[at + DECAY], before, coordinate_velocity_gain(gain, by)
+        propagator[at + tb.DECAY], before, coordinate_velocity_gain(gain, by)
     )
-    motion[i, DX + axis] = coordinate_displacement(gain, propagator[at + LIFT], before, by)
+    motion[i, tb.DX + axis] = coordinate_displacement(gain, propagator[at + tb.LIFT], before, by)
     motion[i, axis] = after
-    flight[i, FORCE_GAIN + axis] = after - before
+    flight[i, tb.FORCE_GAIN + axis] = after - before

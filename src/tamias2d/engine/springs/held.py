@@ -7,61 +7,10 @@ that is needed; networks with contacts are solved in the substeps instead.
 
 from math import sqrt
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.springs.network import pull_ends, solve_network, write_diagonal
-from tamias2d.engine.tables import (
-    ACROSS,
-    ALONG,
-    ANCHOR_A,
-    ANCHOR_B,
-    ANGLE,
-    ANGULAR,
-    ARM_A,
-    ARM_B,
-    ARRANGED,
-    AXIS_X,
-    AXIS_Y,
-    BASE_LOAD,
-    DAMPER,
-    DAMPER_HELD,
-    DYNAMIC,
-    FREE_SHIFT,
-    GAIN,
-    GRAVITY_X,
-    GRAVITY_Y,
-    HELD_LOAD,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    KINEMATIC,
-    LENGTH,
-    LIFT,
-    MEMBER_A,
-    MEMBER_B,
-    N_MEMBER,
-    N_SPRING,
-    N_UNSOLVED,
-    NETWORKS,
-    PART_TIME,
-    PROPAGATOR,
-    PULL,
-    RESIDUAL,
-    RESISTANCE,
-    REST_LENGTH,
-    SHIFT,
-    SOLUTION,
-    SPAN_X,
-    SPAN_Y,
-    STIFFENING,
-    STIFFNESS,
-    WHOLE_STEP,
-    Bodies,
-    BodyState,
-    Control,
-    Springs,
-    World,
-    X,
-    Y,
-)
+from tamias2d.engine.tables import Bodies, BodyState, Control, Springs, World
 from tamias2d.generated.definitions import (
     acceleration,
     angular_acceleration,
@@ -92,19 +41,19 @@ def hold_springs(world: World) -> bool:
     """
     springs, bodies = world.springs, world.bodies
     solved = True
-    for n in range(springs.counts[NETWORKS]):
+    for n in range(springs.counts[tb.NETWORKS]):
         gather_network(n, world.control, world.state, bodies, springs)
-        found = solve_held(n, world.control.progress[PART_TIME], bodies, springs)
+        found = solve_held(n, world.control.progress[tb.PART_TIME], bodies, springs)
         solved = solved and found
         unsolved = 0 if found else 1
-        if springs.networks[n, N_UNSOLVED] != unsolved:
-            springs.networks[n, N_UNSOLVED] = unsolved
-            world.touching.counts[ARRANGED] = 0
+        if springs.networks[n, tb.N_UNSOLVED] != unsolved:
+            springs.networks[n, tb.N_UNSOLVED] = unsolved
+            world.touching.counts[tb.ARRANGED] = 0
     for k in range(len(springs.members)):
         row, load = springs.members[k], bodies.load[springs.slot[k]]
         for c in range(3):
-            row[HELD_LOAD + c] = row[BASE_LOAD + c] + row[PULL + c]
-            load[c] = row[HELD_LOAD + c]
+            row[tb.HELD_LOAD + c] = row[tb.BASE_LOAD + c] + row[tb.PULL + c]
+            load[c] = row[tb.HELD_LOAD + c]
     return solved
 
 
@@ -112,64 +61,66 @@ def release_springs(bodies: Bodies, springs: Springs) -> None:
     """Take the loads of springs off the bodies again."""
     for k in range(len(springs.members)):
         for c in range(3):
-            bodies.load[springs.slot[k], c] = springs.members[k, BASE_LOAD + c]
+            bodies.load[springs.slot[k], c] = springs.members[k, tb.BASE_LOAD + c]
 
 
 def gather_network(
     n: int, control: Control, state: BodyState, bodies: Bodies, springs: Springs
 ) -> None:
     """Note where the bodies of a network are, and where they would get to without springs."""
-    for k in range(springs.networks[n, N_MEMBER], springs.networks[n + 1, N_MEMBER]):
+    for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
         i = state.slot_of_body[springs.body[k]]
         springs.slot[k] = i
         row, properties = springs.members[k], bodies.properties[i]
         for c in range(3):
-            row[BASE_LOAD + c] = bodies.load[i, c]
-        propagator = bodies.propagators[int(properties[PROPAGATOR])]
+            row[tb.BASE_LOAD + c] = bodies.load[i, c]
+        propagator = bodies.propagators[int(properties[tb.PROPAGATOR])]
         by_x = by_y = turning = 0.0
         mass = inertia = 0.0
-        if bodies.kind[i] == DYNAMIC:
-            gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
-            load, inverse_mass = bodies.load[i], properties[INVERSE_MASS]
+        if bodies.kind[i] == tb.DYNAMIC:
+            gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
+            load, inverse_mass = bodies.load[i], properties[tb.INVERSE_MASS]
             by_x, by_y = acceleration(gravity, (load[0], load[1]), inverse_mass)
-            turning = angular_acceleration(load[2], properties[INVERSE_INERTIA])
+            turning = angular_acceleration(load[2], properties[tb.INVERSE_INERTIA])
             mass = 1.0 / inverse_mass
-            inertia = 1.0 / properties[INVERSE_INERTIA] if properties[INVERSE_INERTIA] > 0 else 0.0
-        moves = bodies.kind[i] >= KINEMATIC
+            inertia = (
+                1.0 / properties[tb.INVERSE_INERTIA] if properties[tb.INVERSE_INERTIA] > 0 else 0.0
+            )
+        moves = bodies.kind[i] >= tb.KINEMATIC
         for c in range(3):
-            at = WHOLE_STEP + ANGULAR if c == 2 else WHOLE_STEP
+            at = tb.WHOLE_STEP + tb.ANGULAR if c == 2 else tb.WHOLE_STEP
             by = by_x if c == 0 else by_y if c == 1 else turning
-            gain, lift = propagator[at + GAIN], propagator[at + LIFT]
+            gain, lift = propagator[at + tb.GAIN], propagator[at + tb.LIFT]
             free = coordinate_displacement(gain, lift, bodies.motion[i, c], by) if moves else 0.0
-            row[FREE_SHIFT + c] = row[SHIFT + c] = free
-            row[RESISTANCE + c] = (inertia if c == 2 else mass) / lift
-    for s in range(springs.networks[n, N_SPRING], springs.networks[n + 1, N_SPRING]):
-        note_spring(s, control.progress[PART_TIME], bodies, springs)
+            row[tb.FREE_SHIFT + c] = row[tb.SHIFT + c] = free
+            row[tb.RESISTANCE + c] = (inertia if c == 2 else mass) / lift
+    for s in range(springs.networks[n, tb.N_SPRING], springs.networks[n + 1, tb.N_SPRING]):
+        note_spring(s, control.progress[tb.PART_TIME], bodies, springs)
 
 
 def note_spring(s: int, time_step: float, bodies: Bodies, springs: Springs) -> None:
     """Note the span of a spring as the step begins, and the damping that is held."""
     spring = springs.springs[s]
-    a, b = springs.slot[springs.ends[s, MEMBER_A]], springs.ends[s, MEMBER_B]
-    arm_a = turned((spring[ANCHOR_A], spring[ANCHOR_A + 1]), bodies.pose[a, ANGLE])
-    x, y = -bodies.pose[a, X] - arm_a[0], -bodies.pose[a, Y] - arm_a[1]
-    arm_b = (spring[ANCHOR_B], spring[ANCHOR_B + 1])
+    a, b = springs.slot[springs.ends[s, tb.MEMBER_A]], springs.ends[s, tb.MEMBER_B]
+    arm_a = turned((spring[tb.ANCHOR_A], spring[tb.ANCHOR_A + 1]), bodies.pose[a, tb.ANGLE])
+    x, y = -bodies.pose[a, tb.X] - arm_a[0], -bodies.pose[a, tb.Y] - arm_a[1]
+    arm_b = (spring[tb.ANCHOR_B], spring[tb.ANCHOR_B + 1])
     inverse_mass = inverse_inertia = 0.0
     if b >= 0:
         b = springs.slot[b]
-        arm_b = turned(arm_b, bodies.pose[b, ANGLE])
-        x, y = bodies.pose[b, X] + x, bodies.pose[b, Y] + y
-        if bodies.kind[b] == DYNAMIC:
-            inverse_mass = bodies.properties[b, INVERSE_MASS]
-            inverse_inertia = bodies.properties[b, INVERSE_INERTIA]
+        arm_b = turned(arm_b, bodies.pose[b, tb.ANGLE])
+        x, y = bodies.pose[b, tb.X] + x, bodies.pose[b, tb.Y] + y
+        if bodies.kind[b] == tb.DYNAMIC:
+            inverse_mass = bodies.properties[b, tb.INVERSE_MASS]
+            inverse_inertia = bodies.properties[b, tb.INVERSE_INERTIA]
     x, y = x + arm_b[0], y + arm_b[1]
     length = sqrt(x * x + y * y)
-    spring[SPAN_X], spring[SPAN_Y], spring[LENGTH] = x, y, length
+    spring[tb.SPAN_X], spring[tb.SPAN_Y], spring[tb.LENGTH] = x, y, length
     axis = (x / max(length, 1e-150), y / max(length, 1e-150))
     own_mass = own_inertia = 0.0
-    if bodies.kind[a] == DYNAMIC:
-        own_mass = bodies.properties[a, INVERSE_MASS]
-        own_inertia = bodies.properties[a, INVERSE_INERTIA]
+    if bodies.kind[a] == tb.DYNAMIC:
+        own_mass = bodies.properties[a, tb.INVERSE_MASS]
+        own_inertia = bodies.properties[a, tb.INVERSE_INERTIA]
     mass = row_mass(
         own_mass,
         own_inertia,
@@ -178,7 +129,7 @@ def note_spring(s: int, time_step: float, bodies: Bodies, springs: Springs) -> N
         inverse_inertia,
         turning_arm(arm_b, axis),
     )
-    spring[DAMPER_HELD] = damping_held(spring[DAMPER], spring[STIFFNESS], mass, time_step)
+    spring[tb.DAMPER_HELD] = damping_held(spring[tb.DAMPER], spring[tb.STIFFNESS], mass, time_step)
 
 
 def solve_held(n: int, time_step: float, bodies: Bodies, springs: Springs) -> bool:
@@ -203,72 +154,74 @@ def move(n: int, bodies: Bodies, springs: Springs) -> tuple[float, float]:
     Returns the largest change, and the largest displacement or what float64 can tell of a position.
     """
     change = far = 0.0
-    for k in range(springs.networks[n, N_MEMBER], springs.networks[n + 1, N_MEMBER]):
+    for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
         row, pose = springs.members[k], bodies.pose[springs.slot[k]]
-        far = max(far, ROUNDED / SOLVED * (abs(pose[X]) + abs(pose[Y])))
+        far = max(far, ROUNDED / SOLVED * (abs(pose[tb.X]) + abs(pose[tb.Y])))
         for c in range(3):
-            row[SHIFT + c] += row[SOLUTION + c]
-            far = max(far, abs(row[SHIFT + c]))
-            change = max(change, abs(row[SOLUTION + c]))
+            row[tb.SHIFT + c] += row[tb.SOLUTION + c]
+            far = max(far, abs(row[tb.SHIFT + c]))
+            change = max(change, abs(row[tb.SOLUTION + c]))
     return change, far
 
 
 def pull_all(n: int, time_step: float, bodies: Bodies, springs: Springs) -> None:
     """Write what springs pull at the displacements as they are, what is missing, and the matrix."""
     members = springs.members
-    for k in range(springs.networks[n, N_MEMBER], springs.networks[n + 1, N_MEMBER]):
+    for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
         row = members[k]
-        row[PULL], row[PULL + 1], row[PULL + 2], row[STIFFENING] = 0.0, 0.0, 0.0, 0.0
-    for s in range(springs.networks[n, N_SPRING], springs.networks[n + 1, N_SPRING]):
+        row[tb.PULL], row[tb.PULL + 1], row[tb.PULL + 2], row[tb.STIFFENING] = 0.0, 0.0, 0.0, 0.0
+    for s in range(springs.networks[n, tb.N_SPRING], springs.networks[n + 1, tb.N_SPRING]):
         pull(s, time_step, bodies, springs)
-    for k in range(springs.networks[n, N_MEMBER], springs.networks[n + 1, N_MEMBER]):
+    for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
         row = members[k]
         for c in range(3):
-            ahead = row[FREE_SHIFT + c] - row[SHIFT + c]
-            row[RESIDUAL + c] = row[RESISTANCE + c] * ahead + row[PULL + c]
+            ahead = row[tb.FREE_SHIFT + c] - row[tb.SHIFT + c]
+            row[tb.RESIDUAL + c] = row[tb.RESISTANCE + c] * ahead + row[tb.PULL + c]
     write_diagonal(n, springs)
 
 
 def pull(s: int, time_step: float, bodies: Bodies, springs: Springs) -> None:
     """Add the pull of a spring to its members, and note what it resists."""
     spring, members = springs.springs[s], springs.members
-    a, b = springs.ends[s, MEMBER_A], springs.ends[s, MEMBER_B]
-    x, y = end_shift(ANCHOR_A, ARM_A, members[a], bodies.pose[springs.slot[a]], spring)
-    later_x, later_y = spring[SPAN_X] - x, spring[SPAN_Y] - y
+    a, b = springs.ends[s, tb.MEMBER_A], springs.ends[s, tb.MEMBER_B]
+    x, y = end_shift(tb.ANCHOR_A, tb.ARM_A, members[a], bodies.pose[springs.slot[a]], spring)
+    later_x, later_y = spring[tb.SPAN_X] - x, spring[tb.SPAN_Y] - y
     if b >= 0:
-        x, y = end_shift(ANCHOR_B, ARM_B, members[b], bodies.pose[springs.slot[b]], spring)
+        x, y = end_shift(tb.ANCHOR_B, tb.ARM_B, members[b], bodies.pose[springs.slot[b]], spring)
         later_x, later_y = later_x + x, later_y + y
-    length, later = spring[LENGTH], sqrt(later_x * later_x + later_y * later_y)
-    stiffness, damping = spring[STIFFNESS], spring[DAMPER_HELD]
-    tension = tension_held(stiffness, spring[REST_LENGTH], length, later)
-    span = (spring[SPAN_X], spring[SPAN_Y])
+    length, later = spring[tb.LENGTH], sqrt(later_x * later_x + later_y * later_y)
+    stiffness, damping = spring[tb.STIFFNESS], spring[tb.DAMPER_HELD]
+    tension = tension_held(stiffness, spring[tb.REST_LENGTH], length, later)
+    span = (spring[tb.SPAN_X], spring[tb.SPAN_Y])
     x, y = span[0] + later_x, span[1] + later_y
     both = max(sqrt(x * x + y * y), 1e-150)
     axis = (x / both, y / both)
     force = spring_force_held(
         tension, damping, span, (later_x, later_y), length, later, axis, time_step
     )
-    spring[AXIS_X], spring[AXIS_Y] = axis
-    spring[ALONG] = 0.5 * stiffness + damping / time_step
-    spring[ACROSS] = max(tension, 0.0) / max(length + later, 1e-150)
-    pull_ends(s, force, PULL, springs)
+    spring[tb.AXIS_X], spring[tb.AXIS_Y] = axis
+    spring[tb.ALONG] = 0.5 * stiffness + damping / time_step
+    spring[tb.ACROSS] = max(tension, 0.0) / max(length + later, 1e-150)
+    pull_ends(s, force, tb.PULL, springs)
     x, y = force
-    members[a, STIFFENING] += 0.5 * max(spring[ARM_A] * x + spring[ARM_A + 1] * y, 0.0)
+    members[a, tb.STIFFENING] += 0.5 * max(spring[tb.ARM_A] * x + spring[tb.ARM_A + 1] * y, 0.0)
     if b >= 0:
-        members[b, STIFFENING] += 0.5 * max(-spring[ARM_B] * x - spring[ARM_B + 1] * y, 0.0)
+        members[b, tb.STIFFENING] += 0.5 * max(
+            -spring[tb.ARM_B] * x - spring[tb.ARM_B + 1] * y, 0.0
+        )
 
 
 @inlined
 def end_shift(at: int, to: int, row: Array, pose: Array, spring: Array) -> Vector:
     """Return how far an end of a spring is shifted with its body, and note its arm."""
-    anchor, turn = (spring[at], spring[at + 1]), row[SHIFT + 2]
+    anchor, turn = (spring[at], spring[at + 1]), row[tb.SHIFT + 2]
     arm = anchor
     if abs(anchor[0]) + abs(anchor[1]) > 0.0:
-        arm = turned(anchor, pose[ANGLE] + 0.5 * turn)
+        arm = turned(anchor, pose[tb.ANGLE] + 0.5 * turn)
         if turn != 0.0:
             arm = arm_held(arm, 0.5 * turn, cosine_sine(0.5 * turn)[1])
     spring[to], spring[to + 1] = arm
-    return row[SHIFT] - turn * arm[1], row[SHIFT + 1] + turn * arm[0]
+    return row[tb.SHIFT] - turn * arm[1], row[tb.SHIFT + 1] + turn * arm[0]
 
 
 @inlined

@@ -5,20 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.store import Store
-from tamias2d.engine.tables import (
-    ANCHOR_A,
-    ANCHOR_B,
-    ARRANGED,
-    DAMPER,
-    DYNAMIC,
-    N_MEMBER,
-    N_SPRING,
-    NETWORKS,
-    REST_LENGTH,
-    SPRINGS,
-    STIFFNESS,
-)
 from tamias2d.state import Vector
 
 
@@ -49,23 +37,23 @@ def set_springs(store: Store, rows: Sequence[SpringRow]) -> None:
         networks=len(networks) + 1,
     )
     springs = store.world.springs
-    springs.counts[[SPRINGS, NETWORKS]] = len(rows), len(networks)
+    springs.counts[[tb.SPRINGS, tb.NETWORKS]] = len(rows), len(networks)
     springs.networks[:] = 0
-    springs.networks[1:, N_MEMBER] = np.cumsum([len(found) for found in members])
-    springs.networks[1:, N_SPRING] = np.cumsum([len(network) for network in networks])
+    springs.networks[1:, tb.N_MEMBER] = np.cumsum([len(found) for found in members])
+    springs.networks[1:, tb.N_SPRING] = np.cumsum([len(network) for network in networks])
     s = 0
     for first, network, found in zip(
-        springs.networks[:, N_MEMBER], networks, members, strict=False
+        springs.networks[:, tb.N_MEMBER], networks, members, strict=False
     ):
         place = {body: first + k for k, body in enumerate(found)}
         springs.body[first : first + len(found)] = found
         for row in network:
             springs.ends[s] = place[row.first], -1 if row.second is None else place[row.second]
-            springs.springs[s, [STIFFNESS, REST_LENGTH, DAMPER]] = row[2:5]
-            springs.springs[s, ANCHOR_A : ANCHOR_A + 2] = row.anchor
-            springs.springs[s, ANCHOR_B : ANCHOR_B + 2] = row.other_anchor
+            springs.springs[s, [tb.STIFFNESS, tb.REST_LENGTH, tb.DAMPER]] = row[2:5]
+            springs.springs[s, tb.ANCHOR_A : tb.ANCHOR_A + 2] = row.anchor
+            springs.springs[s, tb.ANCHOR_B : tb.ANCHOR_B + 2] = row.other_anchor
             s += 1
-    store.world.touching.counts[ARRANGED] = 0
+    store.world.touching.counts[tb.ARRANGED] = 0
 
 
 def _networks(store: Store, rows: Sequence[SpringRow]) -> list[list[SpringRow]]:
@@ -74,7 +62,7 @@ def _networks(store: Store, rows: Sequence[SpringRow]) -> list[list[SpringRow]]:
     network_of: dict[int, list[SpringRow]] = {}
     for row in rows:
         free = [body for body in (row.first, row.second) if body is not None]
-        free = [body for body in free if kind[body] == DYNAMIC]
+        free = [body for body in free if kind[body] == tb.DYNAMIC]
         network = network_of.get(free[0], [])
         for body in free:
             other = network_of.get(body, network)
