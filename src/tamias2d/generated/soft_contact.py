@@ -270,18 +270,20 @@ def preload_later(
     preload: Scalar,
     separation: Scalar,
     preload_share: Scalar,
+    gap_share: Scalar,
     overlap_allowed: Scalar,
     preload_largest: Scalar,
 ) -> Scalar:
     """Preload after a step (m).
 
-    preload_later = min(max(preload - preload_share*(max(separation, 0) + min(separation +
-    overlap_allowed, 0)), 0), preload_largest)
+    preload_later = min(max(preload - gap_share*max(separation, 0) -
+    preload_share*min(separation + overlap_allowed, 0), 0), preload_largest)
 
     Args:
         preload: Overlap at which a spring without preload would give as much, m
         separation: Distance between two bodies, negative where they overlap, m
         preload_share: Part of a step's overlap by which the preload grows, 1
+        gap_share: Part of a step's gap by which the preload shrinks, 1
         overlap_allowed: Overlap that no preload is learned for, m
         preload_largest: What a preload may grow to, m
 
@@ -290,7 +292,8 @@ def preload_later(
     return least(
         largest(
             preload
-            - preload_share * (largest(separation, 0) + least(separation + overlap_allowed, 0)),
+            - gap_share * largest(separation, 0)
+            - preload_share * least(separation + overlap_allowed, 0),
             0,
         ),
         preload_largest,
@@ -311,7 +314,7 @@ def extent_thin(
         width_multiple: How many half widths an extent counts at most, 1
         thinnest_share: Part of its extent that a body counts at least, however thin it is, 1
 
-    Source: DD77, srs/models/soft_contact.md:430.
+    Source: DD77, srs/models/soft_contact.md:432.
     """
     return least(extent, largest(width_multiple * half_width, thinnest_share * extent))
 
@@ -325,7 +328,7 @@ def corner_fall(gravity: Vector, time_step: Scalar) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD72, srs/models/soft_contact.md:455.
+    Source: DD72, srs/models/soft_contact.md:457.
     """
     gravity_x, gravity_y = gravity
     return 2 * sqrt(gravity_x * gravity_x + gravity_y * gravity_y) * time_step * time_step
@@ -340,7 +343,7 @@ def angular_frequency_even(time_step: Scalar) -> Scalar:
     Args:
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD76, srs/models/soft_contact.md:484.
+    Source: DD76, srs/models/soft_contact.md:486.
     """
     return 1 / time_step
 
@@ -373,7 +376,7 @@ def angular_frequency_loaded(
             does, m
         firmest: Frequency of a contact under a load, at most, over that without one, 1
 
-    Source: DD42, srs/models/soft_contact.md:522.
+    Source: DD42, srs/models/soft_contact.md:524.
     """
     angular_frequency_wanted = sqrt(
         accumulated_impulse
@@ -393,7 +396,7 @@ def shift_later(shift: Vector, velocity: Vector, time_step: Scalar) -> Vector:
         velocity: Velocity of the centre of mass, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:575.
+    Source: DD43, srs/models/soft_contact.md:577.
     """
     shift_x, shift_y = shift
     velocity_x, velocity_y = velocity
@@ -410,7 +413,7 @@ def turn_later(turn: Scalar, angular_velocity: Scalar, time_step: Scalar) -> Sca
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:576.
+    Source: DD43, srs/models/soft_contact.md:578.
     """
     return turn + time_step * angular_velocity
 
@@ -424,7 +427,7 @@ def bend(arm: Vector, line: Vector) -> Scalar:
         arm: Lever arm, from the centre of mass to the contact point, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:599.
+    Source: DD29, srs/models/soft_contact.md:601.
     """
     arm_x, arm_y = arm
     line_x, line_y = line
@@ -462,7 +465,7 @@ def separation_later(
         bend_b: Part of an arm along the line, as far as it turns with its body; of body B, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:600.
+    Source: DD29, srs/models/soft_contact.md:602.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -488,7 +491,7 @@ def bias_velocity_later(separation: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:668.
+    Source: DD31, srs/models/soft_contact.md:670.
     """
     return largest(separation / time_step + row_velocity, 0)
 
@@ -504,7 +507,7 @@ def separation(bias_velocity_later: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:669.
+    Source: DD31, srs/models/soft_contact.md:671.
     """
     return time_step * (bias_velocity_later - row_velocity)
 
@@ -522,7 +525,7 @@ def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar
             does, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:727.
+    Source: IM10, srs/models/soft_contact.md:729.
     """
     return (-removal_share) * extent / time_step
 
@@ -542,7 +545,7 @@ def bias_velocity(
             the least that there can be, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:728.
+    Source: IM10, srs/models/soft_contact.md:730.
     """
     return largest(
         largest(separation, 0) / time_step + bias_rate * least(separation, 0), bias_velocity_least
@@ -570,7 +573,7 @@ def soft_normal_impulse(
         mass_share: Part of a row's mass that a soft contact acts with, 1
         impulse_share: Part of its impulse that a soft contact gives back in an iteration, 1
 
-    Source: IM10, srs/models/soft_contact.md:731.
+    Source: IM10, srs/models/soft_contact.md:733.
     """
     return largest(
         accumulated_impulse
@@ -600,7 +603,7 @@ def limited_tangent_impulse(
             along itself, 1
         accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:735.
+    Source: IM10, srs/models/soft_contact.md:737.
     """
     return largest(
         least(tangent_impulse - row_mass * row_velocity, friction * accumulated_impulse),
@@ -629,7 +632,7 @@ def restitution_impulse(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:738.
+    Source: IM10, srs/models/soft_contact.md:740.
     """
     return largest(
         accumulated_impulse - row_mass * (row_velocity + restitution * row_velocity_before), 0

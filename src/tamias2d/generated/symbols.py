@@ -1227,6 +1227,15 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=785,
     ),
+    "gap_share": Symbol(
+        "gap_share",
+        "1",
+        "part of a step's gap by which the preload shrinks",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\sigma_g",
+        file="srs/symbols.md",
+        line=790,
+    ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
         "m",
@@ -1234,7 +1243,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=790,
+        line=795,
     ),
     "half_width": Symbol(
         "half_width",
@@ -1243,7 +1252,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w",
         file="srs/symbols.md",
-        line=795,
+        line=800,
     ),
     "corner_fall": Symbol(
         "corner_fall",
@@ -1252,7 +1261,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_f",
         file="srs/symbols.md",
-        line=800,
+        line=805,
     ),
     "extent_thin": Symbol(
         "extent_thin",
@@ -1261,7 +1270,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=806,
+        line=811,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1270,7 +1279,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=811,
+        line=816,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1279,7 +1288,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=816,
+        line=821,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1288,7 +1297,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=821,
+        line=826,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1296,7 +1305,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=826,
+        line=831,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1304,7 +1313,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=830,
+        line=835,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1312,7 +1321,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=834,
+        line=839,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1320,7 +1329,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=838,
+        line=843,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1328,7 +1337,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=842,
+        line=847,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1337,7 +1346,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=846,
+        line=851,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1346,7 +1355,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=851,
+        line=856,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1355,7 +1364,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=856,
+        line=861,
     ),
     "shift": Symbol(
         "shift",
@@ -1364,7 +1373,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=861,
+        line=866,
     ),
     "turn": Symbol(
         "turn",
@@ -1372,7 +1381,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=866,
+        line=871,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1381,7 +1390,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=870,
+        line=875,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1390,7 +1399,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=877,
+        line=882,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1399,7 +1408,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=882,
+        line=887,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1408,7 +1417,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=889,
+        line=894,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1417,7 +1426,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=896,
+        line=901,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1426,7 +1435,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=902,
+        line=907,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1434,7 +1443,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=909,
+        line=914,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1443,7 +1452,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=922,
+        line=927,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1451,7 +1460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=927,
+        line=932,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1459,7 +1468,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=931,
+        line=936,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1468,7 +1477,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=937,
+        line=942,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1476,7 +1485,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=942,
+        line=947,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1485,7 +1494,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=946,
+        line=951,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1493,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=951,
+        line=956,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1502,7 +1511,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=955,
+        line=960,
     ),
     "advance": Symbol(
         "advance",
@@ -1511,7 +1520,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=960,
+        line=965,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1519,7 +1528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=965,
+        line=970,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1528,7 +1537,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=969,
+        line=974,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1536,7 +1545,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=974,
+        line=979,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1544,7 +1553,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=978,
+        line=983,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1553,7 +1562,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=982,
+        line=987,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1561,7 +1570,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=987,
+        line=992,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1569,7 +1578,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=991,
+        line=996,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1577,7 +1586,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=996,
+        line=1001,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1585,7 +1594,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1002,
+        line=1007,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1594,7 +1603,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=1006,
+        line=1011,
     ),
     "slip": Symbol(
         "slip",
@@ -1602,7 +1611,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1013,
+        line=1018,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1610,7 +1619,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=1019,
+        line=1024,
     ),
     "circling": Symbol(
         "circling",
@@ -1619,7 +1628,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=1023,
+        line=1028,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1627,7 +1636,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1030,
+        line=1035,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1636,7 +1645,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1034,
+        line=1039,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1645,7 +1654,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1039,
+        line=1044,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1654,7 +1663,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1044,
+        line=1049,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1662,7 +1671,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1049,
+        line=1054,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1671,7 +1680,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1053,
+        line=1058,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1679,7 +1688,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1058,
+        line=1063,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1687,7 +1696,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1062,
+        line=1067,
     ),
     "arc": Symbol(
         "arc",
@@ -1696,7 +1705,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1068,
+        line=1073,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1705,7 +1714,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1073,
+        line=1078,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1713,7 +1722,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1083,
+        line=1088,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1721,7 +1730,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1087,
+        line=1092,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1730,7 +1739,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1091,
+        line=1096,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1739,7 +1748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1096,
+        line=1101,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1748,7 +1757,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1101,
+        line=1106,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1757,7 +1766,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1106,
+        line=1111,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1766,7 +1775,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1111,
+        line=1116,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1774,7 +1783,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1116,
+        line=1121,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1783,7 +1792,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1125,
+        line=1130,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1791,7 +1800,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1130,
+        line=1135,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1800,7 +1809,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1134,
+        line=1139,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1808,7 +1817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1139,
+        line=1144,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1816,7 +1825,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1143,
+        line=1148,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1825,7 +1834,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1147,
+        line=1152,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1834,7 +1843,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1152,
+        line=1157,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1843,7 +1852,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1157,
+        line=1162,
     ),
     "work": Symbol(
         "work",
@@ -1851,7 +1860,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1162,
+        line=1167,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -1860,7 +1869,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1166,
+        line=1171,
     ),
     "bounce_energy_most": Symbol(
         "bounce_energy_most",
@@ -1869,7 +1878,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\max}^e",
         file="srs/symbols.md",
-        line=1171,
+        line=1176,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1878,7 +1887,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1176,
+        line=1181,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1886,7 +1895,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1181,
+        line=1186,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1895,7 +1904,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1185,
+        line=1190,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1903,7 +1912,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1190,
+        line=1195,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1912,7 +1921,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1195,
+        line=1200,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -1921,7 +1930,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1200,
+        line=1205,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1930,7 +1939,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1205,
+        line=1210,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1939,7 +1948,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1210,
+        line=1215,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -1948,7 +1957,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1217,
+        line=1222,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -1957,7 +1966,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1222,
+        line=1227,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -1965,7 +1974,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1227,
+        line=1232,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -1973,7 +1982,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1232,
+        line=1237,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -1981,7 +1990,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1238,
+        line=1243,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -1990,7 +1999,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1242,
+        line=1247,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -1999,7 +2008,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1249,
+        line=1254,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2008,7 +2017,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1254,
+        line=1259,
     ),
     "energy": Symbol(
         "energy",
@@ -2016,7 +2025,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1259,
+        line=1264,
     ),
     "radius": Symbol(
         "radius",
@@ -2025,7 +2034,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1268,
+        line=1273,
     ),
     "length": Symbol(
         "length",
@@ -2034,7 +2043,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1273,
+        line=1278,
     ),
     "width": Symbol(
         "width",
@@ -2043,7 +2052,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1280,
+        line=1285,
     ),
     "height": Symbol(
         "height",
@@ -2052,7 +2061,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1285,
+        line=1290,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2061,7 +2070,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1290,
+        line=1295,
     ),
     "center": Symbol(
         "center",
@@ -2070,7 +2079,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1295,
+        line=1300,
     ),
     "offset": Symbol(
         "offset",
@@ -2078,7 +2087,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1300,
+        line=1305,
     ),
     "area": Symbol(
         "area",
@@ -2087,7 +2096,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1304,
+        line=1309,
     ),
     "way": Symbol(
         "way",
@@ -2096,7 +2105,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1309,
+        line=1314,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2104,7 +2113,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1314,
+        line=1319,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2113,7 +2122,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1318,
+        line=1323,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2122,7 +2131,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1323,
+        line=1328,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2130,7 +2139,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1328,
+        line=1333,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2138,7 +2147,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1332,
+        line=1337,
     ),
     "lean": Symbol(
         "lean",
@@ -2146,7 +2155,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1336,
+        line=1341,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2154,7 +2163,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1340,
+        line=1345,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2162,7 +2171,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1344,
+        line=1349,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2171,7 +2180,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1350,
+        line=1355,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2179,7 +2188,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1363,
+        line=1368,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2187,7 +2196,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1367,
+        line=1372,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2196,7 +2205,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1371,
+        line=1376,
     ),
     "slope": Symbol(
         "slope",
@@ -2205,7 +2214,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1376,
+        line=1381,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2214,7 +2223,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1381,
+        line=1386,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2223,7 +2232,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1386,
+        line=1391,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2232,7 +2241,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1391,
+        line=1396,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2240,7 +2249,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1396,
+        line=1401,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2248,7 +2257,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1400,
+        line=1405,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2256,7 +2265,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1404,
+        line=1409,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2265,7 +2274,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1408,
+        line=1413,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2273,7 +2282,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1413,
+        line=1418,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2281,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1417,
+        line=1422,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2289,7 +2298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1421,
+        line=1426,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2297,7 +2306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1425,
+        line=1430,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2305,7 +2314,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1429,
+        line=1434,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2314,7 +2323,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1433,
+        line=1438,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2323,7 +2332,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1438,
+        line=1443,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2332,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1443,
+        line=1448,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2341,7 +2350,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1448,
+        line=1453,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2349,7 +2358,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1453,
+        line=1458,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2358,7 +2367,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1457,
+        line=1462,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2366,7 +2375,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1462,
+        line=1467,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2374,7 +2383,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1466,
+        line=1471,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2383,7 +2392,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1470,
+        line=1475,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2392,7 +2401,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1475,
+        line=1480,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2400,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1480,
+        line=1485,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2409,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1484,
+        line=1489,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2417,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1489,
+        line=1494,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2425,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1493,
+        line=1498,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2434,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1497,
+        line=1502,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2442,7 +2451,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1502,
+        line=1507,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2451,7 +2460,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1506,
+        line=1511,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2460,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1511,
+        line=1516,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2469,7 +2478,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1516,
+        line=1521,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2477,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1521,
+        line=1526,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2486,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1525,
+        line=1530,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2494,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1530,
+        line=1535,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2502,7 +2511,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1534,
+        line=1539,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2511,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1538,
+        line=1543,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2520,7 +2529,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1543,
+        line=1548,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2529,7 +2538,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1548,
+        line=1553,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2537,7 +2546,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1553,
+        line=1558,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2545,7 +2554,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1557,
+        line=1562,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2553,7 +2562,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1561,
+        line=1566,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2562,7 +2571,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1565,
+        line=1570,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2571,7 +2580,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1570,
+        line=1575,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2580,7 +2589,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1575,
+        line=1580,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2589,7 +2598,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1580,
+        line=1585,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2598,7 +2607,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1585,
+        line=1590,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2607,7 +2616,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1590,
+        line=1595,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2616,7 +2625,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1595,
+        line=1600,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2625,7 +2634,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1600,
+        line=1605,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2633,7 +2642,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1605,
+        line=1610,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2642,7 +2651,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1609,
+        line=1614,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2650,7 +2659,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1614,
+        line=1619,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2659,7 +2668,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1618,
+        line=1623,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2668,7 +2677,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1623,
+        line=1628,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2677,7 +2686,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1628,
+        line=1633,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2686,7 +2695,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1633,
+        line=1638,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2695,7 +2704,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1638,
+        line=1643,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2703,7 +2712,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1643,
+        line=1648,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2712,7 +2721,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1647,
+        line=1652,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2721,7 +2730,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1652,
+        line=1657,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2730,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1657,
+        line=1662,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2739,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1662,
+        line=1667,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2747,7 +2756,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1667,
+        line=1672,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2755,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1671,
+        line=1676,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2764,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1675,
+        line=1680,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2773,7 +2782,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1680,
+        line=1685,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2782,7 +2791,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1685,
+        line=1690,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2791,7 +2800,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1690,
+        line=1695,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2800,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1695,
+        line=1700,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2809,7 +2818,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1700,
+        line=1705,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2818,7 +2827,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1705,
+        line=1710,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2827,7 +2836,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1710,
+        line=1715,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2836,7 +2845,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1715,
+        line=1720,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2844,7 +2853,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1720,
+        line=1725,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2852,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1724,
+        line=1729,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2861,7 +2870,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1728,
+        line=1733,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2869,7 +2878,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1733,
+        line=1738,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2877,7 +2886,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1737,
+        line=1742,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2886,7 +2895,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1741,
+        line=1746,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2895,7 +2904,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1746,
+        line=1751,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2904,7 +2913,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1751,
+        line=1756,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2912,7 +2921,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1756,
+        line=1761,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2921,7 +2930,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1760,
+        line=1765,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2929,7 +2938,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1765,
+        line=1770,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2938,7 +2947,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1769,
+        line=1774,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2947,7 +2956,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1774,
+        line=1779,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2955,7 +2964,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1779,
+        line=1784,
     ),
     "change": Symbol(
         "change",
@@ -2964,7 +2973,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1783,
+        line=1788,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2973,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1788,
+        line=1793,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2982,7 +2991,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1793,
+        line=1798,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2990,7 +2999,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1798,
+        line=1803,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2999,7 +3008,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1802,
+        line=1807,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3007,7 +3016,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1807,
+        line=1812,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3015,7 +3024,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1811,
+        line=1816,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3023,7 +3032,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1815,
+        line=1820,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3032,7 +3041,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1819,
+        line=1824,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3040,7 +3049,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1824,
+        line=1829,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3049,6 +3058,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1828,
+        line=1833,
     ),
 }

@@ -28,6 +28,7 @@ FIRMEST = 2.0  # frequency under load, to that without
 DAMPING = 10.0  # of the spring, where 1 is critical
 REST = 0.015  # of the smaller radius: overlap to which a load should lead
 LEARNT = 0.02  # of the overlap, by the preload in a step
+UNLEARNT = 0.5  # of a gap: much less lets heaps boil, as single loaded contacts open and close
 PRELOADED = 0.2  # of the smaller radius: largest preload
 FASTEST = 0.02  # of the smaller radius: how far an overlap is pushed apart in a substep, at most
 
@@ -107,7 +108,7 @@ def impulse_lanes(at: int, of: int, ratio: float, row: Array, found: Array) -> N
         gap, normal = found[of + tb.F_GAP + m], found[of + tb.F_NORMAL_IMPULSE + m]
         most = PRELOADED * row[tb.R_SMALLER_RADIUS + m]
         before = found[of + tb.F_PRELOAD + m]
-        learnt = preload_later(before, gap, LEARNT, row[tb.R_ALLOWED + m], most)
+        learnt = preload_later(before, gap, LEARNT, UNLEARNT, row[tb.R_ALLOWED + m], most)
         preload = learnt if normal > 0.0 else 0.0
         found[of + tb.F_PRELOAD + m] = preload
         row[at + tb.P_GAP + m] = gap - preload
