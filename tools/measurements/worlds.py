@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from tamias2d import Disc, HalfPlane, Scene, Stepped
-from tamias2d.ensemble.discs import followed
+from tamias2d.ensemble.followed import followed
 from tamias2d.ensemble.request import Request, request_of
 from tamias2d.ensemble.stepped import stepped
 from tamias2d.ensemble.worlds import VariedWorlds, worlds_of

@@ -9,7 +9,7 @@ from scipy import stats
 
 import tamias2d as t2
 from tamias2d.ensemble import discs
-from tamias2d.ensemble.discs import Followed, followed
+from tamias2d.ensemble.followed import Followed, followed
 from tamias2d.ensemble.request import request_of
 from tamias2d.ensemble.worlds import worlds_of
 from tamias2d.event_driven import tables
