@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.contact import MANY, is_known
 from tamias2d.contact.core import Core
-from tamias2d.contact.stepping_choice import MANY
 from tamias2d.ensemble.request import STATE, Request
 from tamias2d.ensemble.worlds import VariedWorlds, Worlds, inertia_of, value_of
 from tamias2d.event_driven import LIBRARY, tables
@@ -23,8 +23,7 @@ from tamias2d.generated import definitions, rotation, translation
 from tamias2d.kernels.groups import addresses
 from tamias2d.motion import ClosedForm
 from tamias2d.record.dataset import BODIES, DIMENSIONS
-from tamias2d.scene import Body, Chain, Compound, Disc, HalfPlane, Scene
-from tamias2d.scene.filters import filters
+from tamias2d.scene import Body, Disc, HalfPlane, Scene
 from tamias2d.state import Array
 from tamias2d.work_limit import WORK_LIMIT
 
@@ -120,11 +119,9 @@ def _fits(worlds: VariedWorlds) -> bool:
 
 
 def _known(body: Body) -> bool:
-    still = body.kinematic or body.sensor or filters(body)
     slowed = body.linear_drag or body.quadratic_drag or body.angular_drag
     twisted = body.shape is None and bool(body.angular_velocity or body.torque)
-    convex = not isinstance(body.shape, Chain | Compound)
-    return convex and body.constant and not (still or slowed or twisted)
+    return is_known(body) and body.constant and not (slowed or twisted)
 
 
 def _of_body(scene: Scene, keys: tuple[Any, ...]) -> bool:
