@@ -7,6 +7,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.contact import Refusal
+from tamias2d.event_driven import LIBRARY
 from tamias2d.motion import ClosedForm
 from tamias2d.study.penetration import penetrations
 
@@ -39,6 +40,14 @@ def test_a_rod_stays_above_a_line(orientation, restitution):
     )
     assert run.position[:, 1, 1].min() > -1e-12
     assert len(run.impacts)
+
+
+def test_what_is_thin_is_not_left_to_compiled_code():
+    """It does not remember from which side thin bodies have met, and let this rod pass."""
+    LIBRARY.compiled()
+    assert LIBRARY.is_loaded()
+    run = fallen(t2.Segment(length=20), t2.Segment(length=1), restitution=0.5)
+    assert run.position[:, 1, 1].min() > -1e-12
 
 
 @pytest.mark.parametrize("thickness", THICKNESSES)

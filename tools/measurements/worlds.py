@@ -7,6 +7,7 @@ located ones, and their share is told.
 """
 
 from argparse import ArgumentParser
+from itertools import product
 from statistics import median
 from time import process_time
 from typing import Any
@@ -14,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from tamias2d import Disc, HalfPlane, Scene, Stepped
-from tamias2d.ensemble.discs import followed
+from tamias2d.ensemble.followed import followed
 from tamias2d.ensemble.request import Request, request_of
 from tamias2d.ensemble.stepped import stepped
 from tamias2d.ensemble.worlds import VariedWorlds, worlds_of
@@ -35,6 +36,7 @@ def options(parser: ArgumentParser) -> None:
     """Add what can be chosen."""
     parser.add_argument("--discs", nargs="+", type=int, default=list(_ASKED), help="(2 5 10)")
     parser.add_argument("--restitution", nargs="+", type=float, default=[1.0, 0.9], help="(1 0.9)")
+    parser.add_argument("--friction", nargs="+", type=float, default=[0.0, 0.5], help="(0 0.5)")
     parser.add_argument("--worlds", type=int, default=512, help="of a turn (512)")
     parser.add_argument("--turns", type=int, default=7, help="(7)")
     parser.add_argument("--duration", type=float, default=4.0, help="s (4)")
@@ -44,21 +46,24 @@ def options(parser: ArgumentParser) -> None:
 def measure(
     discs: list[int] | None = None,
     restitution: list[float] | None = None,
+    friction: list[float] | None = None,
     worlds: int = 512,
     turns: int = 7,
     duration: float = 4.0,
     seed: int = 1,
 ) -> dict[str, Any]:
-    """Return a row for each number of discs, restitution, and way through contacts."""
-    kinds = [(count, bounce) for bounce in restitution or [1.0, 0.9] for count in discs or _ASKED]
+    """Return a row for each number of discs, restitution, friction, and way through contacts."""
+    kinds = list(product(restitution or [1.0, 0.9], friction or [0.0, 0.5], discs or _ASKED))
     rows: list[dict[str, Any]] = []
-    for count, bounce in each(kinds, "Worlds"):
-        many = scattered(count, bounce, max(worlds, _LEAST_WORLDS) * turns, seed)
+    for bounce, rough, count in each(kinds, "Worlds"):
+        many = scattered(count, bounce, max(worlds, _LEAST_WORLDS) * turns, seed, friction=rough)
         rows += _rows(many, turns, duration)
     return {"duration": duration, "turns": turns, "seed": seed, "rows": rows}
 
 
-def scattered(count: int, restitution: float, worlds: int, seed: int) -> VariedWorlds:
+def scattered(
+    count: int, restitution: float, worlds: int, seed: int, *, friction: float = 0.0
+) -> VariedWorlds:
     """Return worlds of discs that start apart from each other, with random velocities."""
     scene = Scene(gravity=(0.0, _GRAVITY), name="walls")
     for name, normal, offset in (
@@ -66,13 +71,14 @@ def scattered(count: int, restitution: float, worlds: int, seed: int) -> VariedW
         ("left", (1.0, 0.0), 0.0),
         ("right", (-1.0, 0.0), -_WIDTH),
     ):
-        scene.add_static(HalfPlane(normal=normal, offset=offset), restitution=1.0, name=name)
+        wall = HalfPlane(normal=normal, offset=offset)
+        scene.add_static(wall, restitution=1.0, friction=friction, name=name)
     random = np.random.default_rng(seed)
     vary: dict[str, Any] = {}
     places = _apart(random, worlds, count)
     for k in range(count):
         scene.add_body(
-            Disc(radius=_RADIUS), mass=1.0, position=(0.3 + 0.35 * k, 1.0), friction=0.0,
+            Disc(radius=_RADIUS), mass=1.0, position=(0.3 + 0.35 * k, 1.0), friction=friction,
             restitution=restitution, name=f"disc{k}",
         )  # fmt: skip
         vary[f"bodies.disc{k}.position"] = places[:, k]
@@ -119,6 +125,7 @@ def _rows(many: VariedWorlds, turns: int, duration: float) -> list[dict[str, Any
         {
             "discs": sum(body.dynamic for body in many.base.bodies),
             "restitution": float(many.base.bodies[-1].restitution or 0.0),
+            "friction": float(many.base.bodies[-1].friction or 0.0),
             "way": name,
             "seconds": median(spent[name]),
             "pymunk": median(spent["pymunk"]),
@@ -143,13 +150,14 @@ def _chipmunk(many: VariedWorlds, first: int, count: int, request: Request) -> f
         space = pymunk.Space()
         space.gravity = scene.gravity
         space.collision_slop = 0.01 * _RADIUS
-        _walls(pymunk, space)
+        _walls(pymunk, space, float(discs[0].friction or 0.0))
         bodies = []
         for disc, place, velocity in zip(discs, at, by, strict=True):
             body = pymunk.Body(disc.mass, disc.inertia)
             body.position, body.velocity = place, velocity
             circle = pymunk.Circle(body, _RADIUS)
             circle.elasticity = float(disc.restitution or 0.0)
+            circle.friction = float(disc.friction or 0.0)
             space.add(body, circle)
             bodies.append(body)
         for _ in range(steps):
@@ -158,7 +166,7 @@ def _chipmunk(many: VariedWorlds, first: int, count: int, request: Request) -> f
     return (process_time() - start) / count
 
 
-def _walls(pymunk: Any, space: Any) -> None:
+def _walls(pymunk: Any, space: Any, friction: float) -> None:
     far = 1000.0
     for a, b in (
         ((-far, 0.0), (far, 0.0)),
@@ -166,13 +174,14 @@ def _walls(pymunk: Any, space: Any) -> None:
         ((_WIDTH, -far), (_WIDTH, far)),
     ):
         wall = pymunk.Segment(space.static_body, a, b, 0.0)
-        wall.elasticity = 1.0
+        wall.elasticity, wall.friction = 1.0, friction
         space.add(wall)
 
 
 COLUMNS: Columns = {
     "discs": "{discs}",
     "restitution": "{restitution:g}",
+    "friction": "{friction:g}",
     "way": "{way}",
     "us a world": lambda row: f"{1e6 * row['seconds']:.1f}",
     "Pymunk": lambda row: f"{1e6 * row['pymunk']:.0f}",

@@ -4,7 +4,7 @@ Serves: `solve`, which makes a run of the paths and impulses. Hides: how an impa
 (conservative advancement along separating axes), and in which order one instant is resolved.
 """
 
-from tamias2d.contact.event_driven_scenes import is_event_driven
+from tamias2d.contact.event_driven_scenes import is_event_driven, is_known
 from tamias2d.contact.located import MOST_RULED, RULED, Located
 from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
@@ -34,6 +34,7 @@ __all__ = [
     "UndecidedContactError",
     "UnlocatedContactError",
     "is_event_driven",
+    "is_known",
     "refuse_contact",
     "steps_because",
 ]

@@ -1,16 +1,38 @@
 """Scenes that compiled code can follow from impact to impact (`tamias2d.event_driven`)."""
 
+import math
+
+from tamias2d.contact.core import Core, Side
 from tamias2d.scene import Body, Chain, Compound, Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.filters import filters
+
+_THIN = 0.02  # of how far a body reaches: twice the largest gap that may count as none there
 
 
 def is_event_driven(scene: Scene) -> bool:
     """Whether a scene is of convex bodies, half-planes and particles under constant loads alone."""
     loads = scene.springs or scene.fields or scene.joints or scene.attraction is not None
-    return not loads and all(map(_is_known, scene.bodies)) and not varying_loads(scene)
+    return not loads and all(map(is_known, scene.bodies)) and not varying_loads(scene)
 
 
-def _is_known(body: Body) -> bool:
+def is_known(body: Body) -> bool:
+    """Whether compiled code knows a body: convex, and thick enough that a gap tells its side.
+
+    It does not remember from which side two bodies have met, as thin ones have to.
+    """
     convex = not isinstance(body.shape, Chain | Compound)
-    return convex and not (body.kinematic or body.sensor or filters(body))
+    alone = not (body.kinematic or body.sensor or filters(body))
+    return convex and alone and not _is_thin(Core(0, body))
+
+
+def _is_thin(core: Core) -> bool:
+    """Whether a body is much less wide in some direction than it reaches."""
+    return core.solid and any(_width(core, side) < _THIN * core.size for side in core.sides)
+
+
+def _width(core: Core, side: Side) -> float:
+    """Return how wide a body is across one of its sides, m."""
+    x, y = side.normal
+    lowest = min((x * a + y * b for a, b in core.corners), default=-math.inf)
+    return side.offset - lowest + core.radius

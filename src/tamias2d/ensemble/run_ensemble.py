@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tamias2d.ensemble.dataset import dataset_of
-from tamias2d.ensemble.discs import mostly_followed
 from tamias2d.ensemble.execution import done, executors_of
+from tamias2d.ensemble.followed import mostly_followed
 from tamias2d.ensemble.request import STATE, Quantity, Request, request_of
 from tamias2d.ensemble.sampling import Design
 from tamias2d.ensemble.solving import REFUSED, Block, solved_block

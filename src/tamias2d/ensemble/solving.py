@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.balance import balance
-from tamias2d.ensemble.discs import followed
+from tamias2d.ensemble.followed import followed
 from tamias2d.ensemble.request import Request, kept_of
 from tamias2d.ensemble.stepped import stepped
 from tamias2d.ensemble.worlds import Worlds, refuse_other_bodies

@@ -19,7 +19,7 @@ from tamias2d.engine.batch import UNSTATED
 from tamias2d.engine.body_pool import strips
 from tamias2d.engine.shape_rows import shape_rows
 from tamias2d.ensemble.request import STATE, Request
-from tamias2d.ensemble.worlds import VariedWorlds, Worlds, value_of
+from tamias2d.ensemble.worlds import VariedWorlds, Worlds, inertia_of, value_of
 from tamias2d.errors import InputError, SceneError, SimulationError
 from tamias2d.motion import Stepped
 from tamias2d.record.dataset import BODIES, DIMENSIONS
@@ -142,21 +142,10 @@ def _fill(worlds: VariedWorlds, k: int, body: Body, found: _Starts) -> None:
     found.velocity[:, k, 2] = value(body.angular_velocity, "angular_velocity")
     found.load[:, k, 2] = 0.0 + value(load[2], "torque")
     found.inverse[:, k, 0] = 1 / value(body.mass, "mass")
-    found.inverse[:, k, 1] = 1 / _inertia(worlds, body)
+    found.inverse[:, k, 1] = 1 / inertia_of(worlds, body)
     for column, key in enumerate(("friction", "restitution")):
         stated = getattr(body, key)
         found.surface[:, k, column] = value(UNSTATED if stated is None else stated, key)
-
-
-def _inertia(worlds: VariedWorlds, body: Body) -> Any:
-    """Return inertias, kg m^2, that vary, follow from a mass that does, or stay."""
-    keys = ("bodies", body.name)
-    stated = value_of(worlds, (*keys, "inertia"), body.inertia)
-    mass = value_of(worlds, (*keys, "mass"), None)
-    if mass is None or body.inertia_stated or stated is not body.inertia or body.shape is None:
-        return stated
-    shape: Any = body.shape
-    return np.array([shape.inertia(one) for one in mass.tolist()])
 
 
 # -- the order of bodies

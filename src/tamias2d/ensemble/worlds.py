@@ -13,7 +13,7 @@ import numpy as np
 from tamias2d.ensemble.outline import Outline, outline_of, scene_of
 from tamias2d.ensemble.sampling import Design, Values, checked_seed, random_stream, sampled
 from tamias2d.errors import InputError
-from tamias2d.scene import Scene
+from tamias2d.scene import Body, Scene
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator.settings import checked_count
@@ -74,6 +74,17 @@ def value_of(worlds: VariedWorlds, keys: tuple[Any, ...], base: Any) -> Any:
         if place.vector and place.keys == keys[:-1]:
             return values[:, keys[-1]]
     return base
+
+
+def inertia_of(worlds: VariedWorlds, body: Body) -> Any:
+    """Return inertias, kg m^2, that vary, follow from a mass that does, or stay."""
+    keys = ("bodies", body.name)
+    stated = value_of(worlds, (*keys, "inertia"), body.inertia)
+    mass = value_of(worlds, (*keys, "mass"), None)
+    if mass is None or body.inertia_stated or stated is not body.inertia or body.shape is None:
+        return stated
+    shape: Any = body.shape
+    return np.array([shape.inertia(one) for one in mass.tolist()])
 
 
 @dataclass(frozen=True)

@@ -218,10 +218,10 @@ def _small(world: World, bodies: NDArray[np.int64]) -> NDArray[np.int64]:
     return np.sort(order[radii <= _LARGER * radii[most]])
 
 
-def states_at(world: World, bodies: NDArray[np.int64], time: float) -> Array:
-    """Return the states (m, 6) of some bodies (m,) on their paths at a time, s."""
+def states_at(world: World, bodies: NDArray[np.int64], time: float | Array) -> Array:
+    """Return the states (m, 6) of some bodies (m,) on their paths at a time, s; (k, m, 6) at k."""
     x, y, turn, u, v, spin, ax, ay, turning, start = world.paths[bodies].T
-    elapsed = time - start
+    elapsed = np.asarray(time)[..., np.newaxis] - start
     return np.stack(
         (
             *translation.position((x, y), (u, v), (ax, ay), elapsed),

@@ -26,8 +26,8 @@ from tamias2d.state import Array, History, State
 
 LIBRARY = Library("located impacts", (follow, follow_worlds))
 _NEAR = 1.1  # times the radii: more than what may touch
-_LOAD, _COMPILE = 0.5, 20.0  # s, of what was compiled before, and of what was not
-_LOOK = 0.1  # s, after which it is asked which of the two it is
+_TAKE, _LOAD, _COMPILE = 0.003, 0.5, 20.0  # s: of what is at hand, of what is kept, and else
+_LOOK = 0.1  # s, after which it is asked which of the last two it is
 
 
 def compiled_code() -> Callable[[World], int]:
@@ -92,11 +92,11 @@ class EventDriven:
 
     def _is_worth(self, time: float, until: float) -> bool:
         """Whether compiled code costs less than the rest of the run at the pace so far."""
-        spent = perf_counter() - self._started
-        if spent < _LOOK or time <= 0 or not hypot_agrees():
+        spent, at_hand = perf_counter() - self._started, LIBRARY.is_loaded()
+        if (spent < _LOOK and not at_hand) or time <= 0 or not hypot_agrees():
             return False
         if not self._price:
-            self._price = _LOAD if LIBRARY.is_kept() else _COMPILE
+            self._price = _TAKE if at_hand else _LOAD if LIBRARY.is_kept() else _COMPILE
         return spent / time * (until - time) > self._price
 
     def take(self, time: float, until: float, tracks: Tracks, *, begun: bool) -> None:
@@ -260,9 +260,9 @@ class EventDriven:
         """Write down the states of bodies on their paths of now at so many samples, all at once."""
         told = self.world.notes[bodies, tables.TOLD]
         samples = self.world.samples.reshape(-1, len(self.world.kinds), 6)
-        for k in range(int(told.min(initial=count)), count):
-            rest = bodies[told <= k]
-            samples[k, rest] = states_at(self.world, rest, float(self._times[k]))
+        for first in np.unique(told[told < count]).tolist():
+            some = bodies[told == first]
+            samples[first:count, some] = states_at(self.world, some, self._times[first:count])
 
     def _tell(self, body: int, until: float, paths: Sequence[Piece]) -> None:
         """Write down the states of a body at all samples before a time, s, from its last paths."""

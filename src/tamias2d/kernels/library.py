@@ -35,6 +35,10 @@ class Library:
         """Whether it was compiled before, as far as can be told without the compiler."""
         return is_kept(_text(self))
 
+    def is_loaded(self) -> bool:
+        """Whether it is at hand, compiled."""
+        return self in _LOADED
+
     def plain(self) -> SimpleNamespace:
         """Return the entries by their names as they are, to look into and to compare with."""
         return SimpleNamespace(**{entry.__name__: entry for entry in self.entries})
@@ -45,10 +49,14 @@ class Library:
         Their bits are those of the plain ones. An entry that takes a group takes its `addresses`
         instead.
         """
-        return _compiled(self)
+        if self not in _LOADED:
+            _LOADED[self] = _compiled(self)
+        return _LOADED[self]
 
 
-@cache
+_LOADED: dict[Library, SimpleNamespace] = {}
+
+
 def _compiled(library: Library) -> SimpleNamespace:
     text = _text(library)
     with progress(library.name, text):

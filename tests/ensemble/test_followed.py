@@ -1,4 +1,4 @@
-"""Worlds of discs that compiled code follows have the bits that they have alone."""
+"""Worlds that compiled code follows have the bits that they have alone."""
 
 import math
 from typing import Any
@@ -8,12 +8,12 @@ import pytest
 from scipy import stats
 
 import tamias2d as t2
-from tamias2d.ensemble import discs
-from tamias2d.ensemble.discs import Followed, followed
+from tamias2d.ensemble import followed as following
+from tamias2d.ensemble.followed import Followed, followed
 from tamias2d.ensemble.request import request_of
 from tamias2d.ensemble.worlds import worlds_of
 from tamias2d.event_driven import tables
-from tests.ensemble.scenes import bouncing, stack
+from tests.ensemble.scenes import bouncing
 from tools.measurements.worlds import scattered
 
 
@@ -52,9 +52,44 @@ def crowd(seed: int) -> tuple[t2.Scene, dict[str, Any]]:
     return scene, vary
 
 
+def rough_crowd(seed: int) -> tuple[t2.Scene, dict[str, Any]]:
+    """Bodies of all shapes that are thrown, spinning, onto a rough floor, and what varies."""
+    chance = np.random.default_rng(seed)
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    floor = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
+    scene.add_static(floor, restitution=1.0, friction=0.5, name="floor")
+    post = t2.Box(width=0.5, height=0.5)
+    scene.add_static(post, position=(2.0, 1.0), restitution=0.9, friction=0.2, name="post")
+    shapes = (
+        t2.Disc(radius=0.2),
+        t2.Box(width=0.5, height=0.3),
+        t2.Polygon(vertices=[(-0.2, -0.2), (0.3, -0.1), (0.0, 0.3)]),
+        t2.Capsule(length=0.4, radius=0.1),
+    )
+    vary: dict[str, Any] = {"friction_of_pairs.post.body1": stats.uniform(0.0, 2.0)}
+    for k, shape in enumerate(chance.permutation(np.array(shapes, dtype=object))):
+        scene.add_body(
+            shape,
+            mass=1.0,
+            position=(1.0 * k - 1.0, 1.5),
+            restitution=0.9,
+            friction=chance.uniform(0.0, 1.0),
+            name=f"body{k}",
+        )
+        body = f"bodies.body{k}"
+        vary |= {
+            f"{body}.velocity.x": stats.norm(0.0, 2.0),
+            f"{body}.orientation": stats.uniform(0.0, 6.0),
+            f"{body}.angular_velocity": stats.norm(0.0, 5.0),
+            f"{body}.mass": stats.uniform(0.5, 2.0),
+            f"{body}.friction": stats.uniform(0.0, 1.0),
+        }
+    return scene, vary
+
+
 @pytest.fixture(autouse=True)
 def _few_are_worth_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(discs, "_WORTH", 1)
+    monkeypatch.setattr(following, "_WORTH", 1)
 
 
 def compare(scene: t2.Scene, vary: Any, worlds: int, duration: float, seed: int) -> Followed:
@@ -76,6 +111,12 @@ def compare(scene: t2.Scene, vary: Any, worlds: int, duration: float, seed: int)
 @pytest.mark.parametrize("seed", range(6))
 def test_worlds_that_are_followed_have_the_bits_of_the_ordinary_way(seed: int) -> None:
     compare(*crowd(seed), worlds=4, duration=1.5, seed=seed)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_worlds_of_all_shapes_with_friction_have_the_bits_of_the_ordinary_way(seed: int) -> None:
+    found = compare(*rough_crowd(seed), worlds=8, duration=1.0, seed=seed)
+    assert found.done.any()
 
 
 def test_a_table_of_pairs_finds_what_a_queue_of_events_does() -> None:
@@ -125,11 +166,13 @@ def test_a_disc_that_bounces_and_comes_to_rest_is_followed() -> None:
 
 
 def test_what_is_not_of_this_kind_is_left_to_the_ordinary_way() -> None:
-    for scene in (bouncing(), stack()):
-        worlds = worlds_of(scene, {"gravity.y": [-1.0]}, None, None, None)
-        assert followed(worlds, request_of(scene, duration=0.1), 0, 1) is None
-    scene, _ = crowd(1)
-    worlds = worlds_of(scene, {"friction_of_pairs.disc0.wall0": [0.5]}, None, None, None)
+    worlds = worlds_of(bouncing(), {"gravity.y": [-1.0]}, None, None, None)
+    assert followed(worlds, request_of(worlds.base, duration=0.1), 0, 1) is None
+    scene, _ = rough_crowd(1)
+    box = next(
+        body.name for body in scene.bodies if isinstance(body.shape, t2.Box) and body.dynamic
+    )
+    worlds = worlds_of(scene, {f"bodies.{box}.width": [0.4]}, None, None, None)
     assert followed(worlds, request_of(scene, duration=0.1), 0, 1) is None
 
 

@@ -1,10 +1,10 @@
-"""Ensembles of discs and half-planes without friction, whose worlds compiled code can follow.
+"""Ensembles of convex bodies and half-planes, whose worlds compiled code follows to their impacts.
 
 Serves: the solving of blocks. Hides: which ensembles these are, and how what varies becomes the
 tables of compiled code, for all worlds at once.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.contact.stepping_choice import MANY
+from tamias2d.contact import MANY, is_known
+from tamias2d.contact.core import Core
 from tamias2d.ensemble.request import STATE, Request
-from tamias2d.ensemble.worlds import VariedWorlds, Worlds, value_of
+from tamias2d.ensemble.worlds import VariedWorlds, Worlds, inertia_of, value_of
 from tamias2d.event_driven import LIBRARY, tables
 from tamias2d.event_driven.arrangement import blank_few, blank_world, hulls_of, kinds_of
 from tamias2d.event_driven.length import hypot_agrees
@@ -23,15 +24,15 @@ from tamias2d.kernels.groups import addresses
 from tamias2d.motion import ClosedForm
 from tamias2d.record.dataset import BODIES, DIMENSIONS
 from tamias2d.scene import Body, Disc, HalfPlane, Scene
-from tamias2d.scene.filters import filters
 from tamias2d.state import Array
 from tamias2d.work_limit import WORK_LIMIT
 
 _MOST_IMPACTS = 999  # from 1000 on, the rest of a run is estimated
 _VARIED = (
     *("position", "velocity", "orientation", "angular_velocity", "mass", "inertia", "force"),
-    *("torque", "radius", "restitution"),
+    *("torque", "radius", "restitution", "friction"),
 )
+_OF_PAIRS = ("restitution_of_pairs", "friction_of_pairs")
 _LARGEST = 1e100  # what is beyond it is left to the ordinary way, which tells why it cannot be
 _WORTH = 100  # worlds: to compile for fewer takes longer than it saves
 _PILOT, _MOST = 64, 0.98
@@ -110,28 +111,26 @@ def _fits(worlds: VariedWorlds) -> bool:
     alone = not (scene.springs or scene.fields or scene.attraction is not None)
     if not alone or len(_pushed(scene)) > MANY or not all(map(_known, scene.bodies)):
         return False
-    pairs = combinations(range(len(scene)), 2)
-    smooth = not any(scene.friction(i, j) for i, j in pairs)
     varied = all(
-        place.keys[0] in ("gravity", "restitution_of_pairs") or _of_body(scene, place.keys)
+        place.keys[0] in ("gravity", *_OF_PAIRS) or _of_body(scene, place.keys)
         for place in worlds.values
     )
-    return smooth and varied and hypot_agrees()
+    return varied and hypot_agrees()
 
 
 def _known(body: Body) -> bool:
-    still = body.kinematic or body.sensor or filters(body)
     slowed = body.linear_drag or body.quadratic_drag or body.angular_drag
     twisted = body.shape is None and bool(body.angular_velocity or body.torque)
-    shaped = body.shape is None or isinstance(body.shape, Disc | HalfPlane)
-    return shaped and body.constant and not (still or slowed or twisted)
+    return is_known(body) and body.constant and not (slowed or twisted)
 
 
 def _of_body(scene: Scene, keys: tuple[Any, ...]) -> bool:
     """Whether what varies is of a body, and such as compiled code knows."""
     body = scene.bodies[scene.index(keys[1])] if keys[0] == "bodies" else None
     if body is None or keys[2] not in _VARIED or isinstance(body.shape, HalfPlane):
-        return body is not None and keys[2] == "restitution"
+        return body is not None and keys[2] in ("restitution", "friction")
+    if keys[2] == "radius":
+        return isinstance(body.shape, Disc)
     return body.shape is not None or keys[2] not in ("angular_velocity", "torque", "inertia")
 
 
@@ -164,8 +163,11 @@ def _fill(worlds: VariedWorlds, k: int, found: Array) -> None:
     if isinstance(body.shape, HalfPlane):
         found[:, tables.NORMAL_X], found[:, tables.NORMAL_Y] = body.shape.normal
         found[:, tables.OFFSET] = body.shape.offset
-    if isinstance(body.shape, Disc):
+    elif isinstance(body.shape, Disc):
         found[:, tables.RADIUS] = found[:, tables.ROUNDING] = _radius(worlds, body)
+    elif body.shape is not None:
+        core = Core(0, body)
+        found[:, tables.RADIUS], found[:, tables.ROUNDING] = core.bounding_radius, core.radius
     if body.dynamic:
         for name, column in _motion(worlds, body, value):
             found[:, name] = column
@@ -176,14 +178,21 @@ def _radius(worlds: VariedWorlds, body: Body) -> Any:
     return value_of(worlds, ("bodies", body.name, "radius"), body.shape.radius)
 
 
+def _inertia(worlds: VariedWorlds, body: Body) -> Any:
+    """Return inertias, kg m^2; that of a disc follows from its radius, too."""
+    stated = value_of(worlds, ("bodies", body.name, "inertia"), body.inertia)
+    if not isinstance(body.shape, Disc) or body.inertia_stated or stated is not body.inertia:
+        return inertia_of(worlds, body)
+    mass = value_of(worlds, ("bodies", body.name, "mass"), body.mass)
+    return definitions.inertia_disc(mass, _radius(worlds, body))
+
+
 def _motion(worlds: VariedWorlds, body: Body, value: Any) -> Iterator[tuple[int, Any]]:
     """Yield the columns of how a body moves, and what moves it."""
     yield tables.VX, value("velocity", 0)
     yield tables.VY, value("velocity", 1)
     yield tables.SPIN, value("angular_velocity")
-    mass, inertia = value("mass"), value("inertia")
-    if body.shape is not None and not body.inertia_stated and inertia is body.inertia:
-        inertia = definitions.inertia_disc(mass, _radius(worlds, body))
+    mass, inertia = value("mass"), _inertia(worlds, body)
     gravity = tuple(value_of(worlds, ("gravity", c), worlds.base.gravity[c]) for c in (0, 1))
     force = (0.0 + value("force", 0), 0.0 + value("force", 1))
     yield from zip(
@@ -195,28 +204,41 @@ def _motion(worlds: VariedWorlds, body: Body, value: Any) -> Iterator[tuple[int,
 
 
 def _laws(worlds: VariedWorlds, count: int) -> Array:
-    """Return (w, p, 2): restitution, -1 where nothing states it, and no friction, of all pairs."""
-    pairs = list(combinations(range(len(worlds.base)), 2))
+    """Return (w, p, 2): restitution, -1 where nothing states it, and friction, of all pairs."""
+    scene = worlds.base
+    pairs = list(combinations(range(len(scene)), 2))
     found = np.zeros((count, len(pairs), 2))
     for place, (i, j) in enumerate(pairs):
-        found[:, place, 0] = _restitution(worlds, i, j)
+        restitution = _of_pair(
+            worlds, (i, j), "restitution", scene.restitution_of_pairs, definitions.pair_restitution
+        )
+        friction = _of_pair(
+            worlds, (i, j), "friction", scene.friction_of_pairs, definitions.pair_friction
+        )
+        found[:, place, 0] = -1.0 if restitution is None else restitution
+        found[:, place, 1] = 0.0 if friction is None else friction
     return found
 
 
-def _restitution(worlds: VariedWorlds, i: int, j: int) -> Any:
-    scene = worlds.base
-    names = scene.bodies[i].name, scene.bodies[j].name
-    of_pair = scene.restitution_of_pairs.get((i, j))
-    for pair in (names, names[::-1]):
-        of_pair = value_of(worlds, ("restitution_of_pairs", pair), of_pair)
+def _of_pair(
+    worlds: VariedWorlds,
+    pair: tuple[int, int],
+    key: str,
+    of_pairs: Mapping[tuple[int, int], float],
+    combined: Callable[[Any, Any], Any],
+) -> Any:
+    """Return what two bodies state of their contact: for the pair, or each for itself."""
+    first, second = (worlds.base.bodies[k] for k in pair)
+    of_pair = of_pairs.get(pair)
+    for names in ((first.name, second.name), (second.name, first.name)):
+        of_pair = value_of(worlds, (f"{key}_of_pairs", names), of_pair)
     if of_pair is not None:
         return of_pair
     own = [
-        value_of(worlds, ("bodies", body.name, "restitution"), body.restitution)
-        for body in (scene.bodies[i], scene.bodies[j])
+        value_of(worlds, ("bodies", body.name, key), getattr(body, key)) for body in (first, second)
     ]
     stated = [value for value in own if value is not None]
-    return definitions.pair_restitution(stated[0], stated[-1]) if stated else -1.0
+    return combined(stated[0], stated[-1]) if stated else None
 
 
 def _kept(states: Array, request: Request) -> dict[str, Array]:
