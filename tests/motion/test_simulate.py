@@ -113,7 +113,7 @@ def test_interrupted_run_keeps_what_was_computed(monkeypatch):
 
 
 def test_steps_interrupted_before_the_first_sample_keep_the_start(monkeypatch):
-    def stop(self, duration):
+    def stop(*_):
         raise KeyboardInterrupt
 
     monkeypatch.setattr(Stepper, "go", stop)
