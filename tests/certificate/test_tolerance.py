@@ -15,8 +15,9 @@ from tamias2d.run import load
 from tamias2d.study import companion, tolerance as tolerance_module
 from tamias2d.study.companion import limit_beside
 from tamias2d.study.error import history_error
+from tamias2d.study.offers import holding
 from tamias2d.study.pilot import Pilot
-from tamias2d.study.refusal import refusal
+from tamias2d.study.refusal import ToleranceError, refusal
 from tamias2d.work_limit import WORK_LIMIT
 from tools.measurements import held_out
 
@@ -152,11 +153,11 @@ def test_a_plan_is_the_same_each_time() -> None:
 
 def test_what_cannot_be_met_is_refused_with_what_can() -> None:
     scene = t2.catalogue.load("billiard")
-    with pytest.raises(t2.ToleranceError, match="the error can be bounded by") as refused:
+    with pytest.raises(t2.ToleranceError, match="give a tolerance of") as refused:
         t2.simulate(scene, duration=6.0, tolerance=1e-14)
     reachable = refused.value.reachable
     assert reachable is not None
-    assert t2.simulate(scene, duration=6.0, tolerance=2 * reachable).certificate is not None
+    assert t2.simulate(scene, duration=6.0, tolerance=reachable).certificate is not None
 
 
 @pytest.mark.parametrize("tolerance", [0.0, -1.0, 1e-17, 2.0, float("nan"), "1e-6", True])
@@ -231,14 +232,15 @@ def rattling() -> t2.Scene:
 
 
 def test_pilots_that_would_take_too_long_are_refused_with_what_to_do() -> None:
-    with pytest.raises(
-        t2.ToleranceError, match=r"End the run at about .* work_limit of about"
-    ) as e:
+    with pytest.raises(t2.ToleranceError, match=r"End the run at .* work_limit of about") as e:
         t2.simulate(rattling(), duration=1.0, tolerance=1e-6, work_limit=100)
     needed = int(float(str(e.value).split("work_limit of about ")[1].split(",")[0]))
     run = t2.simulate(rattling(), duration=1.0, tolerance=1e-6, work_limit=needed)
     assert run.certificate is not None
     assert run.certificate.meets(1e-6)
+    until = e.value.until
+    assert until is not None
+    assert t2.simulate(rattling(), duration=until, tolerance=1e-6, work_limit=100).certificate
 
 
 def test_pilots_together_take_twice_the_work_of_a_run_at_most() -> None:
@@ -260,11 +262,40 @@ def test_companions_of_a_long_run_may_be_longer() -> None:
 
 def test_what_is_offered_can_be_asked_for() -> None:
     fault = refusal(1e-2, 0.0123)
-    assert fault.reachable == 0.0123
-    assert "1.3e-02" in str(fault)
+    assert fault.reachable == 0.013
+    assert "give a tolerance of 0.013 or more" in str(fault)
     far = refusal(1e-2, 0.83)
     assert far.reachable is None
     assert "at most 0.1 can be asked for" in str(far)
+
+
+def test_offers_that_are_refused_are_not_made() -> None:
+    def meet(tolerance: float | None, time: float) -> None:
+        asked.append((tolerance, time))
+        if tolerance is not None:
+            raise ToleranceError("refused, too.", 2 * tolerance)
+        if time > 1.5:
+            raise ToleranceError("not so long.", until=1.5)
+
+    asked: list[tuple[float | None, float]] = []
+    refused = ToleranceError("refused.", 1e-3, until=2.0, otherwise="give up")
+    found = holding(refused, 4.0, meet)
+    assert found.reachable is None
+    assert found.until == 1.5
+    assert str(found) == "refused. End the run at 1.5 s, or give up."
+    assert asked == [(1e-3, 4.0), (2e-3, 4.0), (None, 2.0), (None, 1.5)]
+
+
+def test_what_stands_still_but_for_rounding_is_measured_by_its_size() -> None:
+    run = t2.simulate(t2.catalogue.load("windmill"), duration=2.0, tolerance=1e-6)
+    assert run.certificate is not None
+    assert run.certificate.meets(1e-6)
+    assert np.ptp(run.position, axis=0).max() < 1e-12
+
+
+def test_tolerances_beyond_float64_are_refused_as_such() -> None:
+    with pytest.raises(t2.ToleranceError, match="tolerance 1e-15"):
+        t2.simulate(t2.catalogue.load("pendulum"), duration=0.1, tolerance=1e-15)
 
 
 @pytest.mark.parametrize("tolerance", [1e-1, 1e-2, 1e-5])

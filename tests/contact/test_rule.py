@@ -9,6 +9,7 @@ from scipy.integrate import solve_ivp
 import tamias2d as t2
 from tamias2d.contact.lemke import lemke
 from tools.measurements.drops import drop
+from tools.measurements.located_drops import ROUNDING, laws
 
 G = 9.81
 DISC = t2.Disc(radius=0.5)
@@ -101,6 +102,16 @@ def test_ordinary_drops_are_located_to_the_end(seed: int):
     run = t2.simulate(drop(seed), duration=3.0)
     assert "ClosedForm" in run.notes[0]
     assert np.diff(run.energy).max() <= 1e-13 * run.energy[0]
+
+
+@pytest.mark.parametrize(
+    ("seed", "duration"),
+    [(9300093, 1.0), (9300131, 1.0), (9300031, 1.0), (9300060, 1.4), (9300081, 0.7)],
+)
+def test_drops_go_on_past_what_lasting_contacts_tremble(seed: int, duration: float):
+    """Two jammed, hidden by what was left of bounces; three met again and again at one instant."""
+    run = t2.simulate(drop(seed), duration=duration, method=t2.ClosedForm())
+    assert max(laws(run).values()) <= ROUNDING
 
 
 def test_what_is_left_of_an_approach_rubs_within_coulombs_bound():

@@ -6,6 +6,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.contact import Located
 from tamias2d.errors import InputError
+from tamias2d.simulator import Stepper
 from tamias2d.solve import Interrupted
 
 
@@ -109,6 +110,18 @@ def test_interrupted_run_keeps_what_was_computed(monkeypatch):
     assert len(run.impacts) == 2
     assert 0 <= run.impacts.time[1] - run.times[-1] < 1 / 60
     assert str(stopped.value).startswith("Run of 4 s: interrupted at 2.4")
+
+
+def test_steps_interrupted_before_the_first_sample_keep_the_start(monkeypatch):
+    def stop(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Stepper, "go", stop)
+    with pytest.raises(Interrupted) as stopped:
+        t2.simulate(falling(), duration=1.0, method=t2.Stepped(), time_step=0.1, times=[1.0])
+    run = stopped.value.run
+    assert run.times.tolist() == [0.0]
+    np.testing.assert_array_equal(run.position[0], [b.position for b in falling().bodies])
 
 
 def test_progress_bar(capsys):

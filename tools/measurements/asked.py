@@ -104,12 +104,14 @@ def _outcome(scene: Scene, ask: "_Question") -> tuple[str, str]:
     try:
         return "met", ask(scene, duration, None)
     except ToleranceError as refused:
-        if refused.until is None and refused.reachable is None:
+        offers: list[tuple[float, float | None]] = []
+        offers += [(refused.until, None)] if refused.until else []
+        offers += [(duration, refused.reachable)] if refused.reachable else []
+        if not offers:
             return "refused without a number", f"{refused}"
-        until = refused.until or duration
-        bound = None if refused.until else refused.reachable
         try:
-            return "refused", f"{refused} [Taken: {ask(scene, until, bound)}]"
+            taken = [ask(scene, *offer) for offer in offers]
+            return "refused", f"{refused} [Taken: {'; '.join(taken)}]"
         except TamiasError as again:
             return "broken offer", f"{refused} [Taken: {again}]"
     except TamiasError as refused:

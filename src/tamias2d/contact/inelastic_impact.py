@@ -54,11 +54,13 @@ def jam_impulses(
 ) -> list[tuple[Contact, float, float]]:
     """Return contacts with the impulses along normal and tangent, N s, that end their sliding.
 
-    None are returned where nothing slides. A little of the loads tells which contacts they press.
+    None are returned where nothing slides. A little of the loads tells which contacts they press,
+    which what is left of normal velocities, if more than that, would hide: it counts as none.
     """
     bodies = sorted(free)
     problem = ForceProblem(cores, bodies, _loose(patches))
     rates = problem.rows @ _velocities(bodies, states).ravel()
+    rates[: problem.count] = 0.0
     loads = problem.rows @ np.array([free[i] for i in bodies]).ravel()
     sliding = np.abs(rates[problem.count :]).max(initial=0.0)
     pull = np.abs(loads).max()

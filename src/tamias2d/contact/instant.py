@@ -55,6 +55,8 @@ class Instant:
         self.separating: dict[PairOf, float] = {}
         """Pairs that separate without normal velocity, with the second derivative of the gap."""
         self._find_touching(bodies)
+        if world.again:
+            self._hush()
         impacts = Impacts(time, world, self.states, self.touching_pairs)
         impacts.resolve()
         self.contact_impulses = impacts.impulses
@@ -84,6 +86,19 @@ class Instant:
                     if i not in seen and self._world.cores[i].dynamic:
                         seen.add(i)
                         todo.append(i)
+
+    def _hush(self) -> None:
+        """Let what moves no more than lasting contacts beside it tremble count as no motion.
+
+        These take up what a slower impact passes on to them, and give it back as an approach.
+        """
+        lasting = [self.touching_pairs[p] for p in self._world.lasting if p in self.touching_pairs]
+        for touch in self.touching_pairs.values():
+            beside = [one.noise for one in lasting if self._share_a_body(one.pair, touch.pair)]
+            touch.noise = max([touch.noise, *beside])
+
+    def _share_a_body(self, one: PairOf, other: PairOf) -> bool:
+        return any(self._world.cores[i].dynamic for i in set(one) & set(other))
 
     def _place(self, body: int) -> Placed:
         if body not in self._placed:

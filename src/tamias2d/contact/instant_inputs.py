@@ -32,3 +32,5 @@ class InstantInputs(NamedTuple):
     friction: Callable[[int, int], float]
     until: float
     """When the run ends, s."""
+    again: bool
+    """Whether its bodies come into contact again and again at this instant."""

@@ -339,6 +339,11 @@ class Located:
                 time=time,
             )
 
+    def _is_again(self, time: float, bodies: Iterable[int]) -> bool:
+        """Whether bodies come into contact at an instant so often that they seem not to get on."""
+        met = max(self._repeats[1].values(), default=0) if self._repeats[0] == time else 0
+        return max(met, *(self._stalled[body] for body in bodies)) > _MAX_REPEATS // 2
+
     def _refine(self, time: float, i: int, j: int, end: float) -> bool:
         """Set more accurate paths for an impact, if any; it is then found again on them."""
         paths = self._motion.approach((i, j), time, self._path, self._constraints)
@@ -372,6 +377,7 @@ class Located:
             self._scene.restitution,
             self._scene.friction,
             self._until,
+            self._is_again(time, bodies),
         )
         instant = Instant(time, world, [i for i in bodies if self._cores[i].dynamic])
         if instant.contact_impulses:

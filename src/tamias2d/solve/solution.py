@@ -102,13 +102,18 @@ def _run(plan: Plan, progress: bool, *, asked: bool) -> Run:
 
 def _check(plan: Plan) -> None:
     """Raise an error where the start is not finite."""
-    _refuse_singular(plan.scene)
+    _refuse_singular(plan.scene, reactions=not isinstance(plan.method, Stepped))
     refuse_infinite(np.zeros(1), *balance(plan.scene, start_of(plan)))
 
 
-def _refuse_singular(scene: Scene) -> None:
-    """Raise an error that names the force, where one has no finite value at the start."""
+def _refuse_singular(scene: Scene, *, reactions: bool) -> None:
+    """Raise an error that names the force, where one has no finite value at the start.
+
+    Steps find the reactions of joints in their own way, so that these need not be solved for.
+    """
     moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
     start = start_states(scene)
     states = [start[i] for i in moving]
-    Loads(scene).field(moving, [None] * len(moving))(0.0, *coordinates(states))
+    loads = Loads(scene)
+    field = loads.field(moving, [None] * len(moving)) if reactions else loads.free_field(moving)
+    field(0.0, *coordinates(states))

@@ -10,7 +10,7 @@ from tamias2d.motion import Stepped, Tally
 from tamias2d.run import Impacts, Run
 from tamias2d.scene import Scene
 from tamias2d.simulator import Overlap, Stepper
-from tamias2d.solve.assembly import cost_of, run_of
+from tamias2d.solve.assembly import cost_of, run_of, start_of
 from tamias2d.solve.finite import range_error
 from tamias2d.solve.following import Interrupted, follow
 from tamias2d.solve.plan import Plan
@@ -41,8 +41,11 @@ def run_by_steps(plan: Plan, method: Stepped, *, progress: bool) -> Run:
 
 def _reached(plan: Plan, stepper: Stepper) -> Run:
     """Return the run up to the step that was reached, with what is known of its error."""
-    history = stepper.history()
-    plan = plan._replace(times=plan.times[: len(history.position)])
+    history, times = stepper.history(), plan.times
+    times = times[: len(history.position)]
+    if not len(times):  # it did not get as far as a first sample
+        history, times = start_of(plan), np.zeros(1)
+    plan = plan._replace(times=times)
     tally = Tally(steps=stepper.steps, force_evaluations=stepper.steps)
     run = run_of(plan, history, _impacts(stepper), (), tally)
     names = [body.name for body in plan.scene.bodies]

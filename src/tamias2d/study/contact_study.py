@@ -194,9 +194,7 @@ def _known(scene: Scene, duration: float, step: float, phases: int) -> _Known:
     try:
         *_, finest = refinements(scene, duration=duration, times=times, time_step=step, work=_WORK)
     except RefusedError as fault:
-        raise ToleranceError(
-            f"tradeoff: a run by short steps was refused: {fault}", None
-        ) from fault
+        raise ToleranceError(f"tradeoff: a run by short steps was refused: {fault}") from fault
     scenes = (scene, *(nudged(scene, k, _NUDGE) for k in range(1, phases)))
     last = _last_agreed(finest)
     horizon, length = float(times[last]), float(finest.length[last])

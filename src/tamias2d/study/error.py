@@ -12,6 +12,9 @@ from tamias2d.state import Array
 MEASURE = "distance of any point of any body from its exact place, at any time of the history"
 
 
+_STILL = 2.0**-40  # of the size of a body
+
+
 class Placed(Protocol):
     """Whatever says where bodies are: a run, or a history."""
 
@@ -44,9 +47,10 @@ def distance(scene: Scene, one: Placed, other: Placed) -> Array:
 def scale(run: Run) -> float:
     """Return how far the farthest moving body goes during a run, m; errors are relative to it.
 
-    Where nothing moves, it is the size of the largest body.
+    Where nothing moves but by rounding, it is the size of the largest body.
     """
-    return way(run.scene, run) or float(radii(run.scene).max(initial=0.0)) or 1.0
+    size, far = float(radii(run.scene).max(initial=0.0)), way(run.scene, run)
+    return far if far > _STILL * size else size or 1.0
 
 
 def way(scene: Scene, history: Placed) -> float:

@@ -16,7 +16,6 @@ import numpy as np
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Body, HalfPlane
-from tamias2d.scene.filters import may_touch
 from tamias2d.solve import sampler
 from tamias2d.state import Array, History
 from tamias2d.study.separation import ConvexPart, Flags, View, divided, joined, pieces, view
@@ -139,7 +138,7 @@ def _near_bodies(
             reached = beside(shape, low, high)
             near |= {(k, boxed[n]): reached[n] for n in np.flatnonzero(reached.any(axis=1))}
     for (i, j), chosen in sorted(near.items(), key=lambda item: item[0]):
-        if (bodies[i].dynamic or bodies[j].dynamic) and may_touch(bodies[i], bodies[j]):
+        if (bodies[i].dynamic or bodies[j].dynamic) and run.scene.collides(i, j):
             yield i, j, chosen
 
 

@@ -18,8 +18,10 @@ from tamias2d.motion import Dop853, Method
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.solve import solve
+from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import apart, scale
+from tamias2d.study.refusal import sooner
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
 MARGIN = 2.0
@@ -74,6 +76,8 @@ class Pilot:
         self._left = _RUNS * work_limit
         self.reachable = 0.0
         """The error of the tightest run that was looked at, relative to the scale."""
+        self.until: float | None = None
+        """Before it that run is within the tolerance, if it is not all along, s."""
         self._looser: tuple[float, Run]
         """What the witness was compared with: its tolerance, and the run."""
         self._exact = self._witness()
@@ -176,12 +180,18 @@ class Pilot:
         loose = self._run(Dop853(rtol=looser))
         while True:
             tight = self._run(Dop853(rtol=rtol))
-            away = float(apart(tight, loose).max()) / scale(tight)
+            away = apart(tight, loose) / scale(tight) * min(1.0, MARGIN * _left(loose, tight))
             self._looser = looser, loose
-            self.reachable = away * min(1.0, MARGIN * _left(loose, tight))
+            self.reachable = float(away.max())
+            self.until = self._within(away)
             if self.reachable <= self.tolerance * _DOUBT or rtol <= 1e-13:
                 return tight
             loose, looser, rtol = tight, rtol, _two_digits(max(rtol / _LOOSER, 1e-13))
+
+    def _within(self, away: Array) -> float | None:
+        """Return a time, s, before a run is farther away (k,) than the tolerance; None if never."""
+        lost = np.flatnonzero(~(away <= self.tolerance))
+        return sooner(float(self._times[lost[0] - 1])) if len(lost) and lost[0] > 1 else None
 
     def _error(self, method: Method, time_step: float | None) -> tuple[float, Run | None]:
         try:

@@ -151,11 +151,11 @@ def _certified(run: Run, quality: float) -> Run:
 def _refusal(quality: float, best: float) -> ToleranceError:
     """Return the error that offers what some steps hold at all samples."""
     offer = rounded_up(best) if best < 1.0 else 1.0
-    can = f"{offer:.1e} is reached" if offer < 1.0 else "nothing was seen to be reached"
     return ToleranceError(
-        f"quality {quality:g}: no steps within the work limit hold it: {can} (R5, R12). Give that "
-        "or more, a shorter duration, or a larger work_limit.",
+        f"quality {quality:g}: no steps within the work limit hold it (R5, R12).",
         offer if offer < 1.0 else None,
+        otherwise="give a larger work_limit",
+        of="quality",
     )
 
 

@@ -27,6 +27,7 @@ from tamias2d.scene.rules import number
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.solve import solve
 from tamias2d.study.certify import is_bounded
+from tamias2d.study.offers import holding
 from tamias2d.study.pilot import Estimate, Pilot
 from tamias2d.study.refusal import LOOSEST, ToleranceError as ToleranceError, refusal
 from tamias2d.study.stepped_plan import RULE_BOUNDS_NOTHING, is_ruled, plan_steps, stepped_because
@@ -72,6 +73,20 @@ def recommend(
     checked_scene(scene)
     duration = number(duration, "duration", "the run", "Give it in s.", at=("duration",))
     tolerance = checked_tolerance(tolerance)
+    try:
+        return _recommended(scene, duration, tolerance, work_limit)
+    except ToleranceError as refused:
+        raise holding(
+            refused,
+            duration,
+            lambda other, time: _recommended(scene, time, other or tolerance, work_limit),
+        ) from None
+
+
+def _recommended(
+    scene: Scene, duration: float, tolerance: float, work_limit: int
+) -> Recommendation:
+    """Return the recommendation; a refusal offers what was not tried."""
     reason = steps_because(scene, duration)
     if reason is None:
         try:
@@ -107,7 +122,7 @@ def located_plan(
     except WorkLimitError as spent:
         raise _beyond(tolerance, duration, work_limit, spent) from spent
     if pilot.reachable > tolerance:
-        raise refusal(tolerance, pilot.reachable)
+        raise refusal(tolerance, pilot.reachable, until=pilot.until)
     found = _weighed(scene, pilot)
     if not math.isfinite(found[0].force_evaluations):
         raise refusal(tolerance, min(estimate.error for estimate in found))
@@ -136,16 +151,15 @@ def _beyond(
     tolerance: float, duration: float, work_limit: int, spent: WorkLimitError
 ) -> ToleranceError:
     """Return the error that says how far pilot runs came, and what a whole one would take."""
-    remedy = "End the run before"
+    until, more = None, "larger one"
     if spent.time > 0:
-        needed = _MORE * work_limit * duration / spent.time
-        remedy = f"End the run at about {spent.time / _MORE:.2g} s"
-        remedy += f", give a work_limit of about {needed:.2g}"
+        until = float(f"{spent.time / _MORE:.1e}")
+        more = f"work_limit of about {_MORE * work_limit * duration / spent.time:.2g}"
     return ToleranceError(
         f"tolerance {tolerance:g}: the run that methods are compared with came to {spent.time:.4g} "
-        f"s of {duration:g} s within a work_limit of {work_limit} (R4, R5). {remedy}, or run by a "
-        "method of fixed steps and certify that.",
-        None,
+        f"s of {duration:g} s within a work_limit of {work_limit} (R4, R5).",
+        until=until,
+        otherwise=f"give a {more}, or run by a method of fixed steps and certify that",
     )
 
 

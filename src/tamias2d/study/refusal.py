@@ -5,46 +5,68 @@ import math
 from tamias2d.errors import SimulationError
 
 LOOSEST = 0.1  # tolerance that can be asked for
+BOUND_LESS = "bound overlap and energy instead, for example by a quality of 0.01"
+_SOONER = 0.9
 _UP = 1.06  # so that two digits are no less
 
 
 class ToleranceError(SimulationError):
-    """No method meets the tolerance; `reachable` is an error that can be met, if one is known.
+    """No method meets the tolerance; `reachable` is one that can be met, if one is known.
 
-    Where contacts are stepped, `until` is a duration, s, for which the tolerance can be met, if one
-    is known.
+    `until` is a duration, s, for which the tolerance can be met, if one is known. The message says
+    what was found, and then what to do: to take one of these or, without end, `otherwise`.
     """
 
     code = "tolerance"
 
     def __init__(
-        self, message: str, reachable: float | None, *, until: float | None = None
+        self,
+        found: str,
+        reachable: float | None = None,
+        *,
+        until: float | None = None,
+        otherwise: str = "",
+        of: str = "tolerance",
     ) -> None:
-        super().__init__(message)
+        end = "before" if until is None else f"at {until:g} s"
+        remedies = [f"End the run {end}"]
+        if reachable is not None:
+            remedies.append(f"give a {of} of {reachable:.2g} or more")
+        super().__init__(f"{found} {', or '.join([*remedies, otherwise])}." if otherwise else found)
         self.reachable = reachable
         self.until = until
+        self._found, self._otherwise, self._of = found, otherwise, of
+
+    def offering(self, reachable: float | None, until: float | None) -> "ToleranceError":
+        """Return the error with other offers."""
+        return ToleranceError(
+            self._found, reachable, until=until, otherwise=self._otherwise, of=self._of
+        )
 
 
-def refusal(tolerance: float, reachable: float) -> ToleranceError:
-    """Return the error that says what can be reached instead."""
+def refusal(tolerance: float, reachable: float, *, until: float | None = None) -> ToleranceError:
+    """Return the error that says what can be reached instead, and until when, s, if it is known."""
+    found = f"tolerance {tolerance:g}: no method meets it"
     if not math.isfinite(reachable):
         return ToleranceError(
-            f"tolerance {tolerance:g}: no method meets it, and none bounds its error (R5). End the "
-            "run before, or run without a tolerance.",
-            None,
+            f"{found}, and none bounds its error (R5).",
+            until=until,
+            otherwise="run without a tolerance",
         )
-    if rounded_up(reachable) > LOOSEST:
+    offer = rounded_up(reachable)
+    if offer > LOOSEST:
         return ToleranceError(
-            f"tolerance {tolerance:g}: no method meets it: the error can be bounded by "
-            f"{rounded_up(reachable):.1e} only, and at most {LOOSEST:g} can be asked for (R5). End "
-            "the run before, or bound overlap and energy instead, such as by a quality of 0.01.",
-            None,
+            f"{found}: the error is up to {offer:.1e}, and at most {LOOSEST:g} can be asked for "
+            "(R5).",
+            until=until,
+            otherwise=BOUND_LESS,
         )
-    return ToleranceError(
-        f"tolerance {tolerance:g}: no method meets it: the error can be bounded by "
-        f"{rounded_up(reachable):.1e} (R5). Give that or more, or end the run before.",
-        reachable,
-    )
+    return ToleranceError(f"{found} (R5).", offer, until=until, otherwise="run without a tolerance")
+
+
+def sooner(time: float) -> float:
+    """Return a time of two digits, s, somewhat before one from which on nothing is known."""
+    return float(f"{_SOONER * time:.1e}")
 
 
 def rounded_up(value: float) -> float:

@@ -20,7 +20,7 @@ from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.refined import Refined, refinements, stepped, work_of
-from tamias2d.study.refusal import LOOSEST, ToleranceError
+from tamias2d.study.refusal import BOUND_LESS, LOOSEST, ToleranceError, rounded_up, sooner
 
 _SHARE = 1 / 3  # of the tolerance may be in doubt
 WORK = 1000.0
@@ -32,7 +32,6 @@ _FALLS = 8.0  # times, at most, halving a step makes an error smaller
 _STALE = 4  # halvings in which the doubt must halve, or it never will
 _SAMPLES = 120
 _ROUNDED = 1e-9  # of a step
-_SOONER = 0.9  # of the time up to which runs agreed is one that can be asked for
 
 
 RULE_BOUNDS_NOTHING = "impacts that act on one another are decided by a rule (A18)"
@@ -159,7 +158,7 @@ def _refined(
     except RefusedError as fault:
         if not seen:
             raise ToleranceError(
-                f"tolerance {tolerance:g}: a run by short steps was refused: {fault}", None
+                f"tolerance {tolerance:g}: a run by short steps was refused: {fault}"
             ) from fault
     return seen
 
@@ -193,25 +192,18 @@ def _lost(estimate: Estimate) -> Estimate:
 
 def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str) -> ToleranceError:
     """Return the error that says until when, and how well, runs agree."""
-    best = min(found.share for found in seen) / _SHARE
+    offer = rounded_up(min(found.share for found in seen) / _SHARE)
     until = _agreed(seen[-1], _SHARE * tolerance)  # what only longer steps agreed on was chance
-    remedies = []
-    offer = float(f"{_SOONER * until:.1e}") if until > duration / _SAMPLES else None
-    if offer is not None:
-        remedies.append(f"end the run at {offer:g} s")
-    if best <= LOOSEST:
-        remedies.append(f"give a tolerance of {1.1 * best:.1e} or more")
-    remedies.append("bound overlap and energy instead, for example by a quality of 0.01")
-    said = ", or ".join(remedies)
+    before = sooner(until) if until > duration / _SAMPLES else None
     agree = "do not agree so well"
-    if offer is not None:
+    if before is not None:
         agree = f"agree so well only up to {until:.3g} s of {duration:g} s"
     return ToleranceError(
         f"tolerance {tolerance:g}: contacts are stepped, and runs of ever shorter steps {agree} "
-        f"(R5, R12; {reason}). "
-        f"{said[0].upper()}{said[1:]}.",
-        1.1 * best if best <= LOOSEST else None,
-        until=offer,
+        f"(R5, R12; {reason}).",
+        offer if offer <= LOOSEST else None,
+        until=before,
+        otherwise=BOUND_LESS,
     )
 
 

@@ -4,6 +4,8 @@ import math
 from dataclasses import replace
 from typing import NamedTuple
 
+import numpy as np
+
 from tamias2d.certificate import Certificate
 from tamias2d.contact import steps_because
 from tamias2d.errors import SceneError, SimulationError
@@ -22,9 +24,10 @@ from tamias2d.study.certify import (
     certify_tighter,
 )
 from tamias2d.study.embedded import looser_than
+from tamias2d.study.offers import holding
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.recommend import located_plan, solved
-from tamias2d.study.refusal import ToleranceError, refusal
+from tamias2d.study.refusal import ToleranceError, refusal, sooner
 from tamias2d.study.stepped_plan import plan_steps, stepped_because
 from tamias2d.work_limit import WORK_LIMIT
 
@@ -60,6 +63,15 @@ def within(
     Raises as `simulate` and `recommend` do.
     """
     asked = _Asked(scene, duration, tolerance, times, progress, work_limit)
+    try:
+        return _within(asked)
+    except ToleranceError as refused:
+        raise holding(refused, duration, lambda *other: _within(asked.at(*other))) from None
+
+
+def _within(asked: "_Asked") -> Run:
+    """Return the run that was asked for; a refusal offers what was not tried."""
+    scene, duration = asked.scene, asked.duration
     reason = steps_because(scene, duration)
     if reason is None:
         try:
@@ -86,6 +98,15 @@ class _Asked(NamedTuple):
     times: Array
     progress: bool
     work_limit: int
+
+    def at(self, tolerance: float | None, duration: float) -> "_Asked":
+        """Return what is asked for at another tolerance, if one is given, and up to a time, s."""
+        times = self.times
+        if duration < self.duration:
+            times = np.append(times[times < duration], duration)
+        return self._replace(
+            tolerance=tolerance or self.tolerance, duration=duration, times=times, progress=False
+        )
 
     def run(self, estimate: Estimate) -> Run:
         """Return the run that was estimated."""
@@ -114,14 +135,15 @@ def _located(asked: _Asked) -> Run:
     Where long steps have no bound, as near a close encounter, those for less may have one.
     """
     refused: ToleranceError | None = None
-    for share in _AIMS:
+    aims = [share * asked.tolerance for share in _AIMS]
+    for aim in (aims[0], *(aim for aim in aims[1:] if aim >= _TIGHTEST)):
         try:
-            return _aimed(asked._replace(tolerance=share * asked.tolerance))
+            return _aimed(asked._replace(tolerance=aim))
         except ToleranceError as fault:
             refused = refused or fault
         except _PastHorizonError as lost:
             refused = refused or lost.refused
-            if share * asked.tolerance <= _TRUE:
+            if aim <= _TRUE:
                 break
     assert refused is not None
     raise refused
@@ -133,7 +155,7 @@ def _aimed(asked: _Asked) -> Run:
     if not solved(asked.scene) and (run := _unweighed(asked)) is not None:
         return run
     plan = located_plan(asked.scene, asked.duration, tolerance, asked.work_limit)
-    reached, lost = math.inf, False
+    reached, lost = math.inf, math.inf
     for estimate in plan.estimates:
         for attempt in range(_TRIES):
             if not math.isfinite(estimate.force_evaluations):
@@ -142,17 +164,20 @@ def _aimed(asked: _Asked) -> Run:
             if run.certificate is not None and run.certificate.meets(tolerance):
                 return _noted(run, tolerance, attempt)
             reached = min(reached, _reached(run.certificate))
-            lost = lost or _lost(run.certificate)
+            lost = min(lost, _lost(run.certificate))
             finer = _finer(estimate, _reached(run.certificate) / tolerance)
             if finer is None:
                 break
             estimate = finer
-    refused = refusal(tolerance, reached)
-    raise _PastHorizonError(refused) if lost else refused
+    if lost < math.inf:
+        raise _PastHorizonError(refusal(tolerance, reached, until=sooner(lost)))
+    raise refusal(tolerance, reached)
 
 
-def _lost(certificate: Certificate | None) -> bool:
-    return certificate is not None and certificate.predictability_horizon is not None
+def _lost(certificate: Certificate | None) -> float:
+    """Return the horizon of a run, s."""
+    horizon = certificate.predictability_horizon if certificate else None
+    return math.inf if horizon is None else horizon
 
 
 def _unweighed(asked: _Asked) -> Run | None:
@@ -178,7 +203,7 @@ def _halved(asked: _Asked) -> Run | None:
     run, halving = solve_halved(
         asked.scene,
         duration=asked.duration,
-        method=Dop853(rtol=_two_digits(min(_HALVED * asked.tolerance, _ORDERLY))),
+        method=Dop853(rtol=_own(_HALVED * asked.tolerance, _ORDERLY)),
         times=asked.times,
         progress=asked.progress,
         work_limit=asked.work_limit,
@@ -191,7 +216,7 @@ def _halved(asked: _Asked) -> Run | None:
 
 def _whole(asked: _Asked, method: type[Dop853] | type[DormandPrince5], rtol: float) -> Run | None:
     """Return a run by whole steps, which are certified by those at a tighter tolerance."""
-    first = asked.run(_estimate(asked, method(rtol=_two_digits(min(rtol, _LOOSEST)))))
+    first = asked.run(_estimate(asked, method(rtol=_own(rtol, _LOOSEST))))
     return _tightened(asked, *certify_embedded(first))
 
 
@@ -233,9 +258,9 @@ def _first(run: Run, tolerance: float, attempt: int) -> Run:
     return replace(run, notes=(note, *run.notes[1:]))
 
 
-def _two_digits(rtol: float) -> float:
-    """Return a tolerance rounded to two digits: notes are read by people."""
-    return float(f"{rtol:.1e}")
+def _own(rtol: float, loosest: float) -> float:
+    """Return the tolerance of a method, rounded to two digits: notes are read by people."""
+    return float(f"{min(max(rtol, _TIGHTEST), loosest):.1e}")
 
 
 def _stepped(asked: _Asked, reason: str) -> Run:
@@ -253,8 +278,7 @@ def _stepped(asked: _Asked, reason: str) -> Run:
         why = run.certificate.how if run.certificate else "no bound was found"
         raise ToleranceError(
             f"tolerance {asked.tolerance:g}: the steps that meet it give no bound: {why} (R5). "
-            "Take a smaller tolerance, or certify a run by steps of your own.",
-            None,
+            "Take a smaller tolerance, or certify a run by steps of your own."
         )
     return _noted(run, asked.tolerance, 0)
 

@@ -48,9 +48,9 @@ def refuse_long(scene: Scene, duration: float, runs: int) -> None:
     until = float(f"{duration * _LONGEST / coming:.1e}")
     raise ToleranceError(
         f"tradeoff: what others are compared with would take about {coming:.2g} s, and may take "
-        f"{_LONGEST:g} s (R4). End the run at {until:g} s, or ask for a tolerance or a quality.",
-        None,
+        f"{_LONGEST:g} s (R4).",
         until=until,
+        otherwise="ask for a tolerance or a quality",
     )
 
 
