@@ -1374,6 +1374,40 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=866,
     ),
+    "early_share": Symbol(
+        "early_share",
+        "1",
+        "share of half a step by which a force acts before the middle of the step, on the mean",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\epsilon",
+        file="srs/symbols.md",
+        line=870,
+    ),
+    "step_share": Symbol(
+        "step_share",
+        "1",
+        "share of a step that is over",
+        tex="\\varsigma",
+        file="srs/symbols.md",
+        line=877,
+    ),
+    "impulse_late": Symbol(
+        "impulse_late",
+        "N*s",
+        "sum of the impulses of a contact in a step, each times the share of the step that was over",
+        tex="j_{\\mathrm{late}}",
+        file="srs/symbols.md",
+        line=881,
+    ),
+    "impulse_turned": Symbol(
+        "impulse_turned",
+        "N*s",
+        "what the impulses of a contact in a step change as its normal turns",
+        shape="vector",
+        tex="\\Delta\\boldsymbol{j}",
+        file="srs/symbols.md",
+        line=887,
+    ),
     "firmness": Symbol(
         "firmness",
         "kg",
@@ -1381,7 +1415,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=870,
+        line=892,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1390,7 +1424,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=877,
+        line=899,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1399,7 +1433,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=882,
+        line=904,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1408,7 +1442,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=889,
+        line=911,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1417,7 +1451,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=896,
+        line=918,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1426,7 +1460,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=902,
+        line=924,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1434,7 +1468,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=909,
+        line=931,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1443,7 +1477,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=922,
+        line=944,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1451,7 +1485,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=927,
+        line=949,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1459,7 +1493,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=931,
+        line=953,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1468,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=937,
+        line=959,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1476,7 +1510,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=942,
+        line=964,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1485,7 +1519,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=946,
+        line=968,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1493,7 +1527,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=951,
+        line=973,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1502,7 +1536,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=955,
+        line=977,
     ),
     "advance": Symbol(
         "advance",
@@ -1511,7 +1545,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=960,
+        line=982,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1519,7 +1553,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=965,
+        line=987,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1528,7 +1562,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=969,
+        line=991,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1536,7 +1570,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=974,
+        line=996,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1544,7 +1578,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=978,
+        line=1000,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1553,7 +1587,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=982,
+        line=1004,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1561,7 +1595,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=987,
+        line=1009,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1569,7 +1603,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=991,
+        line=1013,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1577,7 +1611,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=996,
+        line=1018,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1585,7 +1619,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1002,
+        line=1024,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1594,7 +1628,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=1006,
+        line=1028,
     ),
     "slip": Symbol(
         "slip",
@@ -1602,7 +1636,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1013,
+        line=1035,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1610,7 +1644,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=1019,
+        line=1041,
     ),
     "circling": Symbol(
         "circling",
@@ -1619,7 +1653,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=1023,
+        line=1045,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1627,7 +1661,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1030,
+        line=1052,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1636,7 +1670,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1034,
+        line=1056,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1645,7 +1679,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1039,
+        line=1061,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1654,7 +1688,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1044,
+        line=1066,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1662,7 +1696,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1049,
+        line=1071,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1671,7 +1705,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1053,
+        line=1075,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1679,7 +1713,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1058,
+        line=1080,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1687,7 +1721,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1062,
+        line=1084,
     ),
     "arc": Symbol(
         "arc",
@@ -1696,7 +1730,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1068,
+        line=1090,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1705,7 +1739,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1073,
+        line=1095,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1713,7 +1747,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1083,
+        line=1105,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1721,7 +1755,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1087,
+        line=1109,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1730,7 +1764,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1091,
+        line=1113,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1739,7 +1773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1096,
+        line=1118,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1748,7 +1782,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1101,
+        line=1123,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1757,7 +1791,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1106,
+        line=1128,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1766,7 +1800,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1111,
+        line=1133,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1774,7 +1808,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1116,
+        line=1138,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1783,7 +1817,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1125,
+        line=1147,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1791,7 +1825,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1130,
+        line=1152,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1800,7 +1834,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1134,
+        line=1156,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1808,7 +1842,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1139,
+        line=1161,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1816,7 +1850,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1143,
+        line=1165,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1825,7 +1859,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1147,
+        line=1169,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1834,7 +1868,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1152,
+        line=1174,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1843,7 +1877,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1157,
+        line=1179,
     ),
     "work": Symbol(
         "work",
@@ -1851,7 +1885,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1162,
+        line=1184,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -1860,7 +1894,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1166,
+        line=1188,
     ),
     "bounce_energy_most": Symbol(
         "bounce_energy_most",
@@ -1869,7 +1903,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\max}^e",
         file="srs/symbols.md",
-        line=1171,
+        line=1193,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1878,7 +1912,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1176,
+        line=1198,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1886,7 +1920,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1181,
+        line=1203,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1895,7 +1929,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1185,
+        line=1207,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1903,7 +1937,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1190,
+        line=1212,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1912,7 +1946,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1195,
+        line=1217,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -1921,7 +1955,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1200,
+        line=1222,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1930,7 +1964,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1205,
+        line=1227,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1939,7 +1973,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1210,
+        line=1232,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -1948,7 +1982,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1217,
+        line=1239,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -1957,7 +1991,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1222,
+        line=1244,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -1965,7 +1999,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1227,
+        line=1249,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -1973,7 +2007,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1232,
+        line=1254,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -1981,7 +2015,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1238,
+        line=1260,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -1990,7 +2024,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1242,
+        line=1264,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -1999,7 +2033,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1249,
+        line=1271,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2008,7 +2042,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1254,
+        line=1276,
     ),
     "energy": Symbol(
         "energy",
@@ -2016,7 +2050,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1259,
+        line=1281,
     ),
     "radius": Symbol(
         "radius",
@@ -2025,7 +2059,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1268,
+        line=1290,
     ),
     "length": Symbol(
         "length",
@@ -2034,7 +2068,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1273,
+        line=1295,
     ),
     "width": Symbol(
         "width",
@@ -2043,7 +2077,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1280,
+        line=1302,
     ),
     "height": Symbol(
         "height",
@@ -2052,7 +2086,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1285,
+        line=1307,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2061,7 +2095,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1290,
+        line=1312,
     ),
     "center": Symbol(
         "center",
@@ -2070,7 +2104,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1295,
+        line=1317,
     ),
     "offset": Symbol(
         "offset",
@@ -2078,7 +2112,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1300,
+        line=1322,
     ),
     "area": Symbol(
         "area",
@@ -2087,7 +2121,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1304,
+        line=1326,
     ),
     "way": Symbol(
         "way",
@@ -2096,7 +2130,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1309,
+        line=1331,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2104,7 +2138,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1314,
+        line=1336,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2113,7 +2147,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1318,
+        line=1340,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2122,7 +2156,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1323,
+        line=1345,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2130,7 +2164,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1328,
+        line=1350,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2138,7 +2172,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1332,
+        line=1354,
     ),
     "lean": Symbol(
         "lean",
@@ -2146,7 +2180,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1336,
+        line=1358,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2154,7 +2188,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1340,
+        line=1362,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2162,7 +2196,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1344,
+        line=1366,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2171,7 +2205,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1350,
+        line=1372,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2179,7 +2213,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1363,
+        line=1385,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2187,7 +2221,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1367,
+        line=1389,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2196,7 +2230,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1371,
+        line=1393,
     ),
     "slope": Symbol(
         "slope",
@@ -2205,7 +2239,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1376,
+        line=1398,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2214,7 +2248,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1381,
+        line=1403,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2223,7 +2257,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1386,
+        line=1408,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2232,7 +2266,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1391,
+        line=1413,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2240,7 +2274,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1396,
+        line=1418,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2248,7 +2282,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1400,
+        line=1422,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2256,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1404,
+        line=1426,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2265,7 +2299,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1408,
+        line=1430,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2273,7 +2307,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1413,
+        line=1435,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2281,7 +2315,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1417,
+        line=1439,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2289,7 +2323,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1421,
+        line=1443,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2297,7 +2331,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1425,
+        line=1447,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2305,7 +2339,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1429,
+        line=1451,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2314,7 +2348,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1433,
+        line=1455,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2323,7 +2357,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1438,
+        line=1460,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2332,7 +2366,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1443,
+        line=1465,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2341,7 +2375,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1448,
+        line=1470,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2349,7 +2383,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1453,
+        line=1475,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2358,7 +2392,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1457,
+        line=1479,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2366,7 +2400,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1462,
+        line=1484,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2374,7 +2408,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1466,
+        line=1488,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2383,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1470,
+        line=1492,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2392,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1475,
+        line=1497,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2400,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1480,
+        line=1502,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2409,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1484,
+        line=1506,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2417,7 +2451,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1489,
+        line=1511,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2425,7 +2459,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1493,
+        line=1515,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2434,7 +2468,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1497,
+        line=1519,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2442,7 +2476,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1502,
+        line=1524,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2451,7 +2485,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1506,
+        line=1528,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2460,7 +2494,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1511,
+        line=1533,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2469,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1516,
+        line=1538,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2477,7 +2511,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1521,
+        line=1543,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2486,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1525,
+        line=1547,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2494,7 +2528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1530,
+        line=1552,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2502,7 +2536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1534,
+        line=1556,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2511,7 +2545,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1538,
+        line=1560,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2520,7 +2554,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1543,
+        line=1565,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2529,7 +2563,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1548,
+        line=1570,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2537,7 +2571,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1553,
+        line=1575,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2545,7 +2579,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1557,
+        line=1579,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2553,7 +2587,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1561,
+        line=1583,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2562,7 +2596,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1565,
+        line=1587,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2571,7 +2605,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1570,
+        line=1592,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2580,7 +2614,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1575,
+        line=1597,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2589,7 +2623,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1580,
+        line=1602,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2598,7 +2632,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1585,
+        line=1607,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2607,7 +2641,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1590,
+        line=1612,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2616,7 +2650,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1595,
+        line=1617,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2625,7 +2659,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1600,
+        line=1622,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2633,7 +2667,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1605,
+        line=1627,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2642,7 +2676,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1609,
+        line=1631,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2650,7 +2684,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1614,
+        line=1636,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2659,7 +2693,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1618,
+        line=1640,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2668,7 +2702,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1623,
+        line=1645,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2677,7 +2711,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1628,
+        line=1650,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2686,7 +2720,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1633,
+        line=1655,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2695,7 +2729,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1638,
+        line=1660,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2703,7 +2737,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1643,
+        line=1665,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2712,7 +2746,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1647,
+        line=1669,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2721,7 +2755,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1652,
+        line=1674,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2730,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1657,
+        line=1679,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2739,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1662,
+        line=1684,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2747,7 +2781,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1667,
+        line=1689,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2755,7 +2789,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1671,
+        line=1693,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2764,7 +2798,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1675,
+        line=1697,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2773,7 +2807,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1680,
+        line=1702,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2782,7 +2816,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1685,
+        line=1707,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2791,7 +2825,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1690,
+        line=1712,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2800,7 +2834,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1695,
+        line=1717,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2809,7 +2843,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1700,
+        line=1722,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2818,7 +2852,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1705,
+        line=1727,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2827,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1710,
+        line=1732,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2836,7 +2870,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1715,
+        line=1737,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2844,7 +2878,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1720,
+        line=1742,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2852,7 +2886,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1724,
+        line=1746,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2861,7 +2895,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1728,
+        line=1750,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2869,7 +2903,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1733,
+        line=1755,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2877,7 +2911,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1737,
+        line=1759,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2886,7 +2920,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1741,
+        line=1763,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2895,7 +2929,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1746,
+        line=1768,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2904,7 +2938,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1751,
+        line=1773,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2912,7 +2946,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1756,
+        line=1778,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2921,7 +2955,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1760,
+        line=1782,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2929,7 +2963,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1765,
+        line=1787,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2938,7 +2972,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1769,
+        line=1791,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2947,7 +2981,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1774,
+        line=1796,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2955,7 +2989,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1779,
+        line=1801,
     ),
     "change": Symbol(
         "change",
@@ -2964,7 +2998,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1783,
+        line=1805,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2973,7 +3007,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1788,
+        line=1810,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2982,7 +3016,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1793,
+        line=1815,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2990,7 +3024,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1798,
+        line=1820,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2999,7 +3033,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1802,
+        line=1824,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3007,7 +3041,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1807,
+        line=1829,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3015,7 +3049,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1811,
+        line=1833,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3023,7 +3057,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1815,
+        line=1837,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3032,7 +3066,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1819,
+        line=1841,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3040,7 +3074,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1824,
+        line=1846,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3049,6 +3083,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1828,
+        line=1850,
     ),
 }
