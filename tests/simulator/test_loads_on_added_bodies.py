@@ -95,3 +95,22 @@ def test_a_law_that_is_too_fast_for_the_step_names_the_body_that_was_added() -> 
     sim.add(DISC, mass=1.0, position=(0.1, 0.0), restitution=0.0)
     with pytest.warns(t2.StepWarning, match="motion of body 0 gains energy"):
         sim.step(2)
+
+
+@pytest.mark.parametrize("steps", range(3, 11))
+def test_a_law_of_the_velocity_goes_on_with_the_same_bits_when_restored(
+    steps: int, tmp_path: Path
+) -> None:
+    """It is found in rounds, together with the velocity, and known for the last but one."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(DISC, mass=1.3, position=(1.0, 2.0), velocity=(1.0, 0.3), **SURFACE)
+    turning = "5[kg/s]*y(velocity) - 0.3[N/m]*x(position)"
+    slowing = "-5[kg/s]*x(velocity) - 0.1[kg/m]*y(velocity)*norm(velocity)"
+    scene.add_field(force=(turning, slowing))
+    sim = t2.Simulator(scene)
+    sim.step(steps)
+    sim.save(tmp_path / "sim.npz")
+    other = t2.Simulator.restore(tmp_path / "sim.npz")
+    sim.step(20)
+    other.step(20)
+    assert other.digest() == sim.digest()
