@@ -113,6 +113,15 @@ class Engine(Store):
         return np.greater(self.world.islands.links[slots, tb.SLEEP_ID], 0)
 
     @property
+    def early(self) -> Array:
+        """By which share of half a step loads acted before its middle, if they vary: (n,) new."""
+        return self.world.bodies.early[self.world.state.slot_of_body[: self.size], tb.SHARE_OF_STEP]
+
+    def put_loads_right(self, vary: bool) -> None:
+        """Let contacts turn with loads that vary, and are put right as a step ends (DD53, DD84)."""
+        self.world.control.counts[tb.LOADS_VARY] = 1 if vary else 0
+
+    @property
     def rank(self) -> NDArray[np.int64]:
         """Place of each body in the canonical order, -1 for one that is absent or new: (n,)."""
         return self._pool.rank

@@ -21,6 +21,7 @@ from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_continuous
 from tamias2d.engine.continuous.prediction import foresee
+from tamias2d.engine.early import add_early
 from tamias2d.engine.joined import mark_joined
 from tamias2d.engine.joints.stages import (
     clear_of_joints,
@@ -104,6 +105,8 @@ def take_step(world: World) -> int:
         status = take_part(world)
         if status == tb.DONE:
             keep_joint_impulses(world)
+            if world.control.counts[tb.LOADS_VARY] == 1:
+                add_early(world)
             ended = end_part(world)
         elif status != tb.AGAIN:
             return status

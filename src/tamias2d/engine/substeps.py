@@ -33,6 +33,7 @@ from tamias2d.engine.solver.prefetch import prefetch_blocks, prefetch_manifolds
 from tamias2d.engine.solver.prepare import fill_blocks, prepare_blocks
 from tamias2d.engine.springs.substep import apply_springs, begin_springs, end_springs
 from tamias2d.engine.tables import Constraints, Contacts, Control, Direct, World
+from tamias2d.engine.turning import add_late_impulses, turn_contacts
 from tamias2d.kernels.assembled import inlined
 
 FEW_BLOCKS = 32  # up to which impacts get more sweeps: no impulses of before are known for them
@@ -71,6 +72,8 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     if constraints.counts[tb.BOUNCING] > 0:
         last = world.touching.counts[tb.TOUCHING]
         store_impulses(0, last, control, world.bodies, contacts, world.touching, constraints)
+    if control.counts[tb.LOADS_VARY] == 1:
+        turn_contacts(world, contacts)
 
 
 def note_unsolved(control: Control, direct: Direct) -> None:
@@ -113,6 +116,8 @@ def take_stage(stage: int, slab: int, substep: float, world: World, contacts: Co
         relax_slab(slab, substep, world)
         if stage == 2 * world.control.counts[tb.PART_SUBSTEPS]:
             end_slab(slab, world, contacts)
+    if world.control.counts[tb.LOADS_VARY] == 1:
+        add_late_impulses(stage, slab, world)
 
 
 def bodies_of_stage(slab: int, constraints: Constraints) -> tuple[int, int]:

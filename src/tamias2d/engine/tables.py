@@ -96,6 +96,7 @@ SUNK_A = _control()  # slot, plus 1, of a body that another sinks into; 0 for no
 SUNK_B = _control()  # of the other one
 OUTWEIGHED = _control()  # slot, plus 1, of a body of an island of masses too different to be solved
 LIMITS = _control()  # how often something was found to tell: of these two, or of joints
+LOADS_VARY = _control()  # 1 if loads vary, and are put right as the step ends
 ALL_ASLEEP = _control()  # 1 if no body was awake in the last step, and nobody came or went since
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
 
@@ -187,6 +188,8 @@ PATH_LENGTH = _flight()  # m, that some point of the body goes
 
 # moved: by the solver, or sleep; with contacts that change nothing; and pressed by overlaps
 UNMOVED, MOVED, UNTOUCHED = range(3)
+# columns of early: by which share of half a part, or step, loads act before its middle
+SHARE_OF_PART, SHARE_OF_STEP = range(2)
 
 
 class BodyState(NamedTuple):
@@ -223,6 +226,7 @@ class Bodies(NamedTuple):
     start: Annotated[FloatRows, Sized("slots", 6)]  # pose and velocity as a part of the step began
     flight: Annotated[FloatRows, Sized("slots", 8)]  # a cache line; read by continuous collision
     moved: Annotated[Bytes, Sized("slots")]  # by the solver, or sleep, in this step: see above
+    early: Annotated[FloatRows, Sized("slots", 2)]  # where loads vary: see above
 
 
 # -- shapes
@@ -565,6 +569,7 @@ class Constraints(NamedTuple):
     counts: Annotated[Ranks, Sized(_constraints.width)]
     blocks: Annotated[FloatRows, Sized("blocks", _block.width)]
     lanes: Annotated[PlaceRows, Sized("blocks", _lanes.width)]
+    late_impulses: Annotated[FloatRows, Sized("blocks", LANES)]  # N s, where loads vary
     scratch: Annotated[Floats, Sized(_scratch.width)]
     energy: Annotated[Floats, Sized(_energy_sums.width)]
     slabs: Annotated[RankRows, Sized(MOST_SLABS + 2, _slabs.width)]

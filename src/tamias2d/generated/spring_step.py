@@ -196,11 +196,17 @@ def resisting_impulse(
 
 
 def velocity_later(
-    velocity: Vector, inverse_mass: Scalar, force: Vector, force_later: Vector, time_step: Scalar
+    velocity: Vector,
+    inverse_mass: Scalar,
+    force: Vector,
+    force_later: Vector,
+    time_step: Scalar,
+    early_share: Scalar,
 ) -> Vector:
     """Velocity of the centre of mass; after the bodies have moved (m/s).
 
-    velocity_later = velocity + time_step/2*inverse_mass*(force_later - force)
+    velocity_later = velocity + (1 - early_share)*time_step/2*inverse_mass*(force_later -
+    force)
 
     Args:
         velocity: Velocity of the centre of mass, m/s
@@ -208,15 +214,17 @@ def velocity_later(
         force: Applied force on a body, without its weight, N
         force_later: Applied force on a body, without its weight; after the bodies have moved, N
         time_step: Length of one step of a stepped scheme, s
+        early_share: Share of half a step by which a force acts before the middle of the step,
+            on the mean, 1
 
-    Source: DD53, srs/models/spring_step.md:187.
+    Source: DD53, srs/models/spring_step.md:188.
     """
     velocity_x, velocity_y = velocity
     force_x, force_y = force
     force_later_x, force_later_y = force_later
     return (
-        velocity_x + time_step / 2 * inverse_mass * (force_later_x - force_x),
-        velocity_y + time_step / 2 * inverse_mass * (force_later_y - force_y),
+        velocity_x + (1 - early_share) * time_step / 2 * inverse_mass * (force_later_x - force_x),
+        velocity_y + (1 - early_share) * time_step / 2 * inverse_mass * (force_later_y - force_y),
     )
 
 
@@ -226,11 +234,12 @@ def angular_velocity_later(
     torque: Scalar,
     torque_later: Scalar,
     time_step: Scalar,
+    early_share: Scalar,
 ) -> Scalar:
     """Rate of turning, positive counter-clockwise; after the bodies have moved (rad/s).
 
-    angular_velocity_later = angular_velocity + time_step/2*inverse_inertia*(torque_later -
-    torque)
+    angular_velocity_later = angular_velocity + (1 -
+    early_share)*time_step/2*inverse_inertia*(torque_later - torque)
 
     Args:
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
@@ -239,10 +248,14 @@ def angular_velocity_later(
         torque_later: Applied torque about the centre of mass, positive counter-clockwise; after
             the bodies have moved, N*m
         time_step: Length of one step of a stepped scheme, s
+        early_share: Share of half a step by which a force acts before the middle of the step,
+            on the mean, 1
 
-    Source: DD53, srs/models/spring_step.md:189.
+    Source: DD53, srs/models/spring_step.md:191.
     """
-    return angular_velocity + time_step / 2 * inverse_inertia * (torque_later - torque)
+    return angular_velocity + (1 - early_share) * time_step / 2 * inverse_inertia * (
+        torque_later - torque
+    )
 
 
 def critical_step(
@@ -259,7 +272,7 @@ def critical_step(
         force_later: Applied force on a body, without its weight; after the bodies have moved, N
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD54, srs/models/spring_step.md:222.
+    Source: DD54, srs/models/spring_step.md:294.
     """
     force_x, force_y = force
     force_later_x, force_later_y = force_later
@@ -292,6 +305,6 @@ def critical_step_turning(
             the bodies have moved, N*m
         turn: How far a body has turned since the step began, rad
 
-    Source: DD54, srs/models/spring_step.md:225.
+    Source: DD54, srs/models/spring_step.md:297.
     """
     return 2 * sqrt(abs(turn) / largest(inverse_inertia * abs(torque_later - torque), 1e-150))

@@ -73,6 +73,7 @@ class LawTerm:
         rows: Sequence[int],
     ) -> None:
         self.says = law.what
+        self.names = law.names
         self._law = law
         self._component = component
         self._rows = np.array(rows)
@@ -188,6 +189,7 @@ class Attraction:
     """Gravitation between all pairs of the bodies (IM5)."""
 
     says = "attraction between bodies"
+    names = frozenset({"position"})
 
     def __init__(self, scene: Scene, bodies: Sequence[int]) -> None:
         mass = np.array([scene.bodies[body].mass for body in bodies])

@@ -3,8 +3,10 @@
 `Scene` adds to it.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from copy import copy
 from numbers import Integral
+from typing import Self
 
 from tamias2d.errors import SceneError
 from tamias2d.generated import definitions
@@ -64,6 +66,12 @@ class SceneData:
         if len(self._shown) != len(self._bodies):
             self._shown = tuple(self._bodies)
         return self._shown
+
+    def extended(self, bodies: Iterable[Body]) -> Self:
+        """Return the scene with more bodies, after its own, on which acts what is for all."""
+        longer = copy(self)
+        longer._bodies = [*self._bodies, *bodies]
+        return longer
 
     @property
     def restitution_of_pairs(self) -> dict[tuple[int, int], float]:

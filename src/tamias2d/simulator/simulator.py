@@ -24,6 +24,7 @@ from tamias2d.scene.joints import End, kept_apart
 from tamias2d.scene.rules import RuleError, VectorLike, shown, vector
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
+from tamias2d.simulator.acting_scene import acting_scene, acts_on_all, with_steady_loads
 from tamias2d.simulator.adding import Shapes, added_batch
 from tamias2d.simulator.applied import add_rows, applied_loads, velocity_changes
 from tamias2d.simulator.batch import scene_batch
@@ -74,7 +75,7 @@ class Simulator(Views):
     Gravity, constant forces and linear and angular drag are solved with the step. Springs and their
     dampers are stable at any stiffness (IM14, DD52); laws, attraction and fields are kicks at both
     ends of the step (DD53), quadratic drag acts in halves around it (DD55). All are of second order
-    in the time step where nothing touches.
+    in the time step where nothing touches; contacts turn with what presses on them (DD84).
     """
 
     __slots__ = (
@@ -119,8 +120,10 @@ class Simulator(Views):
         """
         checked_scene(scene)
         self._time_step, self._substeps = checked_time_step(time_step), checked_substeps(substeps)
-        varies = bool(scene.springs) or not VaryingLoads(scene, range(len(scene)), {}).empty
-        self._scene = deepcopy(scene) if varies else None  # what varies is all that is asked of it
+        moving = {k: k for k, body in enumerate(scene.bodies) if body.dynamic}
+        acts = scene.springs or acts_on_all(scene)
+        acts = acts or not VaryingLoads(scene, moving, self._name_of, {}).empty
+        self._scene = deepcopy(scene) if acts else None  # what acts is all that is asked of it
         self._names = {body.name: k for k, body in enumerate(scene.bodies)}
         self._joints = JointSet(scene.joints)
         self._staying = list(range(len(scene)))
@@ -229,8 +232,10 @@ class Simulator(Views):
         if self._scene is not None:
             staying = sorted(self._staying, key=self._engine.rank.__getitem__)
             self._engine.set_springs(spring_rows(self._scene, staying))
-            varying = VaryingLoads(self._scene, staying, self._warned)
+            scene, bodies = acting_scene(self._scene, staying, self._engine)
+            varying = VaryingLoads(scene, bodies, self._name_of, self._warned)
             self._varying = None if varying.empty else varying
+            self._engine.put_loads_right(varying.put_right)
         self._tell(too_long_for_gravity(self._engine, self._time_step))
         self._tell(too_thin_for_corners(self._engine, self._name_of))
 
@@ -364,13 +369,18 @@ class Simulator(Views):
 
         One body where `position` is (2,), with its index; k bodies where it is (k, 2), with an
         array of indices. Of all else, one value serves all, or there is an array with a row for
-        each. `shape` is one, or a list of k; the words are those of `Scene.add_body`.
+        each. `shape` is one, or a list of k; the words are those of `Scene.add_body`. Attraction
+        and fields of the scene that are for all bodies that move act on them, too.
 
         Raises:
-            InputError: a value breaks a rule (R4); the message names it and its place.
+            InputError: a value breaks a rule (R4), or a field has no finite value where a body is;
+                the message names it and its place.
         """
         given = {key: value for key, value in locals().items() if key not in ("self", "shape")}
-        return self._add(added_batch(DYNAMIC, shape, **given), position)
+        batch = added_batch(DYNAMIC, shape, **given)
+        if self._scene is not None:
+            batch = with_steady_loads(self._scene, batch, self.time)
+        return self._add(batch, position)
 
     @exclusive
     def add_static(

@@ -5,7 +5,7 @@ end puts the velocities right by half of the change (DD53). Quadratic drag slows
 before all else and for half a step after it (DD55). Source: Verlet (1967), Strang (1968).
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 from warnings import warn
 
@@ -15,13 +15,15 @@ from numpy.typing import NDArray
 from tamias2d.engine.engine import Engine
 from tamias2d.errors import SimulationError, StepWarning
 from tamias2d.generated import quadratic_step, spring_step
-from tamias2d.motion.terms import Attraction, LawTerm, Term
+from tamias2d.motion.terms import Attraction, LawTerm
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_laws
 from tamias2d.state import Array
 
 _MOST_ROUNDS = 20  # in which velocities and the forces that depend on them agree
 _AGREED = 1e-13  # of the velocities
+_VELOCITIES = {"velocity", "angular_velocity"}
+_OTHERS = {"time", *_VELOCITIES}  # than places, on which a force may depend
 _RESOLVED = 1e-10  # of a coordinate: changes below it say nothing of a force
 
 
@@ -34,21 +36,34 @@ class _State(NamedTuple):
 
 
 class VaryingLoads:
-    """The loads on the bodies of a scene that are still there, given by rows in some order."""
+    """The loads on bodies that move: of a scene, or as it would have them (`acting_scene`)."""
 
-    def __init__(self, scene: Scene, rows: Sequence[int], warned: dict[str, str]) -> None:
-        """Take those that are there, in canonical order, so that no sum depends on another one.
+    def __init__(
+        self,
+        scene: Scene,
+        bodies: Mapping[int, int],
+        name_of: Callable[[int], str],
+        warned: dict[str, str],
+    ) -> None:
+        """Take the indices in the scene of bodies, by their rows, in canonical order.
 
-        `warned` has the warnings that there were so far, by what is too fast for the step.
+        So no sum depends on another order. `warned` has the warnings that there were so far, by
+        what is too fast for the step.
         """
-        rows = sorted(rows, key=lambda row: not scene.bodies[row].dynamic)  # those that move first
-        self._scene = scene
-        self._rows = np.array(rows, dtype=np.int64)
-        self._terms = _terms(scene, rows)
-        self._drag = np.array([scene.bodies[row].quadratic_drag for row in rows])
+        indices = list(bodies.values())
+        self._name_of = name_of
+        self._rows = np.array(list(bodies), dtype=np.int64)
+        self._terms = _terms(scene, indices)
+        self._of_velocity = any(term.names & _VELOCITIES for term in self._terms)
+        self._drag = np.array([scene.bodies[k].quadratic_drag for k in indices])
         self._warned = warned
         self._begun: _State | None = None
         self._ended: _State | None = None
+
+    @property
+    def put_right(self) -> bool:
+        """Whether some load is put right at the end of a step: any but quadratic drag."""
+        return bool(self._terms)
 
     @property
     def empty(self) -> bool:
@@ -83,21 +98,36 @@ class VaryingLoads:
         """
         assert self._begun is not None
         awake = ~engine.asleep[self._rows]
-        before = self._begun
-        pose, reached = engine.pose[self._rows], engine.velocity[self._rows]
-        moved = pose - before.pose
-        velocity, loads = reached, before.loads
-        for _ in range(_MOST_ROUNDS if self._terms else 0):
-            last, loads = velocity, self._loads(time, pose, velocity)
-            velocity = self._put_right(engine, reached, before.loads, loads, time_step)
-            velocity[~awake] = reached[~awake]
-            if np.all(np.abs(velocity - last) <= _AGREED * np.abs(velocity)):
-                break
         if self._terms:
-            self._look(engine, before, pose, moved, time_step)
-        engine.velocity[self._rows] = velocity
-        self._ended = _State(time, pose, velocity, loads)
+            self._ended = self._put_right(engine, self._begun, awake, time, time_step)
         self._slow_down(engine, time_step, awake)
+
+    def _put_right(
+        self,
+        engine: Engine,
+        before: _State,
+        awake: NDArray[np.bool_],
+        time: float,
+        time_step: float,
+    ) -> _State | None:
+        """Put the velocities right, and return the state; None where loads are not yet its own.
+
+        Loads that depend on velocities are found together with these. Where both agree to a few
+        digits, the next step asks for them anew, as one that was restored does.
+        """
+        pose, reached = engine.pose[self._rows], engine.velocity[self._rows]
+        velocity, last = reached, reached
+        for _ in range(_MOST_ROUNDS):
+            last, loads = velocity, self._loads(time, pose, velocity)
+            velocity = self._later(engine, reached, before.loads, loads, time_step)
+            velocity[~awake] = reached[~awake]
+            close = np.all(np.abs(velocity - last) <= _AGREED * np.abs(velocity))
+            if close or not self._of_velocity:
+                break
+        self._look(engine, before, loads, pose, time_step)
+        engine.velocity[self._rows] = velocity
+        known = not self._of_velocity or np.array_equal(velocity, last)
+        return _State(time, pose, velocity, loads) if known else None
 
     def _slow_down(
         self, engine: Engine, time_step: float, awake: NDArray[np.bool_] | None = None
@@ -112,7 +142,7 @@ class VaryingLoads:
         slows = self._drag > 0.0 if awake is None else (self._drag > 0.0) & awake
         engine.velocity[self._rows[slows], :2] = np.stack(slower, axis=-1)[slows]
 
-    def _put_right(
+    def _later(
         self,
         engine: Engine,
         velocity: Array,
@@ -120,27 +150,34 @@ class VaryingLoads:
         last: Sequence[Array],
         time_step: float,
     ) -> Array:
-        """Return velocities (n, 3) with half of what the loads have changed (DD53)."""
+        """Return velocities (n, 3) with what the change of the loads puts right (DD53)."""
         was, now = sum(first[1:], first[0]), sum(last[1:], last[0])
         mass, inertia = engine.inverse_mass[self._rows], engine.inverse_inertia[self._rows]
+        early = engine.early[self._rows]
         x, y = spring_step.velocity_later(
-            tuple(velocity[:, :2].T), mass, tuple(was[:, :2].T), tuple(now[:, :2].T), time_step
-        )
+            tuple(velocity[:, :2].T), mass, tuple(was[:, :2].T), tuple(now[:, :2].T), time_step,
+            early,
+        )  # fmt: skip
         spin = spring_step.angular_velocity_later(
-            velocity[:, 2], inertia, was[:, 2], now[:, 2], time_step
+            velocity[:, 2], inertia, was[:, 2], now[:, 2], time_step, early
         )
         return np.stack((x, y, spin), axis=-1)
 
     def _look(
-        self, engine: Engine, before: _State, pose: Array, moved: Array, time_step: float
+        self, engine: Engine, before: _State, after: Sequence[Array], pose: Array, time_step: float
     ) -> None:
-        """Warn of forces that this step is too long for (DD54), each once."""
+        """Warn of forces that this step is too long for (DD54), each once; after it they are these.
+
+        What is asked is how they change with the place alone.
+        """
+        moved = pose - before.pose
         mass, inertia = engine.inverse_mass[self._rows], engine.inverse_inertia[self._rows]
         far = np.abs(moved) > _RESOLVED * np.abs(pose)
-        for term, was in zip(self._terms, before.loads, strict=True):
+        for term, was, now in zip(self._terms, before.loads, after, strict=True):
             if term.says in self._warned:
                 continue
-            now = self._load(term, before.time, pose, before.velocity)
+            if term.names & _OTHERS:
+                now = self._load(term, before.time, pose, before.velocity)
             shortest = spring_step.critical_step(
                 mass, tuple(was[:, :2].T), tuple(now[:, :2].T), tuple(moved[:, :2].T)
             )
@@ -149,39 +186,38 @@ class VaryingLoads:
             shortest = np.minimum(shortest, np.where(far[:, 2], turning, np.inf))
             k = int(np.argmin(shortest))
             if shortest[k] < time_step:
-                name = self._scene.bodies[int(self._rows[k])].name
+                name = self._name_of(int(self._rows[k]))
                 text = (
                     f"{term.says.replace('_', ' ')} at {before.time:.6g} s: the time step of "
                     f"{time_step:.6g} s is longer than {shortest[k]:.3g} s, beyond which the "
-                    f"motion of '{name}' gains energy (DD54). Give a shorter step."
+                    f"motion of {name} gains energy (DD54). Give a shorter step."
                 )
                 self._warned[term.says] = text
-                warn(text, StepWarning, stacklevel=5)
+                warn(text, StepWarning, stacklevel=6)
 
     def _loads(self, time: float, pose: Array, velocity: Array) -> list[Array]:
         return [self._load(term, time, pose, velocity) for term in self._terms]
 
-    def _load(self, term: Term, time: float, pose: Array, velocity: Array) -> Array:
+    def _load(self, term: LawTerm | Attraction, time: float, pose: Array, velocity: Array) -> Array:
         """Return the forces and torques (n, 3) of a term, or raise `SimulationError`."""
         found = np.zeros_like(pose)
         with np.errstate(all="ignore"):
             term.add(time, pose, velocity, found)
         if not (good := np.isfinite(found).all(axis=1)).all():
-            name = self._scene.bodies[int(self._rows[np.argmin(good)])].name
+            name = self._name_of(int(self._rows[np.argmin(good)]))
             raise SimulationError(
                 f"{term.says.replace('_', ' ')} at {time!r} s: no finite force on "
-                f"'{name}' (R4): bodies are at one place, or float64 cannot hold it. "
+                f"{name} (R4): bodies are at one place, or float64 cannot hold it. "
                 "Move it, or change the scene."
             )
         return found
 
 
-def _terms(scene: Scene, rows: Sequence[int]) -> list[Term]:
-    dynamic = [row for row in rows if scene.bodies[row].dynamic]
-    found: list[Term] = [
-        LawTerm(scene, rows, component, law, bodies)
-        for (component, law), bodies in varying_laws(scene, rows).items()
+def _terms(scene: Scene, bodies: Sequence[int]) -> list[LawTerm | Attraction]:
+    found: list[LawTerm | Attraction] = [
+        LawTerm(scene, bodies, component, law, places)
+        for (component, law), places in varying_laws(scene, bodies).items()
     ]
-    if scene.attraction is not None and len(dynamic) > 1:
-        found.append(Attraction(scene, dynamic))
+    if scene.attraction is not None and len(bodies) > 1:
+        found.append(Attraction(scene, bodies))
     return found

@@ -22,7 +22,7 @@ def integrate_free(control: Control, bodies: Bodies) -> bool:
 
     Returns whether some body goes so far that it needs continuous collision.
     """
-    far = False
+    far, of_substeps = False, 1.0 / control.counts[tb.PART_SUBSTEPS]
     for i in range(len(bodies.kind)):
         if bodies.moved[i] == tb.UNTOUCHED and unchanged_by_contacts(
             control, bodies.substep_state[i], bodies.motion[i]
@@ -32,6 +32,7 @@ def integrate_free(control: Control, bodies: Bodies) -> bool:
             bodies.moved[i] = tb.UNMOVED
         if bodies.kind[i] >= tb.KINEMATIC and bodies.moved[i] == tb.UNMOVED:
             integrate_body(i, control, bodies)
+        bodies.early[i, tb.SHARE_OF_PART] = of_substeps if bodies.moved[i] == tb.MOVED else 0.0
         bodies.moved[i] = 0
         far = far | goes_far(i, bodies)
     return far
