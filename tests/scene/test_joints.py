@@ -32,7 +32,10 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
         "it holds no body that moves",
     ),
     "two points": (lambda s: s.add_joint(t2.Distance(), (0, 0), (1, 0)), "no body that moves"),
-    "a kinematic body": (lambda s: s.add_joint(t2.Distance(), "rod", "lift"), "is kinematic"),
+    "a joint that breaks on a kinematic body": (
+        lambda s: s.add_joint(t2.Distance(), "rod", "lift", break_force=1.0),
+        "is kinematic, which only steps know",
+    ),
     "a length that is another": (
         lambda s: s.add_joint(t2.Distance(length=1), "rod", "wheel"),
         "off by 0.5 m",

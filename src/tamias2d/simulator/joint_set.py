@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.joint_row import JointRow
+from tamias2d.engine.joints.stages import PULLED
 from tamias2d.engine.saved_checks import require
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, MOST_ROWS
@@ -32,6 +33,7 @@ from tamias2d.state import Array, IntArray
 
 _KEPT = slice(tb.J_STEP_TOTAL, tb.J_SCALE + 1)  # numbers of a joint that a step leaves to the next
 _COUNT = _KEPT.stop - _KEPT.start
+_PULLED = tb.J_PULLED - tb.J_STEP_TOTAL
 STIFFEST = 2.0**29  # of a spring, times the squared step, over mass or inertia
 APART = 1e-3
 """Of the size of a joint, or rad: one that is farther apart is told."""
@@ -146,9 +148,39 @@ class JointSet:
         size = np.where(self._are_lengths, self._sizes[:, None], 1.0)
         slight = slice(tb.J_SLIGHT, tb.J_SLIGHT + MOST_ROWS)
         engine.world.joints.numbers[self._places, slight] = APART / math.sqrt(MOST_ROWS) * size
+        numbers = engine.world.joints.numbers
         if self._saved is not None and self._restored:
-            engine.world.joints.numbers[self._places, _KEPT] = self._saved
+            numbers[self._places, _KEPT] = self._saved
+        else:
+            numbers[self._places, tb.J_PULLED] = self._pulled_apart(engine)[self._owner]
+        firsts = engine.world.joints.mechanisms[self._mechanisms(engine), tb.M_JOINT]
+        np.maximum.at(numbers[:, tb.J_PULLED], firsts, numbers[self._places, tb.J_PULLED])
         self.new = self._restored = False
+
+    def _mechanisms(self, engine: Engine) -> IntArray:
+        """Return the mechanism of each row."""
+        joints = engine.world.joints
+        starts = joints.mechanisms[: joints.counts[tb.MECHANISMS], tb.M_JOINT]
+        return np.searchsorted(starts, self._places, side="right") - 1
+
+    def _pulled_apart(self, engine: Engine) -> Array:
+        """Return for how many substeps joints (j,) pull together what was moved since they came."""
+        joints = list(self._joints.values())
+        lengths, angles = _separations(joints, engine.pose)
+        sizes = np.array([_size(joint, engine) for joint in joints])
+        return np.where(np.maximum(lengths / sizes, angles) > APART, PULLED, 0.0)
+
+    def _pulled_since(self, engine: Engine) -> Array:
+        """Return for how many substeps rows follow what nothing pushes, moved since the step."""
+        joints = engine.world.joints
+        places, body = joints.places[:, tb.PLACE_X : tb.PLACE_ANGLE + 1], joints.members
+        moved = (places != engine.pose[body[:, tb.JOINED_BODY]]).any(axis=1)
+        moved[0] = False  # the plane
+        ends = joints.joints[self._places]
+        tied = ends[:, tb.J_NODE : tb.J_NODE + len(ENDS)] == tb.NOT_PUSHED
+        members = ends[:, tb.J_MEMBER : tb.J_MEMBER + len(ENDS)]
+        placed = joints.counts[tb.PLACED] == 1
+        return np.where(placed & (tied & moved[members]).any(axis=1), PULLED, 0.0)
 
     def too_stiff(self, engine: Engine, time_step: float) -> tuple[Joint, float] | None:
         """Return a joint whose spring is too stiff for a step, s, and its stiffness; or None.
@@ -167,8 +199,11 @@ class JointSet:
                     return joint, row.numbers[2]
         return None
 
-    def apart(self, engine: Engine) -> tuple[Joint, float] | None:
-        """Return a joint that was far apart within the last steps, and by how much; or None."""
+    def apart(self, engine: Engine) -> tuple[Joint, float, bool] | None:
+        """Return a joint that was far apart within the last steps, and by how much; or None.
+
+        It is said, too, whether what it holds was moved by hand.
+        """
         counts, numbers = engine.world.joints.counts, engine.world.joints.numbers
         if not counts[tb.JOINTS_APART]:
             return None
@@ -183,7 +218,9 @@ class JointSet:
             return None
         is_length = lengths[worst] / self._sizes[worst] > angles[worst]
         far = lengths[worst] if is_length else angles[worst]
-        return list(self._joints.values())[self._owner[worst]], float(far)
+        first = engine.world.joints.mechanisms[self._mechanisms(engine)[worst], tb.M_JOINT]
+        pulled = bool(numbers[first, tb.J_PULLED] > 0)
+        return list(self._joints.values())[self._owner[worst]], float(far), pulled
 
     def turned(self, engine: Engine) -> Joint | None:
         """Return a joint that turned too far in a substep of the last steps; or None."""
@@ -207,9 +244,14 @@ class JointSet:
         if self._saved is not None:
             return self._saved
         if self.new:
-            rows = sum(len(joint_rows(joint)) for joint in self._joints.values())
-            return np.zeros((rows, _COUNT))
-        return engine.world.joints.numbers[self._places, _KEPT]
+            joints = list(self._joints.values())
+            owner = [k for k, joint in enumerate(joints) for _ in joint_rows(joint)]
+            totals = np.zeros((len(owner), _COUNT))
+            totals[:, _PULLED] = self._pulled_apart(engine)[owner]
+            return totals
+        totals = engine.world.joints.numbers[self._places, _KEPT]
+        totals[:, _PULLED] = np.maximum(totals[:, _PULLED], self._pulled_since(engine))
+        return totals
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
         """Return what joints exerted in the last step, and how well they hold now."""
@@ -268,11 +310,7 @@ class JointSet:
             fits = len(set(held)) == len(held) and all(0 <= body < len(kind) for body in held)
             require(fits and np.isfinite(row.given).all(), name, "must be of bodies, and numbers")
             kinds = kind[held]
-            fits = (
-                bool((kinds == tb.DYNAMIC).any())
-                and tb.ABSENT not in kinds
-                and tb.KINEMATIC not in kinds
-            )
+            fits = bool((kinds == tb.DYNAMIC).any()) and tb.ABSENT not in kinds
             require(fits, name, "must hold a body that moves")
         own = cls(joints)
         if joints:

@@ -61,6 +61,8 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     joints = store.world.joints
     joints.counts[:] = 0
     joints.counts[[tb.JOINTS, tb.MECHANISMS]] = len(rows), len(mechanisms)
+    told = sum(store.world.state.kind[body] == tb.KINEMATIC for body in still)
+    joints.counts[tb.FIRST_KINEMATIC] = len(member) + 1 - told
     joints.mechanisms[:] = 0
     joints.mechanisms[1:, tb.M_JOINT] = np.cumsum([len(own) for own in mechanisms])
     joints.sparse[: len(nodes) + 1, tb.I_NODE] = np.cumsum([0, *map(len, nodes)]) if rows else 0
@@ -136,12 +138,14 @@ def _write_joints(
             nodes = [
                 tb.UNUSED
                 if end not in CONSTRAINTS[row.kind].bodies
-                else tb.STANDS_STILL
+                else tb.NOT_PUSHED
                 if body is None or kind[body] != tb.DYNAMIC
                 else member[body] - 1
                 for end, body in zip(ENDS, row.ends, strict=True)
             ]
-            joints.mechanisms[n, tb.M_TIED] |= tb.STANDS_STILL in nodes
+            joints.mechanisms[n, tb.M_TIED] |= tb.NOT_PUSHED in nodes
+            held = [body for body in row.ends if body is not None]
+            joints.mechanisms[n, tb.M_CARRIED] |= (kind[held] == tb.KINEMATIC).any()
             joints.mechanisms[n, tb.M_DRIVEN] |= row.driven
             joints.mechanisms[n, tb.M_GOVERNED] |= row.governed
             joints.mechanisms[n, tb.M_CHOOSING] |= row.law in CHOOSING
@@ -215,9 +219,10 @@ def _moving(store: Store, rows: Iterable[JointRow]) -> list[int]:
 
 
 def _still(store: Store, rows: Iterable[JointRow]) -> list[int]:
-    """Return the bodies that joints hold, and that do not move."""
-    bodies = (body for row in rows for body in row.ends if body is not None)
-    return [body for body in dict.fromkeys(bodies) if store.world.state.kind[body] != tb.DYNAMIC]
+    """Return the bodies that joints hold, and that nothing pushes: static ones, then kinematic."""
+    bodies = dict.fromkeys(body for row in rows for body in row.ends if body is not None)
+    kind = store.world.state.kind
+    return [body for own in (tb.STATIC, tb.KINEMATIC) for body in bodies if kind[body] == own]
 
 
 def _pairs(

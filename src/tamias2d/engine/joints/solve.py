@@ -235,7 +235,7 @@ def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:
             tb.J_ROW + ROW * r + 1 + 3 * end,
             joints.members[ends[tb.J_MEMBER + end], tb.JOINED_SLOT],
         )
-        if ends[tb.J_NODE + end] >= 0:
+        if ends[tb.J_NODE + end] != tb.UNUSED:
             now = bodies.motion[i]
             slope, velocity = (numbers[at], numbers[at + 1]), (now[tb.VX], now[tb.VY])
             rate += row_rate(slope, numbers[at + 2], velocity, now[tb.SPIN])
