@@ -243,6 +243,7 @@ def test_joints_of_all_kinds_come_back_from_their_text_to_the_last_bit() -> None
         t2.Pulley(posts=[(0, 3), (1, 3)], ratio=1.5), "b 1", "b 3", third="b 2", third_anchor=(0, 1)
     )
     made.add_joint(t2.Weld(), "b 3", (1, 0.1))
+    made.add_joint(t2.Target(spring=t2.JointSpring(stiffness=1 / 3)), (2, 1), "b 3")
     limits = t2.Limits(lower=-1 / 3, upper=2 / 3, restitution=0.1)
     motor = t2.Motor(speed=1 / 3, maximum=1 / 7)
     spring = t2.JointSpring(stiffness=1 / 3, damping=1 / 7)

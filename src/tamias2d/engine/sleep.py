@@ -13,7 +13,6 @@ Cost: a pass over bodies and one over contacts in each step, where sleeping is w
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.islands import find_islands
-from tamias2d.engine.joints.linearise import ENDS_OF_JOINT
 from tamias2d.engine.tables import (
     Bodies,
     BroadPhase,
@@ -102,7 +101,7 @@ def wake_tied(islands: Islands, joints: Joints) -> None:
     for n in range(joints.counts[tb.MECHANISMS]):
         i = joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT]
         for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-            for end in range(ENDS_OF_JOINT):
+            for end in range(tb.ENDS_OF_JOINT):
                 if joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED:
                     by = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
                     wake_pair(i, by, islands.links)
@@ -168,7 +167,7 @@ def note_joined_support(islands: Islands, joints: Joints) -> None:
     for n in range(joints.counts[tb.MECHANISMS]):
         support = SUPPORTED_AT_REST
         for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-            for end in range(ENDS_OF_JOINT):
+            for end in range(tb.ENDS_OF_JOINT):
                 by = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
                 tied = joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED
                 if tied and islands.links[by, tb.AWAKE] == 1:

@@ -827,6 +827,7 @@ LAW_MOST = _laws()  # N or N m, of a motor
 LAW_STIFFNESS = _laws()  # N/m or N m/rad
 LAW_DAMPING = _laws()  # kg/s or N m s
 
+ENDS_OF_JOINT = 3
 NOT_PUSHED, UNUSED = -1, -2  # instead of a node: nothing pushes what is there, or none is asked for
 
 _joint_numbers = Columns()

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.joint_row import JointRow
+from tamias2d.engine.joints.rows import set_given
 from tamias2d.engine.joints.stages import PULLED
 from tamias2d.engine.saved_checks import require
 from tamias2d.generated.constraints import CONSTRAINTS
@@ -25,7 +26,7 @@ from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor
 from tamias2d.scene.joint_checks import checked_joint
 from tamias2d.scene.joint_kinds import Equation
 from tamias2d.scene.joints import OWN_EQUATION, End, Joint
-from tamias2d.scene.rules import RuleError, shown
+from tamias2d.scene.rules import RuleError, Vector, shown
 from tamias2d.scene.springs import arm
 from tamias2d.simulator.told_only import REMEDIES
 from tamias2d.spec.constraint import ENDS
@@ -75,6 +76,8 @@ class JointSet:
         refuse_unknown(self._joints.values())
         self._places = np.zeros(0, dtype=np.int64)  # of rows in the arrays, as joints were added
         self._owner = np.zeros(0, dtype=np.int64)  # of each row its joint
+        self._places_of: dict[str, list[int]] = {}
+        self._alike: set[str] = set()  # of those whose order their anchors decide
         self._are_lengths = np.zeros((0, MOST_ROWS), dtype=bool)
         self._sizes = np.ones(0)
         self._saved: Array | None = None  # impulses of the last step, as long as it is from a file
@@ -115,14 +118,57 @@ class JointSet:
 
     def remove(self, name: object) -> Joint:
         """Take a joint out, and return it; raise `RuleError` if there is none of that name."""
+        joint = self._named(name)
+        self._change()
+        return self._joints.pop(joint.name)
+
+    def _named(self, name: object) -> Joint:
         if not isinstance(name, str) or name not in self._joints:
             raise RuleError(
                 f"joint {shown(name)}: the simulator has none such (R13). Name one of "
                 f"{shown(list(self._joints))}.",
                 "name",
             )
-        self._change()
-        return self._joints.pop(name)
+        return self._joints[name]
+
+    def set_target(self, name: object, point: Vector, engine: Engine) -> Joint:
+        """Move the point of the plane that a joint holds, m, and return it.
+
+        Raises:
+            RuleError: there is none of that name, or it holds no point of the plane, or two.
+        """
+        joint = self._named(name)
+        held = [
+            k
+            for k, end in enumerate(ENDS)
+            if joint.ends[k] is None and f"anchor_{end}" in joint.functions.parameters
+        ]
+        if len(held) != 1:
+            raise RuleError(
+                f"joint '{joint.name}' ({joint.kind}): it holds no point of the plane that could "
+                "be moved (TM7). Name one that does, such as a Target().",
+                "name",
+            )
+        anchors = list(joint.anchors)
+        anchors[held[0]] = point
+        moved = replace(joint, anchors=(anchors[0], anchors[1], anchors[2]))
+        self._joints[joint.name] = moved
+        if joint.name in self._alike:
+            self._change()
+        if not self.new:
+            for place, row in zip(self._places_of[joint.name], joint_rows(moved), strict=True):
+                set_given(engine, place, row.given)
+                if row.law != tb.SPRING:
+                    self._pull(place, engine)
+        return moved
+
+    def _pull(self, place: int, engine: Engine) -> None:
+        """Let the mechanism of a joint follow what was moved by hand."""
+        joints = engine.world.joints
+        starts = joints.mechanisms[: joints.counts[tb.MECHANISMS], tb.M_JOINT]
+        joints.numbers[starts[np.searchsorted(starts, place, side="right") - 1], tb.J_PULLED] = (
+            PULLED
+        )
 
     def drop_bodies(self, gone: set[int]) -> list[int]:
         """Take out the joints of bodies that leave; return the other bodies that these held."""
@@ -142,6 +188,12 @@ class JointSet:
         self._owner = np.array([k for k, _ in rows], dtype=np.int64)
         self._places = np.zeros(len(rows), dtype=np.int64)
         self._places[order] = places
+        self._places_of = {}
+        held: dict[tuple[Any, ...], set[str]] = {}
+        for (k, row), place in zip(rows, self._places.tolist(), strict=True):
+            self._places_of.setdefault(joints[k].name, []).append(place)
+            held.setdefault((row.ends, row.law, row.kind), set()).add(joints[k].name)
+        self._alike = {name for own in held.values() if len(own) > 1 for name in own}
         sizes = np.array([_size(joint, engine) for joint in joints])
         units = np.array([_units(row) for _, row in rows]).reshape(-1, MOST_ROWS)
         self._are_lengths, self._sizes = units == "m", sizes[self._owner]

@@ -14,6 +14,7 @@ from tamias2d.engine.joints.linearise import TURNED_TOGETHER
 from tamias2d.engine.store import Store
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
+from tamias2d.kernels.lanes import LANES
 from tamias2d.spec.constraint import ENDS
 
 CHOOSING = (
@@ -77,6 +78,27 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     joints.apart_first[:] = np.searchsorted(lows, np.arange(len(joints.apart_first)))
     store.world.touching.counts[[tb.ARRANGED, tb.ISLANDS_KNOWN]] = 0
     return places
+
+
+def set_given(store: Store, place: int, given: Sequence[float]) -> None:
+    """Give a joint other parameters of its kind; what was made of its old ones is made anew."""
+    joints = store.world.joints
+    joints.given[place, : len(given)] = given
+    starts = joints.mechanisms[: joints.counts[tb.MECHANISMS], tb.M_JOINT]
+    n = int(np.searchsorted(starts, place, side="right")) - 1
+    joints.mechanisms[n, tb.M_WRITTEN] = 0
+    m = joints.sparse[n, tb.I_NODE] + 1
+    if joints.mechanisms[n, tb.M_HINGED] == 0 or joints.members[m, tb.JOINED_HINGE] != place:
+        return
+    own = joints.hinges[m]
+    far = 0 if own[tb.H_SIDE] > 0 else 2
+    own[tb.H_FAR_ANCHOR : tb.H_FAR_ANCHOR + 2] = given[far : far + 2]
+    if joints.mechanisms[n, tb.M_IN_BLOCK]:
+        trees = joints.tree_blocks[:, tb.T_MECHANISM : tb.T_MECHANISM + LANES]
+        block, lane = np.argwhere(trees == n)[0]
+        row = joints.tree_lanes[joints.tree_blocks[block, tb.T_FIRST] + 1]
+        row[[tb.T_FAR_ANCHOR_X + lane, tb.T_FAR_ANCHOR_Y + lane]] = given[far : far + 2]
+        joints.tree_blocks[block, tb.T_WRITTEN] = 0
 
 
 def _plan(

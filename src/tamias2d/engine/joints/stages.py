@@ -20,7 +20,6 @@ from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
 from tamias2d.engine.joints.hinge_tree import hang_tree, linearise_tree, store_hinge_impulses
 from tamias2d.engine.joints.left_impulses import give_left, note_left
 from tamias2d.engine.joints.linearise import (
-    ENDS_OF_JOINT,
     factor_mechanism,
     linearise,
     note_node_masses,
@@ -119,7 +118,7 @@ def pull_after_moved(bodies: Bodies, joints: Joints) -> None:
         return
     for n in range(joints.counts[tb.MECHANISMS]):
         for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-            for end in range(ENDS_OF_JOINT):
+            for end in range(tb.ENDS_OF_JOINT):
                 m = joints.joints[j, tb.J_MEMBER + end]
                 tied = joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED
                 if tied and have_moved(m, m + 1, bodies, joints):

@@ -6,7 +6,6 @@ moved when the step began: there, gravity does no work that contacts could take 
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.linearise import ENDS_OF_JOINT
 from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import momentum, point_velocity
@@ -87,7 +86,7 @@ def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
 def support_mechanism(n: int, root: int, bodies: Bodies, islands: Islands, joints: Joints) -> None:
     """Let the island at a root be seen from what ties a mechanism of it."""
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        for end in range(ENDS_OF_JOINT):
+        for end in range(tb.ENDS_OF_JOINT):
             if joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED:
                 support = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
                 support_island(support, root, bodies, islands)
