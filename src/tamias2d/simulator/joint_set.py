@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.joint_row import JointRow
-from tamias2d.engine.joints.rows import set_given
+from tamias2d.engine.joints.rows import mechanism_of, move_anchor
 from tamias2d.engine.joints.stages import PULLED
 from tamias2d.engine.saved_checks import require
 from tamias2d.generated.constraints import CONSTRAINTS
@@ -76,7 +76,7 @@ class JointSet:
         refuse_unknown(self._joints.values())
         self._places = np.zeros(0, dtype=np.int64)  # of rows in the arrays, as joints were added
         self._owner = np.zeros(0, dtype=np.int64)  # of each row its joint
-        self._places_of: dict[str, list[int]] = {}
+        self._rows_of: dict[str, list[tuple[int, JointRow]]] = {}  # with their places
         self._alike: set[str] = set()  # of those whose order their anchors decide
         self._are_lengths = np.zeros((0, MOST_ROWS), dtype=bool)
         self._sizes = np.ones(0)
@@ -151,24 +151,17 @@ class JointSet:
             )
         anchors = list(joint.anchors)
         anchors[held[0]] = point
-        moved = replace(joint, anchors=(anchors[0], anchors[1], anchors[2]))
-        self._joints[joint.name] = moved
+        self._joints[joint.name] = replace(joint, anchors=(anchors[0], anchors[1], anchors[2]))
         if joint.name in self._alike:
             self._change()
         if not self.new:
-            for place, row in zip(self._places_of[joint.name], joint_rows(moved), strict=True):
-                set_given(engine, place, row.given)
+            joints = engine.world.joints
+            for place, row in self._rows_of[joint.name]:
+                move_anchor(engine, place, row.kind, ENDS[held[0]], point)
                 if row.law != tb.SPRING:
-                    self._pull(place, engine)
-        return moved
-
-    def _pull(self, place: int, engine: Engine) -> None:
-        """Let the mechanism of a joint follow what was moved by hand."""
-        joints = engine.world.joints
-        starts = joints.mechanisms[: joints.counts[tb.MECHANISMS], tb.M_JOINT]
-        joints.numbers[starts[np.searchsorted(starts, place, side="right") - 1], tb.J_PULLED] = (
-            PULLED
-        )
+                    first = joints.mechanisms[mechanism_of(engine, place), tb.M_JOINT]
+                    joints.numbers[first, tb.J_PULLED] = PULLED
+        return joint
 
     def drop_bodies(self, gone: set[int]) -> list[int]:
         """Take out the joints of bodies that leave; return the other bodies that these held."""
@@ -188,10 +181,10 @@ class JointSet:
         self._owner = np.array([k for k, _ in rows], dtype=np.int64)
         self._places = np.zeros(len(rows), dtype=np.int64)
         self._places[order] = places
-        self._places_of = {}
+        self._rows_of = {}
         held: dict[tuple[Any, ...], set[str]] = {}
         for (k, row), place in zip(rows, self._places.tolist(), strict=True):
-            self._places_of.setdefault(joints[k].name, []).append(place)
+            self._rows_of.setdefault(joints[k].name, []).append((place, row))
             held.setdefault((row.ends, row.law, row.kind), set()).add(joints[k].name)
         self._alike = {name for own in held.values() if len(own) > 1 for name in own}
         sizes = np.array([_size(joint, engine) for joint in joints])
@@ -206,7 +199,9 @@ class JointSet:
         else:
             numbers[self._places, tb.J_PULLED] = self._pulled_apart(engine)[self._owner]
         firsts = engine.world.joints.mechanisms[self._mechanisms(engine), tb.M_JOINT]
-        np.maximum.at(numbers[:, tb.J_PULLED], firsts, numbers[self._places, tb.J_PULLED])
+        pulled = np.zeros(len(numbers))
+        np.maximum.at(pulled, firsts, numbers[self._places, tb.J_PULLED])
+        numbers[:, tb.J_PULLED] = pulled
         self.new = self._restored = False
 
     def _mechanisms(self, engine: Engine) -> IntArray:

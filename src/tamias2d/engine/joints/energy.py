@@ -18,7 +18,12 @@ from tamias2d.engine.solver.island_damping import (
     find_rigid_motion,
     place_from,
 )
-from tamias2d.engine.solver.support import FREE, may_get_any, support_mechanism
+from tamias2d.engine.solver.support import (
+    FREE,
+    SUPPORTED_BY_ONE,
+    may_get_any,
+    support_mechanism,
+)
 from tamias2d.engine.tables import Bodies, Control, Islands, Joints
 from tamias2d.generated.definitions import (
     kinetic_energy,
@@ -57,17 +62,18 @@ def bound_mechanism(
     """
     first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
     row = islands.energy[joints.sparse[first, tb.N_BODY]]
-    row[tb.SUPPORT] = FREE
-    row[tb.REFERENCE] = row[tb.REFERENCE + 1] = row[tb.REFERENCE + 2] = 0.0
-    support_mechanism(n, joints.sparse[first, tb.N_BODY], bodies, islands, joints)
-    base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
-    start, given = energy_at_start(first, last, base, control, bodies, joints)
-    now = energy_of_motion(first, last, base, bodies, joints)
     tied, governed = joints.mechanisms[n, tb.M_TIED] == 1, joints.mechanisms[n, tb.M_GOVERNED] == 1
+    row[tb.SUPPORT] = SUPPORTED_BY_ONE if tied else FREE
+    row[tb.REFERENCE] = row[tb.REFERENCE + 1] = row[tb.REFERENCE + 2] = 0.0
+    carried = joints.mechanisms[n, tb.M_CARRIED] == 1
+    if carried:
+        row[tb.SUPPORT] = FREE
+        support_mechanism(n, joints.sparse[first, tb.N_BODY], bodies, islands, joints)
+    base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
+    start, given, now = energies_of_part(first, last, base, control, bodies, joints)
     numbers = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
     sprung, reserve = energy_of_springs(n, joints), numbers[tb.J_RESERVE]
-    carried = joints.mechanisms[n, tb.M_CARRIED] == 1 and is_changed(start, numbers)
-    if carried or may_get_any(n, row, joints):
+    if (carried and is_changed(start, numbers)) or may_get_any(n, row, joints):
         note_balance(start, now, sprung, now, numbers)
         return
     if tied and not governed and start + given + reserve < 0.0:
@@ -85,15 +91,15 @@ def bound_mechanism(
     note_balance(start, now, sprung, balance, numbers)
 
 
-def energy_at_start(
+def energies_of_part(
     first: int, last: int, base: Vector, control: Control, bodies: Bodies, joints: Joints
-) -> tuple[float, float]:
-    """Return the kinetic energy of some nodes as a part began, and what loads have given since, J.
+) -> tuple[float, float, float]:
+    """Return the energy of some nodes as a part began, what loads gave since, and that now, J.
 
     As in all of these, motion is seen from what ties the nodes, which moves with a velocity, m/s.
     """
     gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
-    start = given = 0.0
+    start = given = now = 0.0
     for node in range(first, last):
         i = joints.sparse[node, tb.N_BODY]
         mass, inertia = mass_and_inertia(i, bodies.properties)
@@ -102,7 +108,9 @@ def energy_at_start(
         start += kinetic_energy(mass, velocity, inertia, then[tb.STEP_START + 2])
         shift = shift_seen((motion[tb.DX], motion[tb.DY]), base, control.progress[tb.PART_TIME])
         given += work(mass, gravity, (load[0], load[1]), load[2], shift, motion[tb.DANGLE])
-    return start, given
+        velocity = velocity_seen((motion[tb.VX], motion[tb.VY]), base)
+        now += kinetic_energy(mass, velocity, inertia, motion[tb.SPIN])
+    return start, given, now
 
 
 def energy_of_motion(first: int, last: int, base: Vector, bodies: Bodies, joints: Joints) -> float:

@@ -1,6 +1,7 @@
 """Joints as rows of the engine's arrays: which bodies they hold, and how these form mechanisms."""
 
 from collections.abc import Iterable, Sequence
+from functools import cache
 from itertools import chain, combinations
 
 import numpy as np
@@ -14,8 +15,10 @@ from tamias2d.engine.joints.linearise import TURNED_TOGETHER
 from tamias2d.engine.store import Store
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
+from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.kernels.lanes import LANES
 from tamias2d.spec.constraint import ENDS
+from tamias2d.state import Vector
 
 CHOOSING = (
     tb.LOWER_LIMIT,
@@ -80,25 +83,43 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     return places
 
 
-def set_given(store: Store, place: int, given: Sequence[float]) -> None:
-    """Give a joint other parameters of its kind; what was made of its old ones is made anew."""
+def move_anchor(store: Store, place: int, kind: str, end: str, point: Vector) -> None:
+    """Let a joint hold the plane at another point, m; what was made of the old one is made anew."""
     joints = store.world.joints
-    joints.given[place, : len(given)] = given
-    starts = joints.mechanisms[: joints.counts[tb.MECHANISMS], tb.M_JOINT]
-    n = int(np.searchsorted(starts, place, side="right")) - 1
+    column = anchor_column(kind, end)
+    if column is None:
+        return
+    joints.given[place, column], joints.given[place, column + 1] = point
+    n = mechanism_of(store, place)
     joints.mechanisms[n, tb.M_WRITTEN] = 0
     m = joints.sparse[n, tb.I_NODE] + 1
     if joints.mechanisms[n, tb.M_HINGED] == 0 or joints.members[m, tb.JOINED_HINGE] != place:
         return
-    own = joints.hinges[m]
-    far = 0 if own[tb.H_SIDE] > 0 else 2
-    own[tb.H_FAR_ANCHOR : tb.H_FAR_ANCHOR + 2] = given[far : far + 2]
+    joints.hinges[m, tb.H_FAR_ANCHOR : tb.H_FAR_ANCHOR + 2] = point
     if joints.mechanisms[n, tb.M_IN_BLOCK]:
         trees = joints.tree_blocks[:, tb.T_MECHANISM : tb.T_MECHANISM + LANES]
         block, lane = np.argwhere(trees == n)[0]
         row = joints.tree_lanes[joints.tree_blocks[block, tb.T_FIRST] + 1]
-        row[[tb.T_FAR_ANCHOR_X + lane, tb.T_FAR_ANCHOR_Y + lane]] = given[far : far + 2]
+        row[tb.T_FAR_ANCHOR_X + lane], row[tb.T_FAR_ANCHOR_Y + lane] = point
         joints.tree_blocks[block, tb.T_WRITTEN] = 0
+
+
+def mechanism_of(store: Store, place: int) -> int:
+    """Return the mechanism of a joint."""
+    joints = store.world.joints
+    starts = joints.mechanisms[: joints.counts[tb.MECHANISMS], tb.M_JOINT]
+    return int(np.searchsorted(starts, place, side="right")) - 1
+
+
+@cache
+def anchor_column(kind: str, end: str) -> int | None:
+    """Return where among its parameters a kind of joint has the anchor of an end; None if none."""
+    parameters = CONSTRAINTS[kind].parameters
+    if f"anchor_{end}" not in parameters:
+        return None
+    before = parameters[: parameters.index(f"anchor_{end}")]
+    symbols = [SYMBOLS.get(name) or SYMBOLS[name.rpartition("_")[0]] for name in before]
+    return sum(2 if symbol.shape == "vector" else 1 for symbol in symbols)
 
 
 def _plan(

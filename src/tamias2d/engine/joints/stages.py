@@ -243,12 +243,13 @@ def keep_joint_impulses(world: World) -> None:
     substeps = world.control.counts[tb.PART_SUBSTEPS]
     for n in range(joints.counts[tb.MECHANISMS]):
         if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            first = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
+            first[tb.J_PULLED] = max(first[tb.J_PULLED] - substeps, 0.0)
             for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
                 numbers = joints.numbers[j]
                 for k in range(9):
                     before = kept * numbers[tb.J_STEP_TOTAL + k]
                     numbers[tb.J_STEP_TOTAL + k] = before + numbers[tb.J_TOTAL + k]
-                numbers[tb.J_PULLED] = max(numbers[tb.J_PULLED] - substeps, 0.0)
                 numbers[tb.J_LEFT_BEFORE] = numbers[tb.J_LEFT]
                 numbers[tb.J_RESERVE] = numbers[tb.J_RESERVE_LATER]
                 numbers[tb.J_MOTION] = numbers[tb.J_MOTION_LATER]
