@@ -79,6 +79,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         Rotary as Rotary,
         Scene as Scene,
         Segment as Segment,
+        Target as Target,
         Weld as Weld,
         Wheel as Wheel,
         catalogue as catalogue,
@@ -110,7 +111,7 @@ _HOMES = {
     "run_data": "Impacts",
     "scene": "Body Box Capsule Chain Compound Disc Distance Equation Gear Groove HalfPlane "
     "JointSpring Limits Motor Part Polygon Prismatic Pulley Ratchet Revolute Rotary Scene Segment "
-    "Weld Wheel catalogue load needs scene_text",
+    "Target Weld Wheel catalogue load needs scene_text",
     "simulate": "simulate",
     "simulator": "Hits Simulator",
     "study.certify": "certify",

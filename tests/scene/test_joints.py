@@ -32,7 +32,10 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
         "it holds no body that moves",
     ),
     "two points": (lambda s: s.add_joint(t2.Distance(), (0, 0), (1, 0)), "no body that moves"),
-    "a kinematic body": (lambda s: s.add_joint(t2.Distance(), "rod", "lift"), "is kinematic"),
+    "a joint that breaks on a kinematic body": (
+        lambda s: s.add_joint(t2.Distance(), "rod", "lift", break_force=1.0),
+        "is kinematic, which only steps know",
+    ),
     "a length that is another": (
         lambda s: s.add_joint(t2.Distance(length=1), "rod", "wheel"),
         "off by 0.5 m",
@@ -240,6 +243,7 @@ def test_joints_of_all_kinds_come_back_from_their_text_to_the_last_bit() -> None
         t2.Pulley(posts=[(0, 3), (1, 3)], ratio=1.5), "b 1", "b 3", third="b 2", third_anchor=(0, 1)
     )
     made.add_joint(t2.Weld(), "b 3", (1, 0.1))
+    made.add_joint(t2.Target(spring=t2.JointSpring(stiffness=1 / 3)), (2, 1), "b 3")
     limits = t2.Limits(lower=-1 / 3, upper=2 / 3, restitution=0.1)
     motor = t2.Motor(speed=1 / 3, maximum=1 / 7)
     spring = t2.JointSpring(stiffness=1 / 3, damping=1 / 7)

@@ -39,6 +39,16 @@ def test_pendulum_converges_to_the_exact_way_with_order_two() -> None:
     assert errors[1] / errors[2] == pytest.approx(4, abs=0.5)
 
 
+def test_a_body_at_the_origin_is_held_where_it_is() -> None:
+    """It was taken for one that has been placed already, with an angle without a cosine."""
+    scene = Scene(gravity=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, inertia=1.0, position=(0.0, 0.0))
+    scene.add_joint(Revolute(), (1.0, 0.0), 0, other_anchor=(1.0, 0.0))
+    sim = plain(scene)
+    sim.step()
+    assert sim.position[0] == pytest.approx((0.0, 0.0), abs=1e-15)
+
+
 def test_stepped_runs_take_joints() -> None:
     run = simulate(pendulum(), duration=0.5, method=Stepped(), time_step=1 / 60)
     exact = simulate(pendulum(), duration=0.5, times=[0.5])

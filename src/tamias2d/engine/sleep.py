@@ -36,6 +36,7 @@ def update_sleep(
     broad_phase: BroadPhase,
     contacts: Contacts,
     islands: Islands,
+    joints: Joints,
 ) -> None:
     """Wake islands that were changed since the last step, and count the bodies that sleep on."""
     links, rest = islands.links, islands.rest
@@ -52,6 +53,7 @@ def update_sleep(
     for p in range(broad_phase.counts[tb.CONTACTS]):
         if contacts.flags[p, tb.POINT_COUNT] > 0:
             wake_pair(contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B], links)
+    wake_tied(islands, joints)
     count_sleeping(bodies, islands)
 
 
@@ -92,6 +94,17 @@ def wake_pair(i: int, j: int, links: Integers) -> bool:
     sleep_id = max(links[i, tb.SLEEP_ID], links[j, tb.SLEEP_ID])
     wake_island(sleep_id, links)
     return bool(sleep_id > 0)
+
+
+def wake_tied(islands: Islands, joints: Joints) -> None:
+    """Wake mechanisms that joints tie to a body which may wake others."""
+    for n in range(joints.counts[tb.MECHANISMS]):
+        i = joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT]
+        for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+            for end in range(tb.ENDS_OF_JOINT):
+                if joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED:
+                    by = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
+                    wake_pair(i, by, islands.links)
 
 
 def wake_island(sleep_id: int, links: Integers) -> None:
@@ -152,9 +165,16 @@ def note_support_kinds(
 def note_joined_support(islands: Islands, joints: Joints) -> None:
     """Note that bodies which joints hold are supported by what these hold besides."""
     for n in range(joints.counts[tb.MECHANISMS]):
+        support = SUPPORTED_AT_REST
+        for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+            for end in range(tb.ENDS_OF_JOINT):
+                by = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
+                tied = joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED
+                if tied and islands.links[by, tb.AWAKE] == 1:
+                    support = SUPPORTED_IN_MOTION
         for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
             links = islands.links[joints.members[m, tb.JOINED_SLOT]]
-            links[tb.SUPPORT_KIND] = max(links[tb.SUPPORT_KIND], SUPPORTED_AT_REST)
+            links[tb.SUPPORT_KIND] = max(links[tb.SUPPORT_KIND], support)
 
 
 def fall_asleep(control: Control, bodies: Bodies, islands: Islands) -> None:

@@ -207,7 +207,7 @@ def find_moved(world: World) -> int:
     bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
     contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[tb.SLEEP_STEPS] > 0:
-        update_sleep(world.control, bodies, broad_phase, contacts, islands)
+        update_sleep(world.control, bodies, broad_phase, contacts, islands, world.joints)
     left = mark_out_of_bounds(world.control, bodies, broad_phase)
     all_needed = left > 0 or broad_phase.counts[tb.LIST_HOLDS] == 0
     if all_needed or broad_phase.counts[tb.CONTACTS] > 0:

@@ -791,6 +791,8 @@ MECHANISMS = _joint_counts()
 MECHANISMS_AWAKE = _joint_counts()  # in this step
 MECHANISMS_TOUCHED = _joint_counts()  # of these, by contacts, or governed
 TREE_BLOCKS = _joint_counts()
+FIRST_KINEMATIC = _joint_counts()  # member: it and all after it move as they are told
+PLACED = _joint_counts()  # 1 if members are where the last step, or its first part, placed them
 JOINTS_APART = _joint_counts()  # 1 if a joint was more than slightly apart, until it is asked
 JOINTS_TURNED = _joint_counts()  # 1 if a joint turned too far in a substep, until it is asked
 
@@ -799,7 +801,8 @@ M_JOINT = _mechanisms()  # where its joints begin; its members are its nodes, on
 M_STATUS = _mechanisms()  # one of those below
 M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by iteration; with the last
 # column it is a net of hinges
-M_TIED = _mechanisms()  # 1 if a joint ties it to what does not move
+M_TIED = _mechanisms()  # 1 if a joint ties it to what nothing pushes
+M_CARRIED = _mechanisms()  # 1 if that, or some of it, moves as it is told
 M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
 M_CHOOSING = _mechanisms()  # 1 if it has limits or motors
@@ -829,7 +832,8 @@ LAW_MOST = _laws()  # N or N m, of a motor
 LAW_STIFFNESS = _laws()  # N/m or N m/rad
 LAW_DAMPING = _laws()  # kg/s or N m s
 
-STANDS_STILL, UNUSED = -1, -2  # instead of a node: nothing moves there, or the joint asks for none
+ENDS_OF_JOINT = 3
+NOT_PUSHED, UNUSED = -1, -2  # instead of a node: nothing pushes what is there, or none is asked for
 
 _joint_numbers = Columns()
 J_ROW = _joint_numbers(30)  # value and slopes of each row
@@ -843,6 +847,7 @@ J_WARM = _joint_numbers(3)  # N s, impulse of each row in the last substep; of m
 J_LEFT_BEFORE = _joint_numbers()  # N s, that a spring has left to give as a part begins
 J_RESERVE = _joint_numbers()  # J, of its mechanism, in its first joint, as a part begins
 J_MOTION = _joint_numbers()  # J, likewise: of motion as the last part ended
+J_PULLED = _joint_numbers()  # likewise: substeps in which it follows what was moved by hand
 J_SCALE = _joint_numbers()  # J, likewise: the most of motion and springs lately
 J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over this part
 J_PULL = _joint_numbers(3)  # N s, impulse of each row over this part
@@ -860,7 +865,7 @@ J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
 J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients
 J_TRIED = _joint_numbers(3)  # N s, residual over the matrix, about
 
-_joined = Columns()  # members: the plane, then the nodes, then bodies that do not move
+_joined = Columns()  # members: the plane, the nodes, then static and then kinematic bodies
 JOINED_BODY = _joined()  # row of the body
 JOINED_SLOT = _joined()  # its slot in this step
 JOINED_ABOVE = _joined()  # member on which it hangs in a tree of hinges; 0 for the plane

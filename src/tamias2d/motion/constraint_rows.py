@@ -1,7 +1,7 @@
 """The rows of all joints of a mechanism as arrays: their values, slopes, rates (TM7).
 
-Joints of one kind are computed together. A place that does not move stands in a row of its own,
-after those of the bodies that move.
+Joints of one kind are computed together. A place that nothing pushes stands in a row of its own,
+after those of the bodies that move; that of a kinematic body moves on evenly.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -18,7 +18,7 @@ from tamias2d.spec.constraint_functions import ConstraintFunctions, Formula
 from tamias2d.state import Array
 
 _Places = NDArray[np.intp]
-_PLANE = (0.0, 0.0, 0.0)
+_PLANE = (0.0,) * 6
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ class ConstraintRows:
 
     def __init__(self, scene: Scene, joints: Sequence[Joint], row_of: Mapping[int, int]) -> None:
         """Take the joints of a mechanism, and the row of each body that moves."""
-        fixed: list[tuple[float, float, float]] = []
+        fixed: list[tuple[float, ...]] = []
         groups: dict[object, list[int]] = {}
         for k, joint in enumerate(joints):
             groups.setdefault(joint.equations or joint.model, []).append(k)
@@ -75,7 +75,7 @@ class ConstraintRows:
             block = Block(chosen[0].functions, tuple(members), ends, given, self.count)
             self.blocks.append(block)
             self.count = block.rows.stop
-        self.fixed = np.array(fixed).reshape(-1, 3)
+        self.fixed, self.told = np.hsplit(np.array(fixed).reshape(-1, 6), 2)
         self.moving = len(row_of)
 
     def values(self, time: float, position: Array) -> Array:
@@ -139,8 +139,8 @@ class ConstraintRows:
     def _known(
         self, time: float, position: Array, velocity: Array | None
     ) -> Iterator[tuple[Block, dict[str, Any]]]:
-        places = np.concatenate((position, self.fixed))
-        speeds = None if velocity is None else np.concatenate((velocity, 0 * self.fixed))
+        places = np.concatenate((position, self.fixed + time * self.told))
+        speeds = None if velocity is None else np.concatenate((velocity, self.told))
         for block in self.blocks:
             values: dict[str, Any] = {"time": time, **block.given}
             for end in block.functions.bodies:
@@ -178,11 +178,15 @@ def _row(
     scene: Scene,
     body: int | None,
     row_of: Mapping[int, int],
-    fixed: list[tuple[float, float, float]],
+    fixed: list[tuple[float, ...]],
 ) -> int:
-    """Return the row of a joint's end; one that does not move gets a new one, with its place."""
+    """Return the row of a joint's end; one that nothing pushes gets one, with place and speed."""
     if body is not None and body in row_of:
         return row_of[body]
     still = None if body is None else scene.bodies[body]
-    fixed.append((*still.position, still.orientation) if still else _PLANE)
+    fixed.append(
+        (*still.position, still.orientation, *still.velocity, still.angular_velocity)
+        if still
+        else _PLANE
+    )
     return len(row_of) + len(fixed) - 1

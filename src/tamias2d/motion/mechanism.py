@@ -94,7 +94,12 @@ class Mechanism:
         kinds: frozenset[str] = frozenset(),
         pushed: frozenset[str] = frozenset(),
     ) -> None:
-        """Let code find reactions and places; it also serves for mechanisms of other kinds."""
+        """Let code find reactions and places; it also serves for mechanisms of other kinds.
+
+        What kinematic bodies hold is left to the general factors: only steps move it.
+        """
+        if self.rows.told.any():
+            return
         self.code = codes(
             JointRows(
                 rows=self.rows,

@@ -128,7 +128,7 @@ def _joint(drawn: _Drawn) -> Iterator[tuple[str, Points]]:
 
 def _freedom(drawn: _Drawn, freedom: Freedom) -> Iterator[tuple[str, Points]]:
     """Yield the spring of a freedom, and the limits of an angle as spokes with an arc."""
-    if freedom.spring is not None and freedom.measure != "angle":
+    if freedom.spring is not None and freedom.measure != "angle" and not freedom.across:
         yield "spring", _coil(drawn.a, drawn.b, drawn.view)
     limits = freedom.limits
     if freedom.measure != "angle" or limits is None or freedom.pitch is not None:

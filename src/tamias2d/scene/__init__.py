@@ -19,6 +19,7 @@ from tamias2d.scene.joint_kinds import (
     Ratchet,
     Revolute,
     Rotary,
+    Target,
     Weld,
     Wheel,
 )
@@ -62,6 +63,7 @@ __all__ = [
     "Segment",
     "Shape",
     "Spring",
+    "Target",
     "Weld",
     "Wheel",
     "catalogue",

@@ -3,6 +3,8 @@
 import math
 from typing import get_args
 
+import numpy as np
+
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.chain import Chain
@@ -78,11 +80,19 @@ def checked_mass(value: object, of: str) -> float:
     return _invertible(mass, "mass", "kg", of)
 
 
+def remedy_of_inertia(value: object) -> str:
+    """Return what to do about an inertia, or several; an infinite one has a joint instead."""
+    remedy = "Give a positive inertia in kg m^2, or leave it out."
+    if any(one == math.inf for one in np.ravel(np.asarray(value, dtype=object))):
+        remedy += " A body that is not to turn is tied to the plane by "
+        remedy += "add_joint(Rotary(motor=Motor(speed=0.0)), (0.0, 0.0), body)."
+    return remedy
+
+
 def checked_inertia(value: object, mass: float, shape: Shape | None, of: str) -> float:
     """Return the inertia that is stated or that follows from mass and shape, kg m^2."""
     if value is not None:
-        remedy = "Give a positive inertia in kg m^2, or leave it out."
-        inertia = number(value, "inertia", of, remedy, at=("inertia",))
+        inertia = number(value, "inertia", of, remedy_of_inertia(value), at=("inertia",))
     elif shape is None or isinstance(shape, HalfPlane | Chain):
         return math.inf
     else:

@@ -91,6 +91,8 @@ class Freedom:
     spring: JointSpring | None = None
     pitch: float | None = None
     """From one tooth to the next, rad, of a ratchet."""
+    across: bool = False
+    """Whether a travel is that across the line, a quarter turn on."""
 
 
 def freedom(
@@ -120,6 +122,20 @@ def ratchet(of: str, *, pitch: object, restitution: object) -> tuple[Freedom, ..
     remedy = "Give the share of the speed that is left, from 0 to 1."
     kept = number(restitution, "restitution", of, remedy, at=("restitution",))
     return (Freedom(measure="angle", limits=Limits(restitution=kept), pitch=step),)
+
+
+def target(of: str, *, spring: object) -> tuple[Freedom, Freedom]:
+    """Return both travels of a point that springs alike pull to another one, checked."""
+    (along,) = freedom("travel", of, spring=spring)
+    assert along.spring
+    if along.spring.rest:
+        raise RuleError(
+            f"spring of {of}: rest {along.spring.rest:g} m: it pulls to the point itself (DD64). "
+            "Leave rest out, and move the point.",
+            *("spring", "rest"),
+        )
+    along = replace(along, spring=replace(along.spring, rest=0.0))
+    return along, replace(along, across=True)
 
 
 def at_rest(freedoms: Sequence[Freedom], start: Sequence[float]) -> tuple[Freedom, ...]:

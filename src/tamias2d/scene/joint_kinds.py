@@ -9,7 +9,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
-from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Measure, Motor, freedom, ratchet
+from tamias2d.scene.freedoms import (
+    Freedom,
+    JointSpring,
+    Limits,
+    Measure,
+    Motor,
+    freedom,
+    ratchet,
+    target,
+)
 from tamias2d.scene.rules import RuleError, Vector, VectorLike, number, sequence, shown, vector
 from tamias2d.suggestions import suggests
 
@@ -180,6 +189,32 @@ class Wheel(_Kind):
 
 @suggests
 @dataclass(frozen=True, kw_only=True)
+class Target(_Kind):
+    """A point of B is pulled to a point of A by a `spring` for each axis, as by a mouse.
+
+    A point of the plane may be moved by `Simulator.set_target`.
+    """
+
+    spring: JointSpring
+    model: ClassVar[str] = "travel"
+
+    @property
+    def rigid(self) -> bool:
+        """No place is kept."""
+        return False
+
+    @property
+    def given(self) -> Given:
+        """The axis of the first spring."""
+        return {"guide_a": (1.0, 0.0)}
+
+    def freedoms(self, of: str) -> tuple[Freedom, ...]:
+        """Return both travels."""
+        return target(of, spring=self.spring)
+
+
+@suggests
+@dataclass(frozen=True, kw_only=True)
 class Rotary(_Kind):
     """What keeps no place, but limits, drives or springs how far B turns against A."""
 
@@ -315,6 +350,7 @@ Kind: TypeAlias = (
     | Prismatic
     | Groove
     | Wheel
+    | Target
     | Rotary
     | Ratchet
     | Gear

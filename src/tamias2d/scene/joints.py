@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
-from typing import TypeAlias
+from typing import TypeAlias, cast
 
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.scene.freedoms import VALUE_OF, Freedom
@@ -68,6 +68,8 @@ class Joint:
     def kind(self) -> str:
         """The word for its kind in a scene file."""
         measures = [freedom.measure for freedom in self.freedoms]
+        if self.model == "travel":
+            return "target"
         if self.model == "groove" and "angle" in measures:
             return "wheel"
         if self.model == "angle":
@@ -99,7 +101,9 @@ class Joint:
 
     def measured(self, freedom: Freedom, value: float) -> "Joint":
         """Return the joint that keeps one of its freedoms at a value, rad or m."""
-        guide = tuple((name, at) for name, at in self.parameters if name == "guide_a")
+        x, y = cast(Vector, dict(self.parameters).get("guide_a", (0.0, 0.0)))
+        turned = (-y, x) if freedom.across else (x, y)
+        guide = (("guide_a", turned),) if freedom.measure == "travel" else ()
         return replace(
             self,
             model=freedom.measure,

@@ -24,6 +24,7 @@ from tamias2d.scene.joint_kinds import (
     Ratchet,
     Revolute,
     Rotary,
+    Target,
     Weld,
     Wheel,
 )
@@ -38,6 +39,7 @@ KINDS: dict[str, Callable[..., Kind]] = {
     "prismatic": Prismatic,
     "groove": Groove,
     "wheel": Wheel,
+    "target": Target,
     "rotary": Rotary,
     "ratchet": Ratchet,
     "gear": Gear,
@@ -49,6 +51,7 @@ _MUST = {
     "prismatic": ("axis",),
     "groove": ("axis",),
     "wheel": ("axis", "spring"),
+    "target": ("spring",),
     "ratchet": ("pitch", "restitution"),
     "gear": ("ratio",),
     "pulley": ("posts",),
@@ -59,6 +62,7 @@ _MEASURES: dict[str, Measure] = {
     "prismatic": "travel",
     "groove": "travel",
     "wheel": "travel",
+    "target": "travel",
     "rotary": "angle",
 }
 """What a kind of joint leaves free, which may have limits, a motor and a spring."""
@@ -101,7 +105,7 @@ def _add(scene: Scene, raw: object) -> None:
             "kind",
         )
     own = ("equation",) if word == "equation" else _MUST.get(word, ())
-    may = (*_MAY.get(word, ()), *(_GOVERNED if word in _MEASURES else ()), *_USUAL)
+    may = (*_MAY.get(word, ()), *_governed(word), *_USUAL)
     mapping(raw, f"a joint of kind {word}", must=("kind", "between", *own), may=may)
     ends = listed(joint["between"], "between")
     if not 1 <= len(ends) <= 2 or (len(ends) == 1 and word != "equation"):
@@ -156,8 +160,7 @@ def _equations(joint: dict[str, object]) -> list[Any]:
 def _values(joint: dict[str, object], word: str) -> dict[str, Any]:
     """Return what the kind of a joint takes, from its keys."""
     values: dict[str, Any] = {}
-    governed = _GOVERNED if word in _MEASURES else ()
-    for key in dict.fromkeys((*_MUST.get(word, ()), *_MAY.get(word, ()), *governed)):
+    for key in dict.fromkeys((*_MUST.get(word, ()), *_MAY.get(word, ()), *_governed(word))):
         if key not in joint:
             continue
         if key in _GOVERNED:
@@ -170,6 +173,13 @@ def _values(joint: dict[str, object], word: str) -> dict[str, Any]:
         else:
             values[key] = read_quantity(joint[key], _SYMBOLS[key], (key,))
     return values
+
+
+def _governed(word: str) -> tuple[str, ...]:
+    """Return which of limits, a motor and a spring a kind of joint may have."""
+    if word == "target":
+        return ("spring",)
+    return _GOVERNED if word in _MEASURES else ()
 
 
 def _measure(word: str, key: str) -> Measure:

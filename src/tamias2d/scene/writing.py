@@ -229,7 +229,8 @@ def _joint(scene: SceneData, joint: Joint) -> Iterator[str]:
             yield f"break_{key}: {_quantity(bears, f'joint_{key}_most')}"
     yield from _parameters(joint)
     for freedom in joint.freedoms:
-        yield from _freedom(freedom)
+        if not freedom.across:
+            yield from _freedom(freedom)
 
 
 def _freedom(freedom: Freedom) -> Iterator[str]:
@@ -251,7 +252,7 @@ def _freedom(freedom: Freedom) -> Iterator[str]:
 
 
 def _parameters(joint: Joint) -> Iterator[str]:
-    given = dict(joint.parameters)
+    given = {} if joint.kind == "target" else dict(joint.parameters)
     posts = [_vector(given.pop(key), "post") for key in ("post_a", "post_b") if key in given]  # type: ignore[arg-type]
     if posts:
         yield f"posts: [{', '.join(posts)}]"

@@ -7,7 +7,7 @@ import numpy as np
 
 from tamias2d.engine.batch import UNSTATED, Batch
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
-from tamias2d.scene.checks import checked_inertia, refuse_shape
+from tamias2d.scene.checks import checked_inertia, refuse_shape, remedy_of_inertia
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL, checked_sensor, checked_whole
 from tamias2d.scene.rules import RuleError, sequence
@@ -109,7 +109,7 @@ def _masses(given: dict[str, Any], of: str, count: int) -> Array:
 
 def _inertias(shapes: Sequence[Shape | None], mass: Array, given: dict[str, Any], of: str) -> Array:
     if given.get("inertia") is not None:
-        remedy = "Give a positive inertia in kg m^2, or leave it out."
+        remedy = remedy_of_inertia(given["inertia"])
         inertia = numbers(
             given["inertia"], "inertia", of, remedy, count=len(mass), symbol="inertia"
         )

@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.joint_row import JointRow
+from tamias2d.engine.joints.rows import mechanism_of, move_anchor
+from tamias2d.engine.joints.stages import PULLED
 from tamias2d.engine.saved_checks import require
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, MOST_ROWS
@@ -24,7 +26,7 @@ from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor
 from tamias2d.scene.joint_checks import checked_joint
 from tamias2d.scene.joint_kinds import Equation
 from tamias2d.scene.joints import OWN_EQUATION, End, Joint
-from tamias2d.scene.rules import RuleError, shown
+from tamias2d.scene.rules import RuleError, Vector, shown
 from tamias2d.scene.springs import arm
 from tamias2d.simulator.told_only import REMEDIES
 from tamias2d.spec.constraint import ENDS
@@ -32,6 +34,7 @@ from tamias2d.state import Array, IntArray
 
 _KEPT = slice(tb.J_STEP_TOTAL, tb.J_SCALE + 1)  # numbers of a joint that a step leaves to the next
 _COUNT = _KEPT.stop - _KEPT.start
+_PULLED = tb.J_PULLED - tb.J_STEP_TOTAL
 STIFFEST = 2.0**29  # of a spring, times the squared step, over mass or inertia
 APART = 1e-3
 """Of the size of a joint, or rad: one that is farther apart is told."""
@@ -73,6 +76,8 @@ class JointSet:
         refuse_unknown(self._joints.values())
         self._places = np.zeros(0, dtype=np.int64)  # of rows in the arrays, as joints were added
         self._owner = np.zeros(0, dtype=np.int64)  # of each row its joint
+        self._rows_of: dict[str, list[tuple[int, JointRow]]] = {}  # with their places
+        self._alike: set[str] = set()  # of those whose order their anchors decide
         self._are_lengths = np.zeros((0, MOST_ROWS), dtype=bool)
         self._sizes = np.ones(0)
         self._saved: Array | None = None  # impulses of the last step, as long as it is from a file
@@ -113,14 +118,50 @@ class JointSet:
 
     def remove(self, name: object) -> Joint:
         """Take a joint out, and return it; raise `RuleError` if there is none of that name."""
+        joint = self._named(name)
+        self._change()
+        return self._joints.pop(joint.name)
+
+    def _named(self, name: object) -> Joint:
         if not isinstance(name, str) or name not in self._joints:
             raise RuleError(
                 f"joint {shown(name)}: the simulator has none such (R13). Name one of "
                 f"{shown(list(self._joints))}.",
                 "name",
             )
-        self._change()
-        return self._joints.pop(name)
+        return self._joints[name]
+
+    def set_target(self, name: object, point: Vector, engine: Engine) -> Joint:
+        """Move the point of the plane that a joint holds, m, and return it.
+
+        Raises:
+            RuleError: there is none of that name, or it holds no point of the plane, or two.
+        """
+        joint = self._named(name)
+        held = [
+            k
+            for k, end in enumerate(ENDS)
+            if joint.ends[k] is None and f"anchor_{end}" in joint.functions.parameters
+        ]
+        if len(held) != 1:
+            raise RuleError(
+                f"joint '{joint.name}' ({joint.kind}): it holds no point of the plane that could "
+                "be moved (TM7). Name one that does, such as a Target().",
+                "name",
+            )
+        anchors = list(joint.anchors)
+        anchors[held[0]] = point
+        self._joints[joint.name] = replace(joint, anchors=(anchors[0], anchors[1], anchors[2]))
+        if joint.name in self._alike:
+            self._change()
+        if not self.new:
+            joints = engine.world.joints
+            for place, row in self._rows_of[joint.name]:
+                move_anchor(engine, place, row.kind, ENDS[held[0]], point)
+                if row.law != tb.SPRING:
+                    first = joints.mechanisms[mechanism_of(engine, place), tb.M_JOINT]
+                    joints.numbers[first, tb.J_PULLED] = PULLED
+        return joint
 
     def drop_bodies(self, gone: set[int]) -> list[int]:
         """Take out the joints of bodies that leave; return the other bodies that these held."""
@@ -140,15 +181,53 @@ class JointSet:
         self._owner = np.array([k for k, _ in rows], dtype=np.int64)
         self._places = np.zeros(len(rows), dtype=np.int64)
         self._places[order] = places
+        self._rows_of = {}
+        held: dict[tuple[Any, ...], set[str]] = {}
+        for (k, row), place in zip(rows, self._places.tolist(), strict=True):
+            self._rows_of.setdefault(joints[k].name, []).append((place, row))
+            held.setdefault((row.ends, row.law, row.kind), set()).add(joints[k].name)
+        self._alike = {name for own in held.values() if len(own) > 1 for name in own}
         sizes = np.array([_size(joint, engine) for joint in joints])
         units = np.array([_units(row) for _, row in rows]).reshape(-1, MOST_ROWS)
         self._are_lengths, self._sizes = units == "m", sizes[self._owner]
         size = np.where(self._are_lengths, self._sizes[:, None], 1.0)
         slight = slice(tb.J_SLIGHT, tb.J_SLIGHT + MOST_ROWS)
         engine.world.joints.numbers[self._places, slight] = APART / math.sqrt(MOST_ROWS) * size
+        numbers = engine.world.joints.numbers
         if self._saved is not None and self._restored:
-            engine.world.joints.numbers[self._places, _KEPT] = self._saved
+            numbers[self._places, _KEPT] = self._saved
+        else:
+            numbers[self._places, tb.J_PULLED] = self._pulled_apart(engine)[self._owner]
+        firsts = engine.world.joints.mechanisms[self._mechanisms(engine), tb.M_JOINT]
+        pulled = np.zeros(len(numbers))
+        np.maximum.at(pulled, firsts, numbers[self._places, tb.J_PULLED])
+        numbers[:, tb.J_PULLED] = pulled
         self.new = self._restored = False
+
+    def _mechanisms(self, engine: Engine) -> IntArray:
+        """Return the mechanism of each row."""
+        joints = engine.world.joints
+        starts = joints.mechanisms[: joints.counts[tb.MECHANISMS], tb.M_JOINT]
+        return np.searchsorted(starts, self._places, side="right") - 1
+
+    def _pulled_apart(self, engine: Engine) -> Array:
+        """Return for how many substeps joints (j,) pull together what was moved since they came."""
+        joints = list(self._joints.values())
+        lengths, angles = _separations(joints, engine.pose)
+        sizes = np.array([_size(joint, engine) for joint in joints])
+        return np.where(np.maximum(lengths / sizes, angles) > APART, PULLED, 0.0)
+
+    def _pulled_since(self, engine: Engine) -> Array:
+        """Return for how many substeps rows follow what nothing pushes, moved since the step."""
+        joints = engine.world.joints
+        places, body = joints.places[:, tb.PLACE_X : tb.PLACE_ANGLE + 1], joints.members
+        moved = (places != engine.pose[body[:, tb.JOINED_BODY]]).any(axis=1)
+        moved[0] = False  # the plane
+        ends = joints.joints[self._places]
+        tied = ends[:, tb.J_NODE : tb.J_NODE + len(ENDS)] == tb.NOT_PUSHED
+        members = ends[:, tb.J_MEMBER : tb.J_MEMBER + len(ENDS)]
+        placed = joints.counts[tb.PLACED] == 1
+        return np.where(placed & (tied & moved[members]).any(axis=1), PULLED, 0.0)
 
     def too_stiff(self, engine: Engine, time_step: float) -> tuple[Joint, float] | None:
         """Return a joint whose spring is too stiff for a step, s, and its stiffness; or None.
@@ -167,8 +246,11 @@ class JointSet:
                     return joint, row.numbers[2]
         return None
 
-    def apart(self, engine: Engine) -> tuple[Joint, float] | None:
-        """Return a joint that was far apart within the last steps, and by how much; or None."""
+    def apart(self, engine: Engine) -> tuple[Joint, float, bool] | None:
+        """Return a joint that was far apart within the last steps, and by how much; or None.
+
+        It is said, too, whether what it holds was moved by hand.
+        """
         counts, numbers = engine.world.joints.counts, engine.world.joints.numbers
         if not counts[tb.JOINTS_APART]:
             return None
@@ -183,7 +265,9 @@ class JointSet:
             return None
         is_length = lengths[worst] / self._sizes[worst] > angles[worst]
         far = lengths[worst] if is_length else angles[worst]
-        return list(self._joints.values())[self._owner[worst]], float(far)
+        first = engine.world.joints.mechanisms[self._mechanisms(engine)[worst], tb.M_JOINT]
+        pulled = bool(numbers[first, tb.J_PULLED] > 0)
+        return list(self._joints.values())[self._owner[worst]], float(far), pulled
 
     def turned(self, engine: Engine) -> Joint | None:
         """Return a joint that turned too far in a substep of the last steps; or None."""
@@ -207,9 +291,14 @@ class JointSet:
         if self._saved is not None:
             return self._saved
         if self.new:
-            rows = sum(len(joint_rows(joint)) for joint in self._joints.values())
-            return np.zeros((rows, _COUNT))
-        return engine.world.joints.numbers[self._places, _KEPT]
+            joints = list(self._joints.values())
+            owner = [k for k, joint in enumerate(joints) for _ in joint_rows(joint)]
+            totals = np.zeros((len(owner), _COUNT))
+            totals[:, _PULLED] = self._pulled_apart(engine)[owner]
+            return totals
+        totals = engine.world.joints.numbers[self._places, _KEPT]
+        totals[:, _PULLED] = np.maximum(totals[:, _PULLED], self._pulled_since(engine))
+        return totals
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
         """Return what joints exerted in the last step, and how well they hold now."""
@@ -268,11 +357,7 @@ class JointSet:
             fits = len(set(held)) == len(held) and all(0 <= body < len(kind) for body in held)
             require(fits and np.isfinite(row.given).all(), name, "must be of bodies, and numbers")
             kinds = kind[held]
-            fits = (
-                bool((kinds == tb.DYNAMIC).any())
-                and tb.ABSENT not in kinds
-                and tb.KINEMATIC not in kinds
-            )
+            fits = bool((kinds == tb.DYNAMIC).any()) and tb.ABSENT not in kinds
             require(fits, name, "must hold a body that moves")
         own = cls(joints)
         if joints:

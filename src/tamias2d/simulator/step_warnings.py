@@ -53,13 +53,19 @@ def too_long_for_joints(
 ) -> Iterator[Told]:
     """Yield a joint that was far apart before a time, s (R13), and one that turned far (IM15)."""
     if (found := joints.apart(engine)) is not None:
-        joint, much = found
+        joint, much, moved = found
+        remedy = (
+            "It follows what was moved by hand within some steps: move that in smaller ones, or "
+            "give a kinematic body a velocity."
+            if moved
+            else "Give a shorter step or more substeps."
+        )
         text = (
             f"joint '{joint.name}' ({joint.kind}), before {time:.6g} s: it was {much:.2g} "
             f"apart (m or rad) in a step of {time_step:.6g} s, more than {APART:g} of "
-            "its size (R13). Give a shorter step or more substeps."
+            f"its size (R13). {remedy}"
         )
-        yield f"joint {joint.name}", text
+        yield f"joint {joint.name}{' by hand' * moved}", text
     if (whirled := joints.turned(engine)) is not None:
         text = (
             f"joint '{whirled.name}' ({whirled.kind}), before {time:.6g} s: what it holds turned "

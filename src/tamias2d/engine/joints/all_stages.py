@@ -19,7 +19,7 @@ from tamias2d.engine.joints.stages import (
     relax_joints,
     solve_joints,
 )
-from tamias2d.engine.sleep import note_joined_support
+from tamias2d.engine.sleep import note_joined_support, wake_tied
 from tamias2d.engine.solver.support import charge_joined, support_joined
 
 JOINT_STAGES = (
@@ -43,5 +43,6 @@ JOINT_STAGES = (
     charge_joined,
     support_joined,
     unless_joined,
+    wake_tied,
     without_kept_apart,
 )

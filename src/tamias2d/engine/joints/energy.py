@@ -1,7 +1,9 @@
 """The energy of mechanisms that are free of contacts: it never rises by itself (IM15).
 
 What is too much is taken from the motion of all bodies in proportion: relative to what the
-mechanism is tied to, or else to its motion as one. Rows that have no rate have none afterwards.
+mechanism is tied to, or else to its motion as one. Energies are those seen from there; what turns
+a mechanism, moves against another thing to which it is tied, or has another velocity than before,
+may give it any. Rows that have no rate have none afterwards.
 One that is tied and has not the energy for its way keeps a part of it.
 What was lost may be gained again (DD79): a scheme of order two goes to and fro about the right
 energy, and would lose by a bound that is blind to it. Springs have energies, too.
@@ -16,7 +18,12 @@ from tamias2d.engine.solver.island_damping import (
     find_rigid_motion,
     place_from,
 )
-from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_ONE
+from tamias2d.engine.solver.support import (
+    FREE,
+    SUPPORTED_BY_ONE,
+    may_get_any,
+    support_mechanism,
+)
 from tamias2d.engine.tables import Bodies, Control, Islands, Joints
 from tamias2d.generated.definitions import (
     kinetic_energy,
@@ -24,7 +31,9 @@ from tamias2d.generated.definitions import (
 )
 from tamias2d.generated.island_energy import (
     angular_velocity_damped,
+    shift_seen,
     velocity_damped,
+    velocity_seen,
     work,
 )
 from tamias2d.generated.joint_step import (
@@ -35,7 +44,9 @@ from tamias2d.generated.joint_step import (
     row_energy,
     way_kept,
 )
-from tamias2d.state import Array
+from tamias2d.generated.soft_contact import shift_later
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array, Vector
 
 RESERVE = 0.05  # of the energy at play lately: what may be gained of what was lost
 SAME_MOTION = 1e-9  # of its energy: what differs by less is rounding
@@ -50,43 +61,67 @@ def bound_mechanism(
     What it gains of what it has lost is no energy that contacts have made.
     """
     first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
-    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
-    start = now = given = 0.0
-    for node in range(first, last):
-        i = joints.sparse[node, tb.N_BODY]
-        mass, inertia = mass_and_inertia(i, bodies.properties)
-        then, motion, load = bodies.substep_state[i], bodies.motion[i], bodies.load[i]
-        velocity = (then[tb.STEP_START], then[tb.STEP_START + 1])
-        start += kinetic_energy(mass, velocity, inertia, then[tb.STEP_START + 2])
-        now += kinetic_energy(mass, (motion[tb.VX], motion[tb.VY]), inertia, motion[tb.SPIN])
-        shift, force = (motion[tb.DX], motion[tb.DY]), (load[0], load[1])
-        given += work(mass, gravity, force, load[2], shift, motion[tb.DANGLE])
+    row = islands.energy[joints.sparse[first, tb.N_BODY]]
     tied, governed = joints.mechanisms[n, tb.M_TIED] == 1, joints.mechanisms[n, tb.M_GOVERNED] == 1
+    row[tb.SUPPORT] = SUPPORTED_BY_ONE if tied else FREE
+    row[tb.REFERENCE] = row[tb.REFERENCE + 1] = row[tb.REFERENCE + 2] = 0.0
+    carried = joints.mechanisms[n, tb.M_CARRIED] == 1
+    if carried:
+        row[tb.SUPPORT] = FREE
+        support_mechanism(n, joints.sparse[first, tb.N_BODY], bodies, islands, joints)
+    base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
+    start, given, now = energies_of_part(first, last, base, control, bodies, joints)
     numbers = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
     sprung, reserve = energy_of_springs(n, joints), numbers[tb.J_RESERVE]
+    if (carried and is_changed(start, numbers)) or may_get_any(n, row, joints):
+        note_balance(start, now, sprung, now, numbers)
+        return
     if tied and not governed and start + given + reserve < 0.0:
         share = way_kept(start, given, reserve)
-        keep_part_of_way(first, last, share, bodies, joints)
+        keep_part_of_way(first, last, share, base, control.progress[tb.PART_TIME], bodies, joints)
         given *= share
     balance = mechanism_energy_balance(start, given, numbers[tb.J_ENERGY], sprung, reserve)
     most = max(balance, 0.0)
     if now > most:
-        row = islands.energy[joints.sparse[first, tb.N_BODY]]
         row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND] = now, most
-        damp_mechanism(first, last, tied, row, bodies, joints)
-        now = most if row[tb.DAMPED_SHARE] > 0.0 else energy_of_motion(first, last, bodies, joints)
+        damp_mechanism(first, last, row, bodies, joints)
+        damped = row[tb.DAMPED_SHARE] > 0.0
+        now = most if damped else energy_of_motion(first, last, base, bodies, joints)
     energy[tb.TOTAL_ENERGY_START] += energy_regained(now, start, given)
     note_balance(start, now, sprung, balance, numbers)
 
 
-def energy_of_motion(first: int, last: int, bodies: Bodies, joints: Joints) -> float:
+def energies_of_part(
+    first: int, last: int, base: Vector, control: Control, bodies: Bodies, joints: Joints
+) -> tuple[float, float, float]:
+    """Return the energy of some nodes as a part began, what loads gave since, and that now, J.
+
+    As in all of these, motion is seen from what ties the nodes, which moves with a velocity, m/s.
+    """
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
+    start = given = now = 0.0
+    for node in range(first, last):
+        i = joints.sparse[node, tb.N_BODY]
+        mass, inertia = mass_and_inertia(i, bodies.properties)
+        then, motion, load = bodies.substep_state[i], bodies.motion[i], bodies.load[i]
+        velocity = velocity_seen((then[tb.STEP_START], then[tb.STEP_START + 1]), base)
+        start += kinetic_energy(mass, velocity, inertia, then[tb.STEP_START + 2])
+        shift = shift_seen((motion[tb.DX], motion[tb.DY]), base, control.progress[tb.PART_TIME])
+        given += work(mass, gravity, (load[0], load[1]), load[2], shift, motion[tb.DANGLE])
+        velocity = velocity_seen((motion[tb.VX], motion[tb.VY]), base)
+        now += kinetic_energy(mass, velocity, inertia, motion[tb.SPIN])
+    return start, given, now
+
+
+def energy_of_motion(first: int, last: int, base: Vector, bodies: Bodies, joints: Joints) -> float:
     """Return the kinetic energy of some nodes, J."""
     energy = 0.0
     for node in range(first, last):
         i = joints.sparse[node, tb.N_BODY]
         mass, inertia = mass_and_inertia(i, bodies.properties)
         motion = bodies.motion[i]
-        energy += kinetic_energy(mass, (motion[tb.VX], motion[tb.VY]), inertia, motion[tb.SPIN])
+        velocity = velocity_seen((motion[tb.VX], motion[tb.VY]), base)
+        energy += kinetic_energy(mass, velocity, inertia, motion[tb.SPIN])
     return energy
 
 
@@ -120,26 +155,31 @@ def note_balance(start: float, now: float, sprung: float, balance: float, number
     """
     scale = energy_scale_later(numbers[tb.J_SCALE], now, sprung, SCALE_FADE)
     later = energy_reserve_later(balance, now, scale, RESERVE)
-    changed = abs(start - numbers[tb.J_MOTION]) > SAME_MOTION * start
+    changed = is_changed(start, numbers)
     numbers[tb.J_RESERVE_LATER] = min(later, numbers[tb.J_RESERVE]) if changed else later
     numbers[tb.J_SCALE_LATER], numbers[tb.J_MOTION_LATER] = scale, now
 
 
-def keep_part_of_way(first: int, last: int, share: float, bodies: Bodies, joints: Joints) -> None:
+@inlined
+def is_changed(start: float, numbers: Array) -> bool:
+    """Return whether a mechanism begins with another energy of motion, J, than it ended with."""
+    return bool(abs(start - numbers[tb.J_MOTION]) > SAME_MOTION * start)
+
+
+def keep_part_of_way(
+    first: int, last: int, share: float, base: Vector, time: float, bodies: Bodies, joints: Joints
+) -> None:
     """Let the nodes of a mechanism keep a share of their way: it has no energy for the rest."""
     for node in range(first, last):
         motion = bodies.motion[joints.sparse[node, tb.N_BODY]]
-        for k in range(tb.DX, tb.DX + 3):
-            motion[k] *= share
+        by_x, by_y = shift_seen((motion[tb.DX], motion[tb.DY]), base, time)
+        motion[tb.DX], motion[tb.DY] = shift_later((share * by_x, share * by_y), base, time)
+        motion[tb.DANGLE] *= share
 
 
-def damp_mechanism(
-    first: int, last: int, tied: bool, row: Array, bodies: Bodies, joints: Joints
-) -> None:
+def damp_mechanism(first: int, last: int, row: Array, bodies: Bodies, joints: Joints) -> None:
     """Damp the motion of the nodes of a mechanism; the row says how much energy it may keep."""
     root = joints.sparse[first, tb.N_BODY]
-    row[tb.SUPPORT] = SUPPORTED_BY_ONE if tied else FREE
-    row[tb.REFERENCE] = row[tb.REFERENCE + 1] = row[tb.REFERENCE + 2] = 0.0
     for k in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
         row[k] = 0.0
     for node in range(first, last):

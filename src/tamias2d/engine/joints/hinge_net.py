@@ -137,17 +137,27 @@ def fit_net(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints)
 
     The impulses are about so many times those of the last substep, s.
     """
-    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
-        node, now = joints.net_nodes[m], bodies.motion[joints.members[m, tb.JOINED_SLOT]]
-        node[tb.N_CHANGE], node[tb.N_CHANGE + 1] = now[tb.VX], now[tb.VY]
-        node[tb.N_CHANGE + 2] = now[tb.SPIN]
+    told = joints.counts[tb.FIRST_KINEMATIC]
+    note_motion(
+        joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1, bodies, joints
+    )
+    note_motion(told, len(joints.members), bodies, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         link = joints.links[j]
         link[tb.L_ERROR], link[tb.L_ERROR + 1] = change_of_link(j, joints)
     clear_net(n, joints)
+    clear_nodes_of_net(told, len(joints.members), joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         start_link(j, warm, joints)
     solve_net(n, 0.0, substep, bodies, joints)
+
+
+def note_motion(first: int, last: int, bodies: Bodies, joints: Joints) -> None:
+    """Let the changes of some members be their velocities."""
+    for m in range(first, last):
+        node, now = joints.net_nodes[m], bodies.motion[joints.members[m, tb.JOINED_SLOT]]
+        node[tb.N_CHANGE], node[tb.N_CHANGE + 1] = now[tb.VX], now[tb.VY]
+        node[tb.N_CHANGE + 2] = now[tb.SPIN]
 
 
 @inlined
@@ -214,7 +224,12 @@ def parts_link(link: Array, rate: int, substep: float) -> bool:
 
 def clear_net(n: int, joints: Joints) -> None:
     """Write zeros to the changes of the nodes of a net."""
-    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+    clear_nodes_of_net(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1, joints)
+
+
+def clear_nodes_of_net(first: int, last: int, joints: Joints) -> None:
+    """Write zeros to the changes of some members."""
+    for m in range(first, last):
         node = joints.net_nodes[m]
         node[tb.N_CHANGE] = node[tb.N_CHANGE + 1] = node[tb.N_CHANGE + 2] = 0.0
 

@@ -21,7 +21,6 @@ from tamias2d.engine.joints.hinge_tree import (
     turn_tree,
 )
 from tamias2d.engine.joints.impulse import apply_joint_impulse
-from tamias2d.engine.joints.linearise import ENDS_OF_JOINT
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
     REMOVED_BY_JOINTS,
@@ -304,7 +303,7 @@ def owe_tie(j: int, r: int, joints: Joints) -> None:
     """Let the node of a tied body owe what the error of a firm row asks for."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     asked = -row_impulse(numbers[tb.J_ERROR + r], numbers[tb.J_FIRMNESS + r])
-    for end in range(ENDS_OF_JOINT):
+    for end in range(tb.ENDS_OF_JOINT):
         if ends[tb.J_NODE + end] >= 0:
             row, at = joints.hinges[ends[tb.J_NODE + end] + 1], tb.J_ROW + ROW * r + 1 + 3 * end
             slope, owed = (numbers[at], numbers[at + 1]), (row[tb.H_OWED], row[tb.H_OWED + 1])
@@ -316,7 +315,7 @@ def impulse_of_tie(j: int, r: int, joints: Joints) -> float:
     """Return the impulse of a firm row, N s."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     rate = numbers[tb.J_ERROR + r]
-    for end in range(ENDS_OF_JOINT):
+    for end in range(tb.ENDS_OF_JOINT):
         if ends[tb.J_NODE + end] >= 0:
             row, at = joints.hinges[ends[tb.J_NODE + end] + 1], tb.J_ROW + ROW * r + 1 + 3 * end
             slope, by = (numbers[at], numbers[at + 1]), (row[tb.H_CHANGE], row[tb.H_CHANGE + 1])

@@ -10,7 +10,6 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.angle_laws import add_law, is_law
 from tamias2d.engine.joints.hinged_yield import yield_at_hinge
 from tamias2d.engine.joints.linearise import (
-    ENDS_OF_JOINT,
     firmness_by_law,
     move_members,
     rows_where_placed,
@@ -212,7 +211,7 @@ def yield_of_tie(
     joints: Joints,
 ) -> float:
     """Return by how much a row yields, 1/kg, with the hinge of the body that it ties."""
-    for end in range(ENDS_OF_JOINT):
+    for end in range(tb.ENDS_OF_JOINT):
         if ends[tb.J_NODE + end] >= 0 and ends[tb.J_LAW] == tb.SPRING:
             m, at = ends[tb.J_MEMBER + end], tb.J_ROW + ROW * r + 1 + 3 * end
             inverse_mass = bodies.properties[joints.members[m, tb.JOINED_SLOT], tb.INVERSE_MASS]
@@ -227,7 +226,7 @@ def add_tie(j: int, r: int, joints: Joints) -> None:
     """Add a firm row to the node of the one body that it ties and that moves."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     firm = numbers[tb.J_FIRMNESS + r]
-    for end in range(ENDS_OF_JOINT):
+    for end in range(tb.ENDS_OF_JOINT):
         if ends[tb.J_NODE + end] >= 0:
             row, at = joints.hinges[ends[tb.J_NODE + end] + 1], tb.J_ROW + ROW * r + 1 + 3 * end
             slope, turning = (numbers[at], numbers[at + 1]), numbers[at + 2]

@@ -1,7 +1,6 @@
 """The impulse of a row of a joint, as it acts on the bodies that the joint holds (DD57)."""
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.linearise import ENDS_OF_JOINT
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import (
@@ -20,7 +19,7 @@ def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: 
     ends, numbers = joints.joints[j], joints.numbers[j]
     numbers[tb.J_PULL + r] += impulse
     numbers[tb.J_GIVEN + r] += impulse
-    for end in range(ENDS_OF_JOINT):
+    for end in range(tb.ENDS_OF_JOINT):
         if ends[tb.J_NODE + end] == tb.UNUSED:
             continue
         i, at = (

@@ -6,7 +6,7 @@ Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, FIRM
+from tamias2d.engine.joints.linearise import FIRM
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import angular_velocity_later, row_rate, velocity_later
@@ -96,7 +96,7 @@ def change_of_rate(j: int, r: int, joints: Joints) -> float:
     """Return by how much the changes of velocity at its nodes change the rate of a row, m/s."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     rate = 0.0
-    for end in range(ENDS_OF_JOINT):
+    for end in range(tb.ENDS_OF_JOINT):
         node, at = ends[tb.J_NODE + end], tb.J_ROW + ROW * r + 1 + 3 * end
         if node >= 0:
             change = joints.factors[node]
@@ -111,7 +111,7 @@ def change_of_rate(j: int, r: int, joints: Joints) -> float:
 def give_to_nodes(j: int, r: int, impulse: float, bodies: Bodies, joints: Joints) -> None:
     """Let the impulse of a row change the velocities at its nodes."""
     ends, numbers = joints.joints[j], joints.numbers[j]
-    for end in range(ENDS_OF_JOINT):
+    for end in range(tb.ENDS_OF_JOINT):
         node, at = ends[tb.J_NODE + end], tb.J_ROW + ROW * r + 1 + 3 * end
         if node >= 0:
             properties = bodies.properties[joints.sparse[node, tb.N_BODY]]

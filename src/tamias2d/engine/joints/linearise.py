@@ -32,7 +32,6 @@ from tamias2d.state import Array
 
 FIRM = 1e8  # firmness of a row, for each unit of its own mass
 ROW_TURNED = 0.48  # sine of half a radian, by which a row may turn in a substep
-ENDS_OF_JOINT = 3
 HINGE = KINDS.index("revolute")
 TURNED_TOGETHER = 8  # angles: as many as fit into the widest registers
 
@@ -145,10 +144,10 @@ def lean_at_hinge(ends: Integers, numbers: Array, given: Array, joints: Joints) 
     revolute_bends(given, place_a, place_b, bends)
     if ends[tb.J_NODE] >= 0:
         place_a[tb.LEANING] += leaning(numbers[tb.J_FORCE], bends[0])
-        place_a[tb.LEANING] += leaning(numbers[tb.J_FORCE + 1], bends[ENDS_OF_JOINT])
+        place_a[tb.LEANING] += leaning(numbers[tb.J_FORCE + 1], bends[tb.ENDS_OF_JOINT])
     if ends[tb.J_NODE + 1] >= 0:
         place_b[tb.LEANING] += leaning(numbers[tb.J_FORCE], bends[1])
-        place_b[tb.LEANING] += leaning(numbers[tb.J_FORCE + 1], bends[ENDS_OF_JOINT + 1])
+        place_b[tb.LEANING] += leaning(numbers[tb.J_FORCE + 1], bends[tb.ENDS_OF_JOINT + 1])
 
 
 def turn_members(first: int, last: int, joints: Joints) -> None:
@@ -169,12 +168,12 @@ def turn_all(first: int, last: int, angles: Array, cosines: Array, sines: Array)
 def add_joint_row(r: int, ends: Integers, numbers: Array, joints: Joints) -> None:
     """Add a row of a joint to the blocks of its nodes and edges."""
     firm = numbers[tb.J_FIRMNESS + r]
-    for end in range(ENDS_OF_JOINT):
+    for end in range(tb.ENDS_OF_JOINT):
         if ends[tb.J_NODE + end] >= 0:
             at = tb.J_ROW + ROW * r + 1 + 3 * end
             slope, turning = (numbers[at], numbers[at + 1]), numbers[at + 2]
             add_diagonal(ends[tb.J_NODE + end], firm, slope, turning, joints.factors)
-    for pair in range(ENDS_OF_JOINT):
+    for pair in range(tb.ENDS_OF_JOINT):
         edge = ends[tb.J_EDGE + pair]
         if edge >= 0:
             one, other = pair // 2, 1 + (pair + 1) // 2  # AB, AC, BC
@@ -190,7 +189,7 @@ def yield_of_row(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints:
     A body that does not turn gets no slopes for turning.
     """
     yielding = 0.0
-    for end in range(ENDS_OF_JOINT):
+    for end in range(tb.ENDS_OF_JOINT):
         at, member = tb.J_ROW + ROW * r + 1 + 3 * end, ends[tb.J_MEMBER + end]
         if ends[tb.J_NODE + end] >= 0:
             inverse_mass = bodies.properties[
@@ -269,7 +268,7 @@ def note_leaning(n: int, joints: Joints) -> None:
         place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
         joint_bends(ends[tb.J_KIND], joints.given[j], place_a, place_b, place_c, bends)
         for r in range(ends[tb.J_ROWS]):
-            for end in range(ENDS_OF_JOINT):
+            for end in range(tb.ENDS_OF_JOINT):
                 if ends[tb.J_NODE + end] >= 0:
-                    by = leaning(numbers[tb.J_FORCE + r], bends[ENDS_OF_JOINT * r + end])
+                    by = leaning(numbers[tb.J_FORCE + r], bends[tb.ENDS_OF_JOINT * r + end])
                     joints.places[ends[tb.J_MEMBER + end], tb.LEANING] += by

@@ -1,6 +1,7 @@
 """Joints as rows of the engine's arrays: which bodies they hold, and how these form mechanisms."""
 
 from collections.abc import Iterable, Sequence
+from functools import cache
 from itertools import chain, combinations
 
 import numpy as np
@@ -14,7 +15,10 @@ from tamias2d.engine.joints.linearise import TURNED_TOGETHER
 from tamias2d.engine.store import Store
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
+from tamias2d.generated.symbols import SYMBOLS
+from tamias2d.kernels.lanes import LANES
 from tamias2d.spec.constraint import ENDS
+from tamias2d.state import Vector
 
 CHOOSING = (
     tb.LOWER_LIMIT,
@@ -61,6 +65,8 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     joints = store.world.joints
     joints.counts[:] = 0
     joints.counts[[tb.JOINTS, tb.MECHANISMS]] = len(rows), len(mechanisms)
+    told = sum(store.world.state.kind[body] == tb.KINEMATIC for body in still)
+    joints.counts[tb.FIRST_KINEMATIC] = len(member) + 1 - told
     joints.mechanisms[:] = 0
     joints.mechanisms[1:, tb.M_JOINT] = np.cumsum([len(own) for own in mechanisms])
     joints.sparse[: len(nodes) + 1, tb.I_NODE] = np.cumsum([0, *map(len, nodes)]) if rows else 0
@@ -75,6 +81,45 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     joints.apart_first[:] = np.searchsorted(lows, np.arange(len(joints.apart_first)))
     store.world.touching.counts[[tb.ARRANGED, tb.ISLANDS_KNOWN]] = 0
     return places
+
+
+def move_anchor(store: Store, place: int, kind: str, end: str, point: Vector) -> None:
+    """Let a joint hold the plane at another point, m; what was made of the old one is made anew."""
+    joints = store.world.joints
+    column = anchor_column(kind, end)
+    if column is None:
+        return
+    joints.given[place, column], joints.given[place, column + 1] = point
+    n = mechanism_of(store, place)
+    joints.mechanisms[n, tb.M_WRITTEN] = 0
+    m = joints.sparse[n, tb.I_NODE] + 1
+    if joints.mechanisms[n, tb.M_HINGED] == 0 or joints.members[m, tb.JOINED_HINGE] != place:
+        return
+    joints.hinges[m, tb.H_FAR_ANCHOR : tb.H_FAR_ANCHOR + 2] = point
+    if joints.mechanisms[n, tb.M_IN_BLOCK]:
+        trees = joints.tree_blocks[:, tb.T_MECHANISM : tb.T_MECHANISM + LANES]
+        block, lane = np.argwhere(trees == n)[0]
+        row = joints.tree_lanes[joints.tree_blocks[block, tb.T_FIRST] + 1]
+        row[tb.T_FAR_ANCHOR_X + lane], row[tb.T_FAR_ANCHOR_Y + lane] = point
+        joints.tree_blocks[block, tb.T_WRITTEN] = 0
+
+
+def mechanism_of(store: Store, place: int) -> int:
+    """Return the mechanism of a joint."""
+    joints = store.world.joints
+    starts = joints.mechanisms[: joints.counts[tb.MECHANISMS], tb.M_JOINT]
+    return int(np.searchsorted(starts, place, side="right")) - 1
+
+
+@cache
+def anchor_column(kind: str, end: str) -> int | None:
+    """Return where among its parameters a kind of joint has the anchor of an end; None if none."""
+    parameters = CONSTRAINTS[kind].parameters
+    if f"anchor_{end}" not in parameters:
+        return None
+    before = parameters[: parameters.index(f"anchor_{end}")]
+    symbols = [SYMBOLS.get(name) or SYMBOLS[name.rpartition("_")[0]] for name in before]
+    return sum(2 if symbol.shape == "vector" else 1 for symbol in symbols)
 
 
 def _plan(
@@ -136,12 +181,14 @@ def _write_joints(
             nodes = [
                 tb.UNUSED
                 if end not in CONSTRAINTS[row.kind].bodies
-                else tb.STANDS_STILL
+                else tb.NOT_PUSHED
                 if body is None or kind[body] != tb.DYNAMIC
                 else member[body] - 1
                 for end, body in zip(ENDS, row.ends, strict=True)
             ]
-            joints.mechanisms[n, tb.M_TIED] |= tb.STANDS_STILL in nodes
+            joints.mechanisms[n, tb.M_TIED] |= tb.NOT_PUSHED in nodes
+            held = [body for body in row.ends if body is not None]
+            joints.mechanisms[n, tb.M_CARRIED] |= (kind[held] == tb.KINEMATIC).any()
             joints.mechanisms[n, tb.M_DRIVEN] |= row.driven
             joints.mechanisms[n, tb.M_GOVERNED] |= row.governed
             joints.mechanisms[n, tb.M_CHOOSING] |= row.law in CHOOSING
@@ -215,9 +262,10 @@ def _moving(store: Store, rows: Iterable[JointRow]) -> list[int]:
 
 
 def _still(store: Store, rows: Iterable[JointRow]) -> list[int]:
-    """Return the bodies that joints hold, and that do not move."""
-    bodies = (body for row in rows for body in row.ends if body is not None)
-    return [body for body in dict.fromkeys(bodies) if store.world.state.kind[body] != tb.DYNAMIC]
+    """Return the bodies that joints hold, and that nothing pushes: static ones, then kinematic."""
+    bodies = dict.fromkeys(body for row in rows for body in row.ends if body is not None)
+    kind = store.world.state.kind
+    return [body for own in (tb.STATIC, tb.KINEMATIC) for body in bodies if kind[body] == own]
 
 
 def _pairs(

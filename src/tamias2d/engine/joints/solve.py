@@ -14,7 +14,6 @@ from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
 from tamias2d.engine.joints.linearise import (
-    ENDS_OF_JOINT,
     factor_mechanism,
     place_members,
     rows_where_placed,
@@ -230,12 +229,12 @@ def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:
     """Return the rate of a row of a joint, m/s."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     rate = 0.0
-    for end in range(ENDS_OF_JOINT):
+    for end in range(tb.ENDS_OF_JOINT):
         at, i = (
             tb.J_ROW + ROW * r + 1 + 3 * end,
             joints.members[ends[tb.J_MEMBER + end], tb.JOINED_SLOT],
         )
-        if ends[tb.J_NODE + end] >= 0:
+        if ends[tb.J_NODE + end] != tb.UNUSED:
             now = bodies.motion[i]
             slope, velocity = (numbers[at], numbers[at + 1]), (now[tb.VX], now[tb.VY])
             rate += row_rate(slope, numbers[at + 2], velocity, now[tb.SPIN])
@@ -275,7 +274,7 @@ def solve_directly(n: int, joints: Joints) -> None:
 def add_to_ends(j: int, r: int, impulse: float, joints: Joints) -> None:
     """Add the impulse of a row to the right-hand side at its nodes."""
     ends, numbers = joints.joints[j], joints.numbers[j]
-    for end in range(ENDS_OF_JOINT):
+    for end in range(tb.ENDS_OF_JOINT):
         node, at = ends[tb.J_NODE + end], tb.J_ROW + ROW * r + 1 + 3 * end
         if node >= 0:
             change, slope = joints.factors[node], (numbers[at], numbers[at + 1])

@@ -50,6 +50,8 @@ from tamias2d.generated.joint_step import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
+PULLED = 100.0  # substeps: of what is moved by hand a joint that follows lets 2e-10 be left by then
+
 
 def clear_of_joints(clear: bool, world: World) -> bool:
     """Return whether bodies that have no contacts may go ballistically: not with joints."""
@@ -69,7 +71,7 @@ def note_places(world: World) -> None:
 
 
 def hold_tied(islands: Islands, joints: Joints) -> None:
-    """Mark the islands of mechanisms that are tied to what does not move freely."""
+    """Mark the islands of mechanisms that are tied to what nothing pushes."""
     for n in range(joints.counts[tb.MECHANISMS]):
         if joints.mechanisms[n, tb.M_TIED] == 1:
             i = joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT]
@@ -81,7 +83,11 @@ def note_mechanisms(world: World) -> None:
     joints = world.joints
     if joints.counts[tb.JOINTS] == 0:
         return
-    place_moved(world.bodies, joints)
+    began = world.control.counts[tb.TICK] + world.control.counts[tb.RETAKEN] > 0
+    if joints.counts[tb.PLACED] == 1 and not began:
+        pull_after_moved(world.bodies, joints)
+    place_moved(joints.counts[tb.PLACED] == 0, world.bodies, joints)
+    joints.counts[tb.PLACED] = 1
     for n in range(joints.counts[tb.MECHANISMS]):
         asleep = is_asleep(n, world.islands, joints)
         if asleep != (joints.mechanisms[n, tb.M_STATUS] == tb.ASLEEP):
@@ -89,10 +95,11 @@ def note_mechanisms(world: World) -> None:
             world.touching.counts[tb.ARRANGED] = 0
 
 
-def place_moved(bodies: Bodies, joints: Joints) -> None:
-    """Place all members where one is not where it was; rows of whose members are have to be new."""
+def place_moved(anew: bool, bodies: Bodies, joints: Joints) -> None:
+    """Place all members anew, or where one is not where it was; rows of such have to be new."""
     last = joints.sparse[joints.counts[tb.MECHANISMS], tb.I_NODE] + 1
-    anew = have_moved(0, 1, bodies, joints) or have_moved(last, len(joints.members), bodies, joints)
+    anew = anew or have_moved(0, 1, bodies, joints)
+    anew = anew or have_moved(last, len(joints.members), bodies, joints)
     moved = anew
     for n in range(joints.counts[tb.MECHANISMS]):
         first, last = joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1
@@ -102,6 +109,20 @@ def place_moved(bodies: Bodies, joints: Joints) -> None:
         place_members(0, len(joints.members), 0.0, bodies, joints)
     else:
         turn_members(0, len(joints.members), joints)
+
+
+def pull_after_moved(bodies: Bodies, joints: Joints) -> None:
+    """Note which mechanisms follow what they are tied to, as it was moved by hand since a step."""
+    last = joints.sparse[joints.counts[tb.MECHANISMS], tb.I_NODE] + 1
+    if not have_moved(last, len(joints.members), bodies, joints):
+        return
+    for n in range(joints.counts[tb.MECHANISMS]):
+        for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+            for end in range(tb.ENDS_OF_JOINT):
+                m = joints.joints[j, tb.J_MEMBER + end]
+                tied = joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED
+                if tied and have_moved(m, m + 1, bodies, joints):
+                    joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_PULLED] = PULLED
 
 
 def have_moved(first: int, last: int, bodies: Bodies, joints: Joints) -> bool:
@@ -150,6 +171,8 @@ def activate_joined(world: World) -> None:
                 activate(
                     joints.members[m, tb.JOINED_SLOT], bodies, world.touching, world.constraints
                 )
+    for m in range(joints.counts[tb.FIRST_KINEMATIC], len(joints.members) if awake > 0 else 0):
+        activate(joints.members[m, tb.JOINED_SLOT], bodies, world.touching, world.constraints)
 
 
 def join_slabs(tree_count: int, world: World) -> None:
@@ -217,8 +240,11 @@ def keep_joint_impulses(world: World) -> None:
     known = joints.counts[tb.JOINTS_APART] + joints.counts[tb.JOINTS_TURNED]
     time = world.control.progress[tb.PART_TIME]
     kept = 0.0 if world.control.counts[tb.TICK] == 0 else 1.0
+    substeps = world.control.counts[tb.PART_SUBSTEPS]
     for n in range(joints.counts[tb.MECHANISMS]):
         if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            first = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
+            first[tb.J_PULLED] = max(first[tb.J_PULLED] - substeps, 0.0)
             for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
                 numbers = joints.numbers[j]
                 for k in range(9):
@@ -244,6 +270,9 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
     if joints.counts[tb.MECHANISMS_AWAKE] == 0:
         return
     control = world.control
+    if not again and joints.counts[tb.FIRST_KINEMATIC] < len(joints.members):
+        first, last = joints.counts[tb.FIRST_KINEMATIC], len(joints.members)
+        place_members(first, last, substep, bodies, joints)
     length = min(substep * control.counts[tb.SUBSTEPS] / control.settings[tb.TIME_STEP], 1.0)
     if not again:
         aim_blocks(length, joints)

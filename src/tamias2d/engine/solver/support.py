@@ -75,16 +75,31 @@ def support_island(j: int, root: int, bodies: Bodies, islands: Islands) -> None:
 
 
 def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
-    """Let the islands of mechanisms that are tied to what stands still be seen from there."""
+    """Let the islands of mechanisms that are tied to what nothing pushes be seen from there."""
     for n in range(joints.counts[tb.MECHANISMS]):
         root = islands.links[
             joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT], tb.ROOT
         ]
-        for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-            for end in range(3):
-                if joints.joints[j, tb.J_NODE + end] == tb.STANDS_STILL:
-                    support = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
-                    support_island(support, root, bodies, islands)
+        support_mechanism(n, root, bodies, islands, joints)
+
+
+def support_mechanism(n: int, root: int, bodies: Bodies, islands: Islands, joints: Joints) -> None:
+    """Let the island at a root be seen from what ties a mechanism of it."""
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        for end in range(tb.ENDS_OF_JOINT):
+            if joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED:
+                support = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
+                support_island(support, root, bodies, islands)
+
+
+def may_get_any(n: int, row: Array, joints: Joints) -> bool:
+    """Return whether what ties a mechanism may give it any energy: it turns, or was moved by hand.
+
+    So may things that move against each other.
+    """
+    turns = (row[tb.SUPPORT] == SUPPORTED_BY_ONE) & (row[tb.REFERENCE + 2] != 0.0)
+    pulled = joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_PULLED] > 0.0
+    return bool(turns | pulled | (row[tb.SUPPORT] == SUPPORTED_BY_MORE))
 
 
 def charge_joined(
@@ -111,7 +126,8 @@ def charge_joined(
         ]
         row = islands.energy[root]
         bounded = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
-        if bounded or joints.mechanisms[n, tb.M_DRIVEN] == 1:
+        driven = joints.mechanisms[n, tb.M_DRIVEN] == 1 or may_get_any(n, row, joints)
+        if bounded or driven:
             row[tb.WORK] = UNLIMITED
         elif row[tb.WORK] < 0.0:
             least = kept_way(row[tb.ENERGY_START], row[tb.LIFT_WORK], row[tb.WORK])

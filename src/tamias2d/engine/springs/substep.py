@@ -51,12 +51,13 @@ def activate_touched(
     for n in range(springs.counts[tb.NETWORKS]):
         if springs.networks[n, tb.N_STATUS] == tb.TOUCHED:
             for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
-                activate(springs.slot[k], bodies, touching, constraints)
+                if bodies.kind[springs.slot[k]] == tb.DYNAMIC:
+                    activate(springs.slot[k], bodies, touching, constraints)
 
 
 def activate(i: int, bodies: Bodies, touching: Touching, constraints: Constraints) -> None:
-    """Put a free body on the list of active bodies, unless it is there."""
-    if bodies.moved[i] == 0 and bodies.kind[i] == tb.DYNAMIC:
+    """Put a body that moves on the list of active bodies, unless it is there."""
+    if bodies.moved[i] == 0:
         bodies.moved[i] = 1
         touching.active[constraints.counts[tb.ACTIVE]] = i
         constraints.counts[tb.ACTIVE] += 1
