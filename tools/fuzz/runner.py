@@ -22,6 +22,7 @@ KINDS = {
     "cached": "damage:cached",
     "momentum-located": "momentum:located",
     "momentum-stepped": "momentum:stepped",
+    "momentum-jointed": "momentum:jointed",
 }
 
 

@@ -154,9 +154,9 @@ class Engine(Store):
 
     @property
     def joints_fail(self) -> bool:
-        """Whether a joint was more than slightly apart, or turned too far, since it was asked."""
+        """Whether a joint was apart, turned too far, or made energy, since it was asked."""
         counts = self.world.joints.counts
-        return bool(counts[tb.JOINTS_APART] or counts[tb.JOINTS_TURNED])
+        return bool(counts[tb.JOINTS_APART] or counts[tb.JOINTS_TURNED] or counts[tb.JOINTS_GAINED])
 
     @property
     def limits(self) -> int:

@@ -2,7 +2,8 @@
 
 The solver keeps the points and the normal that contacts have as a part begins, or as their shapes
 meet. Where an impact lets a body turn fast, other corners come up, and the normal turns: then the
-part is taken again as shorter ones. Cost: the gap of each contact whose bodies turn far, twice.
+part is taken again as shorter ones. So is one in which joints and contacts disagree. Cost: the gap
+of each contact whose bodies turn far, twice.
 """
 
 from tamias2d.engine import tables as tb
@@ -28,6 +29,8 @@ def overshoots(world: World, contacts: Contacts) -> bool:
     touching, events = world.touching, world.events
     if control.counts[tb.START_NOTED] == 0 or control.counts[tb.LEVEL] >= FINEST_LEVEL:
         return False
+    if control.counts[tb.DISAGREE] == 1:
+        return True
     found = 0
     for k in range(touching.counts[tb.TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]

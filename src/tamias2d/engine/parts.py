@@ -13,6 +13,7 @@ from tamias2d.engine.broad_phase.pairs import TOO_CROWDED
 from tamias2d.engine.continuous.events import THIN, allowed_depth, manifold_at, smaller_radius
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.part_impulses import add_up_impulses, forget_impulses, forget_impulses_of_part
+from tamias2d.engine.solver.joined_gains import noted_if_free
 from tamias2d.engine.tables import Bodies, Contacts, Control, Shapes, World
 from tamias2d.generated.continuous_collision import motion_bound
 
@@ -71,7 +72,8 @@ def note_start(world: World) -> None:
     control, bodies, touching = world.control, world.bodies, world.touching
     counts = control.counts
     noted = counts[tb.GOES_FAR] == 1 or touching.counts[tb.MEETING] > 0
-    counts[tb.START_NOTED] = 1 if noted else 0
+    noted = noted_if_free(noted, world)
+    counts[tb.START_NOTED], counts[tb.DISAGREE] = 1 if noted else 0, 0
     for i in range(len(bodies.pose) if noted else 0):
         for n in range(3):
             bodies.start[i, n], bodies.start[i, 3 + n] = bodies.pose[i, n], bodies.motion[i, n]

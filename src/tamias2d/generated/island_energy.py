@@ -471,7 +471,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:341.
+    Source: DD66, srs/models/island_energy.md:350.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -492,7 +492,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:342.
+    Source: DD66, srs/models/island_energy.md:351.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -523,7 +523,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:343.
+    Source: DD66, srs/models/island_energy.md:352.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -550,7 +550,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:405.
+    Source: IM17, srs/models/island_energy.md:415.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -574,7 +574,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:407.
+    Source: IM17, srs/models/island_energy.md:417.
     """
     return least(
         sqrt(
@@ -603,7 +603,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:410.
+    Source: IM17, srs/models/island_energy.md:420.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -635,7 +635,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:412.
+    Source: IM17, srs/models/island_energy.md:422.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

@@ -1383,6 +1383,40 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=871,
     ),
+    "early_share": Symbol(
+        "early_share",
+        "1",
+        "share of half a step by which a force acts before the middle of the step, on the mean",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\epsilon",
+        file="srs/symbols.md",
+        line=875,
+    ),
+    "step_share": Symbol(
+        "step_share",
+        "1",
+        "share of a step that is over",
+        tex="\\varsigma",
+        file="srs/symbols.md",
+        line=882,
+    ),
+    "impulse_late": Symbol(
+        "impulse_late",
+        "N*s",
+        "sum of the impulses of a contact in a step, each times the share of the step that was over",
+        tex="j_{\\mathrm{late}}",
+        file="srs/symbols.md",
+        line=886,
+    ),
+    "impulse_turned": Symbol(
+        "impulse_turned",
+        "N*s",
+        "what the impulses of a contact in a step change as its normal turns",
+        shape="vector",
+        tex="\\Delta\\boldsymbol{j}",
+        file="srs/symbols.md",
+        line=892,
+    ),
     "firmness": Symbol(
         "firmness",
         "kg",
@@ -1390,7 +1424,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=875,
+        line=897,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1399,7 +1433,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=882,
+        line=904,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1408,7 +1442,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=887,
+        line=909,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1417,7 +1451,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=894,
+        line=916,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1426,7 +1460,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=901,
+        line=923,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1435,7 +1469,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=907,
+        line=929,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1443,7 +1477,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=914,
+        line=936,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1452,7 +1486,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=927,
+        line=949,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1460,7 +1494,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=932,
+        line=954,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1468,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=936,
+        line=958,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1477,7 +1511,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=942,
+        line=964,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1485,7 +1519,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=947,
+        line=969,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1494,7 +1528,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=951,
+        line=973,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1502,7 +1536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=956,
+        line=978,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1511,7 +1545,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=960,
+        line=982,
     ),
     "advance": Symbol(
         "advance",
@@ -1520,7 +1554,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=965,
+        line=987,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1528,7 +1562,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=970,
+        line=992,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1537,7 +1571,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=974,
+        line=996,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1545,7 +1579,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=979,
+        line=1001,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1553,7 +1587,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=983,
+        line=1005,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1562,7 +1596,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=987,
+        line=1009,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1570,7 +1604,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=992,
+        line=1014,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1578,7 +1612,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=996,
+        line=1018,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1586,7 +1620,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1001,
+        line=1023,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1594,7 +1628,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1007,
+        line=1029,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1603,7 +1637,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=1011,
+        line=1033,
     ),
     "slip": Symbol(
         "slip",
@@ -1611,7 +1645,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1018,
+        line=1040,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1619,7 +1653,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=1024,
+        line=1046,
     ),
     "circling": Symbol(
         "circling",
@@ -1628,7 +1662,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=1028,
+        line=1050,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1636,7 +1670,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1035,
+        line=1057,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1645,7 +1679,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1039,
+        line=1061,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1654,7 +1688,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1044,
+        line=1066,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1663,7 +1697,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1049,
+        line=1071,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1671,7 +1705,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1054,
+        line=1076,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1680,7 +1714,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1058,
+        line=1080,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1688,7 +1722,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1063,
+        line=1085,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1696,7 +1730,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1067,
+        line=1089,
     ),
     "arc": Symbol(
         "arc",
@@ -1705,7 +1739,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1073,
+        line=1095,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1714,7 +1748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1078,
+        line=1100,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1722,7 +1756,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1088,
+        line=1110,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1730,7 +1764,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1092,
+        line=1114,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1739,7 +1773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1096,
+        line=1118,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1748,7 +1782,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1101,
+        line=1123,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1757,7 +1791,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1106,
+        line=1128,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1766,7 +1800,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1111,
+        line=1133,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1775,7 +1809,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1116,
+        line=1138,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1783,7 +1817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1121,
+        line=1143,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1792,7 +1826,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1130,
+        line=1152,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1800,7 +1834,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1135,
+        line=1157,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1809,7 +1843,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1139,
+        line=1161,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1817,7 +1851,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1144,
+        line=1166,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1825,7 +1859,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1148,
+        line=1170,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1834,7 +1868,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1152,
+        line=1174,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1843,7 +1877,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1157,
+        line=1179,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1852,7 +1886,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1162,
+        line=1184,
     ),
     "work": Symbol(
         "work",
@@ -1860,7 +1894,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1167,
+        line=1189,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -1869,7 +1903,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1171,
+        line=1193,
     ),
     "bounce_energy_most": Symbol(
         "bounce_energy_most",
@@ -1878,7 +1912,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\max}^e",
         file="srs/symbols.md",
-        line=1176,
+        line=1198,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1887,7 +1921,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1181,
+        line=1203,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1895,7 +1929,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1186,
+        line=1208,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1904,7 +1938,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1190,
+        line=1212,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1912,7 +1946,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1195,
+        line=1217,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1921,7 +1955,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1200,
+        line=1222,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -1930,7 +1964,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1205,
+        line=1227,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1939,7 +1973,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1210,
+        line=1232,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1948,7 +1982,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1215,
+        line=1237,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -1957,7 +1991,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1222,
+        line=1244,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -1966,7 +2000,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1227,
+        line=1249,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -1974,7 +2008,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1232,
+        line=1254,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -1982,7 +2016,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1237,
+        line=1259,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -1990,7 +2024,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1243,
+        line=1265,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -1999,7 +2033,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1247,
+        line=1269,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2008,7 +2042,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1254,
+        line=1276,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2017,7 +2051,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1259,
+        line=1281,
     ),
     "energy": Symbol(
         "energy",
@@ -2025,7 +2059,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1264,
+        line=1286,
     ),
     "radius": Symbol(
         "radius",
@@ -2034,7 +2068,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1273,
+        line=1295,
     ),
     "length": Symbol(
         "length",
@@ -2043,7 +2077,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1278,
+        line=1300,
     ),
     "width": Symbol(
         "width",
@@ -2052,7 +2086,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1285,
+        line=1307,
     ),
     "height": Symbol(
         "height",
@@ -2061,7 +2095,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1290,
+        line=1312,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2070,7 +2104,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1295,
+        line=1317,
     ),
     "center": Symbol(
         "center",
@@ -2079,7 +2113,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1300,
+        line=1322,
     ),
     "offset": Symbol(
         "offset",
@@ -2087,7 +2121,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1305,
+        line=1327,
     ),
     "area": Symbol(
         "area",
@@ -2096,7 +2130,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1309,
+        line=1331,
     ),
     "way": Symbol(
         "way",
@@ -2105,7 +2139,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1314,
+        line=1336,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2113,7 +2147,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1319,
+        line=1341,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2122,7 +2156,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1323,
+        line=1345,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2131,7 +2165,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1328,
+        line=1350,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2139,7 +2173,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1333,
+        line=1355,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2147,7 +2181,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1337,
+        line=1359,
     ),
     "lean": Symbol(
         "lean",
@@ -2155,7 +2189,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1341,
+        line=1363,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2163,7 +2197,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1345,
+        line=1367,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2171,7 +2205,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1349,
+        line=1371,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2180,7 +2214,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1355,
+        line=1377,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2188,7 +2222,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1368,
+        line=1390,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2196,7 +2230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1372,
+        line=1394,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2205,7 +2239,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1376,
+        line=1398,
     ),
     "slope": Symbol(
         "slope",
@@ -2214,7 +2248,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1381,
+        line=1403,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2223,7 +2257,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1386,
+        line=1408,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2232,7 +2266,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1391,
+        line=1413,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2241,7 +2275,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1396,
+        line=1418,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2249,7 +2283,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1401,
+        line=1423,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2257,7 +2291,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1405,
+        line=1427,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2265,7 +2299,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1409,
+        line=1431,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2274,7 +2308,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1413,
+        line=1435,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2282,7 +2316,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1418,
+        line=1440,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2290,7 +2324,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1422,
+        line=1444,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2298,7 +2332,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1426,
+        line=1448,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2306,7 +2340,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1430,
+        line=1452,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2314,7 +2348,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1434,
+        line=1456,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2323,7 +2357,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1438,
+        line=1460,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2332,7 +2366,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1443,
+        line=1465,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2341,7 +2375,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1448,
+        line=1470,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2350,7 +2384,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1453,
+        line=1475,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2358,7 +2392,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1458,
+        line=1480,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2367,7 +2401,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1462,
+        line=1484,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2375,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1467,
+        line=1489,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2383,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1471,
+        line=1493,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2392,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1475,
+        line=1497,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2401,7 +2435,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1480,
+        line=1502,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2409,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1485,
+        line=1507,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2418,7 +2452,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1489,
+        line=1511,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2426,7 +2460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1494,
+        line=1516,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2434,7 +2468,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1498,
+        line=1520,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2443,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1502,
+        line=1524,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2451,7 +2485,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1507,
+        line=1529,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2460,7 +2494,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1511,
+        line=1533,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2469,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1516,
+        line=1538,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2478,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1521,
+        line=1543,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2486,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1526,
+        line=1548,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2495,7 +2529,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1530,
+        line=1552,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2503,7 +2537,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1535,
+        line=1557,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2511,7 +2545,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1539,
+        line=1561,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2520,7 +2554,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1543,
+        line=1565,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2529,7 +2563,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1548,
+        line=1570,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2538,7 +2572,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1553,
+        line=1575,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2546,7 +2580,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1558,
+        line=1580,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2554,7 +2588,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1562,
+        line=1584,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2562,7 +2596,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1566,
+        line=1588,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2571,7 +2605,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1570,
+        line=1592,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2580,7 +2614,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1575,
+        line=1597,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2589,7 +2623,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1580,
+        line=1602,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2598,7 +2632,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1585,
+        line=1607,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2607,7 +2641,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1590,
+        line=1612,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2616,7 +2650,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1595,
+        line=1617,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2625,7 +2659,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1600,
+        line=1622,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2634,7 +2668,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1605,
+        line=1627,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2642,7 +2676,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1610,
+        line=1632,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2651,7 +2685,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1614,
+        line=1636,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2659,7 +2693,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1619,
+        line=1641,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2668,7 +2702,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1623,
+        line=1645,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2677,7 +2711,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1628,
+        line=1650,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2686,7 +2720,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1633,
+        line=1655,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2695,7 +2729,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1638,
+        line=1660,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2704,7 +2738,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1643,
+        line=1665,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2712,7 +2746,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1648,
+        line=1670,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2721,7 +2755,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1652,
+        line=1674,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2730,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1657,
+        line=1679,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2739,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1662,
+        line=1684,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2748,7 +2782,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1667,
+        line=1689,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2756,7 +2790,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1672,
+        line=1694,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2764,7 +2798,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1676,
+        line=1698,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2773,7 +2807,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1680,
+        line=1702,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2782,7 +2816,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1685,
+        line=1707,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2791,7 +2825,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1690,
+        line=1712,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2800,7 +2834,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1695,
+        line=1717,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2809,7 +2843,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1700,
+        line=1722,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2818,7 +2852,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1705,
+        line=1727,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2827,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1710,
+        line=1732,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2836,7 +2870,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1715,
+        line=1737,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2845,7 +2879,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1720,
+        line=1742,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2853,7 +2887,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1725,
+        line=1747,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2861,7 +2895,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1729,
+        line=1751,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2870,7 +2904,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1733,
+        line=1755,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2878,7 +2912,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1738,
+        line=1760,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2886,7 +2920,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1742,
+        line=1764,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2895,7 +2929,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1746,
+        line=1768,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2904,7 +2938,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1751,
+        line=1773,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2913,7 +2947,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1756,
+        line=1778,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2921,7 +2955,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1761,
+        line=1783,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2930,7 +2964,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1765,
+        line=1787,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2938,7 +2972,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1770,
+        line=1792,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2947,7 +2981,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1774,
+        line=1796,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2956,7 +2990,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1779,
+        line=1801,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2964,7 +2998,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1784,
+        line=1806,
     ),
     "change": Symbol(
         "change",
@@ -2973,7 +3007,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1788,
+        line=1810,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2982,7 +3016,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1793,
+        line=1815,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2991,7 +3025,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1798,
+        line=1820,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2999,7 +3033,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1803,
+        line=1825,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3008,7 +3042,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1807,
+        line=1829,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3016,7 +3050,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1812,
+        line=1834,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3024,7 +3058,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1816,
+        line=1838,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3032,7 +3066,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1820,
+        line=1842,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3041,7 +3075,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1824,
+        line=1846,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3049,7 +3083,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1829,
+        line=1851,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3058,6 +3092,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1833,
+        line=1855,
     ),
 }

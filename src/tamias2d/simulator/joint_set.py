@@ -279,6 +279,16 @@ class JointSet:
         numbers[:, tb.J_TURNED] = 0.0
         return list(self._joints.values())[worst]
 
+    def gained(self, engine: Engine) -> Joint | None:
+        """Return the first joint of what got energy, with what touches it, lately; or None."""
+        counts, numbers = engine.world.joints.counts, engine.world.joints.numbers
+        if not counts[tb.JOINTS_GAINED]:
+            return None
+        counts[tb.JOINTS_GAINED] = 0
+        first = int(self._owner[np.argmax(numbers[self._places, tb.J_GAINED])])
+        numbers[:, tb.J_GAINED] = 0.0
+        return list(self._joints.values())[first]
+
     def forget_report(self) -> None:
         """Note that a step is taken."""
         self._saved = None

@@ -51,7 +51,7 @@ def too_long_for_contacts(
 def too_long_for_joints(
     joints: JointSet, engine: Engine, time: float, time_step: float
 ) -> Iterator[Told]:
-    """Yield a joint that was far apart before a time, s (R13), and one that turned far (IM15)."""
+    """Yield joints that were apart before a time, s (R13), turned far, or made energy (IM15)."""
     if (found := joints.apart(engine)) is not None:
         joint, much, moved = found
         remedy = (
@@ -73,6 +73,13 @@ def too_long_for_joints(
             "energy (IM15). Give a shorter step or more substeps."
         )
         yield f"turn of {whirled.name}", text
+    if (driven := joints.gained(engine)) is not None:
+        text = (
+            f"joint '{driven.name}' ({driven.kind}), before {time:.6g} s: in steps of "
+            f"{time_step:.6g} s what it holds and what touches that got energy, more than "
+            "0.001 of theirs (IM15). Give a shorter step, more substeps or masses less different."
+        )
+        yield f"energy of {driven.name}", text
 
 
 def too_stiff_for_steps(joints: JointSet, engine: Engine, time_step: float) -> Iterator[Told]:

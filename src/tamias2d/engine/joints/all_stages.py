@@ -20,10 +20,13 @@ from tamias2d.engine.joints.stages import (
     solve_joints,
 )
 from tamias2d.engine.sleep import note_joined_support, wake_tied
+from tamias2d.engine.solver.angular_momentum import add_given_by_joints
+from tamias2d.engine.solver.joined_gains import note_gains, noted_if_free
 from tamias2d.engine.solver.support import charge_joined, support_joined
 
 JOINT_STAGES = (
     activate_joined,
+    add_given_by_joints,
     begin_joints,
     look_at_touched,
     clear_of_joints,
@@ -34,9 +37,11 @@ JOINT_STAGES = (
     join_slabs,
     keep_joint_impulses,
     mark_joined,
+    note_gains,
     note_joined_support,
     note_mechanisms,
     note_places,
+    noted_if_free,
     past_untouched,
     relax_joints,
     solve_joints,

@@ -26,6 +26,7 @@ from tamias2d.engine.joints.linearise import (
     place_members,
     turn_members,
 )
+from tamias2d.engine.joints.moments import note_after_joints, note_before_joints
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
 from tamias2d.engine.joints.tree_blocks import (
     aim_blocks,
@@ -226,6 +227,8 @@ def write_mechanism(n: int, bodies: Bodies, joints: Joints) -> None:
 
 def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
     """Begin to add up the impulses of a part; those of a mesh count for a substep of this one."""
+    whole = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
+    whole[tb.J_MOMENT] = whole[tb.J_GAIN] = 0.0
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         for k in range(tb.J_TOTAL, tb.J_GIVEN + 3):
             joints.numbers[j, k] = 0.0
@@ -237,7 +240,7 @@ def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
 def keep_joint_impulses(world: World) -> None:
     """Add the impulses of a part that was taken to those of the step, and note the forces."""
     joints = world.joints
-    known = joints.counts[tb.JOINTS_APART] + joints.counts[tb.JOINTS_TURNED]
+    known = found_to_tell(joints)
     time = world.control.progress[tb.PART_TIME]
     kept = 0.0 if world.control.counts[tb.TICK] == 0 else 1.0
     substeps = world.control.counts[tb.PART_SUBSTEPS]
@@ -260,8 +263,17 @@ def keep_joint_impulses(world: World) -> None:
                         joints.counts[tb.JOINTS_APART] = 1
                 if numbers[tb.J_TURNED] > 0.0:
                     joints.counts[tb.JOINTS_TURNED] = 1
-    if joints.counts[tb.JOINTS_APART] + joints.counts[tb.JOINTS_TURNED] > known:
+                if numbers[tb.J_GAIN] > 0.0:
+                    joints.counts[tb.JOINTS_GAINED] = 1
+                    numbers[tb.J_GAINED] = 1.0
+    if found_to_tell(joints) > known:
         world.control.counts[tb.LIMITS] += 1
+
+
+def found_to_tell(joints: Joints) -> int:
+    """Return how many kinds of things were found to tell of joints."""
+    counts = joints.counts
+    return int(counts[tb.JOINTS_APART] + counts[tb.JOINTS_TURNED] + counts[tb.JOINTS_GAINED])
 
 
 def solve_joints(again: bool, substep: float, world: World) -> None:
@@ -277,6 +289,7 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
     if not again:
         aim_blocks(length, joints)
     least = tb.IN_CONTACT if again else tb.FREE_OF_CONTACTS
+    note_before_joints(least, tb.IN_CONTACT, world)
     bring_blocks_to_aims(least, again, substep, bodies, joints)
     for n in range(joints.counts[tb.MECHANISMS]):
         status = joints.mechanisms[n, tb.M_STATUS]
@@ -288,6 +301,7 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
                 begin_motors(n, substep, bodies, joints)
             bring_to_end(n, again, length, substep, bodies, joints)
             joints.mechanisms[n, tb.M_HALF] = 0
+    note_after_joints(least, tb.IN_CONTACT, world)
 
 
 def aim_mechanism(n: int, length: float, joints: Joints) -> None:
@@ -342,12 +356,16 @@ def fit_touched(world: World) -> None:
     for n in range(joints.counts[tb.MECHANISMS]):
         if joints.mechanisms[n, tb.M_STATUS] == tb.GOVERNED_ALONE:
             kick_half(n, True, world.bodies, joints)
-            if joints.mechanisms[n, tb.M_IN_BLOCK] == 0:
-                give_left(n, world.bodies, joints)
+    note_before_joints(tb.GOVERNED_ALONE, tb.IN_CONTACT, world)
+    for n in range(joints.counts[tb.MECHANISMS]):
+        alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
+        if alone and joints.mechanisms[n, tb.M_STATUS] == tb.GOVERNED_ALONE:
+            give_left(n, world.bodies, joints)
     give_left_of_blocks(world.bodies, joints)
     fit_velocities(
         tb.GOVERNED_ALONE, world.control.settings[tb.SUBSTEP], world.bodies, world.joints
     )
+    note_after_joints(tb.GOVERNED_ALONE, tb.IN_CONTACT, world)
 
 
 def fit_velocities(least: int, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -387,6 +405,7 @@ def end_joints(world: World) -> None:
     for n in range(joints.counts[tb.MECHANISMS]):
         if joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS:
             kick_half(n, True, bodies, joints)
+    note_before_joints(tb.FREE_OF_CONTACTS, tb.FREE_OF_CONTACTS, world)
     fit_blocks(tb.FREE_OF_CONTACTS, tb.FREE_OF_CONTACTS, bodies, joints)
     store_blocks(joints)
     for n in range(joints.counts[tb.MECHANISMS]):
@@ -394,6 +413,10 @@ def end_joints(world: World) -> None:
         status = joints.mechanisms[n, tb.M_STATUS]
         if status == tb.FREE_OF_CONTACTS and alone:
             fit(n, 0.5, world.control.settings[tb.SUBSTEP], bodies, joints)
+    note_after_joints(tb.FREE_OF_CONTACTS, tb.FREE_OF_CONTACTS, world)
+    for n in range(joints.counts[tb.MECHANISMS]):
+        alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
+        status = joints.mechanisms[n, tb.M_STATUS]
         if status != tb.ASLEEP and status != tb.IN_CONTACT:
             bound_mechanism(n, world.control, bodies, joints, world.islands, energy)
         awake = joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP

@@ -129,9 +129,13 @@ def velocity_change(i: int, bodies: Bodies) -> Vector:
 
 
 def keep_angular_momentum(
-    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+    joints: Joints,
 ) -> None:
-    """Take from free islands what contacts have given them, and note the energy that they have."""
+    """Take from free islands what they were given, and note the energy that they have."""
     rows, links = islands.energy, islands.links
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
@@ -139,6 +143,7 @@ def keep_angular_momentum(
             rows[i, tb.GIVEN] = rows[i, tb.ENERGY_PUSHED] = 0.0
             for n in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
                 rows[i, n] = 0.0
+    add_given_by_joints(islands, joints)
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_pushed_and_free(i, bodies, islands):
@@ -151,10 +156,24 @@ def keep_angular_momentum(
             return_of_island(i, links[i, tb.ROOT], bodies, rows[i], row)
 
 
+def add_given_by_joints(islands: Islands, joints: Joints) -> None:
+    """Add what joints have given mechanisms to what contacts have given their islands."""
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            i = joints.sparse[joints.sparse[n, tb.I_NODE], tb.N_BODY]
+            given = joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_MOMENT]
+            islands.energy[islands.links[i, tb.ROOT], tb.GIVEN] += given
+
+
 def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
     """Return whether contacts have pushed a body, of an island that nothing holds."""
     free = islands.energy[i, tb.IS_HELD] == 0.0
     return bool((bodies.kind[i] == tb.DYNAMIC) & (bodies.moved[i] == tb.MOVED) & free)
+
+
+def has_been_turned(i: int, bodies: Bodies, given: Array) -> bool:
+    """Return whether contacts have turned a body, or joints may have."""
+    return bool((given[tb.ANGULAR_VELOCITY_GIVEN] != 0.0) | (bodies.properties[i, tb.JOINED] > 0.0))
 
 
 def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:
@@ -173,7 +192,7 @@ def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> N
         inertia,
         given[tb.ANGULAR_VELOCITY_GIVEN],
     )
-    inertia = inertia if given[tb.ANGULAR_VELOCITY_GIVEN] != 0.0 else 0.0
+    inertia = inertia if has_been_turned(i, bodies, given) else 0.0
     velocity = velocity_seen((now[tb.VX], now[tb.VY]), (row[tb.REFERENCE], row[tb.REFERENCE + 1]))
     add_to_island(mass, inertia, place, velocity, now[tb.SPIN], row)
     row[tb.ENERGY_PUSHED] += kinetic_energy(mass, velocity, inertia, now[tb.SPIN])
@@ -192,7 +211,7 @@ def return_of_island(i: int, root: int, bodies: Bodies, given: Array, row: Array
     )
     seen = velocity_seen((now[tb.VX], now[tb.VY]), reference)
     before = kinetic_energy(mass, seen, inertia, now[tb.SPIN])
-    turned = given[tb.ANGULAR_VELOCITY_GIVEN] != 0.0
+    turned = has_been_turned(i, bodies, given)
     if not can_turn(one, row[tb.MOMENT_OF_INERTIA]):
         return
     now[tb.VX], now[tb.VY] = seen

@@ -17,6 +17,7 @@ from tamias2d.engine.solver.island_damping import (
     damp_islands,
     sum_island_motions,
 )
+from tamias2d.engine.solver.joined_gains import note_gains
 from tamias2d.engine.solver.support import (
     SUPPORTED_BY_MORE,
     charge_joined,
@@ -73,10 +74,11 @@ def bound_energy(
         keep_shares(bodies, touching, constraints, islands)
         keep_impulse_shares(bodies, constraints, islands)
     if constraints.counts[tb.FREE_ISLANDS] > 0:
-        keep_angular_momentum(bodies, touching, constraints, islands)
+        keep_angular_momentum(bodies, touching, constraints, islands, joints)
     if choose_islands_to_damp(bodies, touching, constraints, islands):
         sum_island_motions(bodies, touching, constraints, islands)
         damp_islands(bodies, touching, constraints, islands)
+        note_gains(control, islands, joints)
 
 
 def sum_island_energies(

@@ -107,7 +107,7 @@ def find_rigid_motion(row: Array) -> None:
         row[tb.REFERENCE] += by_x
         row[tb.REFERENCE + 1] += by_y
         row[tb.REFERENCE + 2] = spin
-    row[tb.DAMPED_SHARE] = 0.0
+    row[tb.DAMPED_SHARE], row[tb.ENERGY_LEAST] = 0.0, least
     if row[tb.ENERGY_BOUND] > least and row[tb.ENERGY_KEPT] > least:
         row[tb.DAMPED_SHARE] = damped_share(row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND], least)
 
