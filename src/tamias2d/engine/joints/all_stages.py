@@ -1,6 +1,7 @@
 """What the stages of a step call for joints alone: scenes without joints do without it."""
 
 from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
+from tamias2d.engine.early import note_early_joined
 from tamias2d.engine.islands import join_islands
 from tamias2d.engine.joined import mark_joined, unless_joined
 from tamias2d.engine.joints.stages import (
@@ -38,6 +39,7 @@ JOINT_STAGES = (
     keep_joint_impulses,
     mark_joined,
     note_gains,
+    note_early_joined,
     note_joined_support,
     note_mechanisms,
     note_places,

@@ -172,7 +172,7 @@ def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
 
 
 def has_been_turned(i: int, bodies: Bodies, given: Array) -> bool:
-    """Return whether contacts have turned a body, or joints may have."""
+    """Return whether contacts have turned a body, or what it is tied by may have."""
     return bool((given[tb.ANGULAR_VELOCITY_GIVEN] != 0.0) | (bodies.properties[i, tb.JOINED] > 0.0))
 
 
