@@ -19,7 +19,8 @@ def add_early(world: World) -> None:
 
 def note_early_joined(world: World) -> None:
     """Note that mechanisms which nothing touches take half a kick at both ends of a part."""
-    joints, early = world.joints, world.bodies.early
+    joints = world.joints
+    early = world.bodies.early
     for n in range(joints.counts[tb.MECHANISMS]):
         if joints.mechanisms[n, tb.M_STATUS] != tb.IN_CONTACT:
             for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
