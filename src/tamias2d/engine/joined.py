@@ -22,3 +22,9 @@ def mark_joined(world: World) -> None:
 def unless_joined(found: bool, i: int, j: int, bodies: Bodies) -> bool:
     """Return whether something was found of two bodies that no joint holds."""
     return bool(found & (bodies.properties[i, tb.JOINED] + bodies.properties[j, tb.JOINED] == 0.0))
+
+
+@inlined
+def turned_or_joined(turned: bool, i: int, bodies: Bodies) -> bool:
+    """Return whether a body was turned, or joints hold it, which may turn it."""
+    return bool(turned | (bodies.properties[i, tb.JOINED] > 0.0))

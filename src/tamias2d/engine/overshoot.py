@@ -16,6 +16,7 @@ from tamias2d.engine.continuous.events import (
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.touching import smallest_gap
 from tamias2d.engine.parts import OF_ALL
+from tamias2d.engine.solver.joined_gains import joints_disagree
 from tamias2d.engine.tables import Bodies, Contacts, Shapes, World
 
 TURNED_FAR = 0.05  # rad, that bodies in contact turn in a part
@@ -29,7 +30,9 @@ def overshoots(world: World, contacts: Contacts) -> bool:
     touching, events = world.touching, world.events
     if control.counts[tb.START_NOTED] == 0 or control.counts[tb.LEVEL] >= FINEST_LEVEL:
         return False
-    if control.counts[tb.DISAGREE] == 1:
+    again = False
+    again = joints_disagree(again, world)
+    if again:
         return True
     found = 0
     for k in range(touching.counts[tb.TOUCHING]):

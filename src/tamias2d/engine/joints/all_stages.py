@@ -3,7 +3,7 @@
 from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.early import note_early_joined
 from tamias2d.engine.islands import join_islands
-from tamias2d.engine.joined import mark_joined, unless_joined
+from tamias2d.engine.joined import mark_joined, turned_or_joined, unless_joined
 from tamias2d.engine.joints.stages import (
     activate_joined,
     begin_joints,
@@ -22,7 +22,7 @@ from tamias2d.engine.joints.stages import (
 )
 from tamias2d.engine.sleep import note_joined_support, wake_tied
 from tamias2d.engine.solver.angular_momentum import add_given_by_joints
-from tamias2d.engine.solver.joined_gains import note_gains, noted_if_free
+from tamias2d.engine.solver.joined_gains import joints_disagree, note_gains, noted_if_free
 from tamias2d.engine.solver.support import charge_joined, support_joined
 
 JOINT_STAGES = (
@@ -49,6 +49,8 @@ JOINT_STAGES = (
     solve_joints,
     charge_joined,
     support_joined,
+    joints_disagree,
+    turned_or_joined,
     unless_joined,
     wake_tied,
     without_kept_apart,

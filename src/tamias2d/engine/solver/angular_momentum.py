@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.islands import update_islands
+from tamias2d.engine.joined import turned_or_joined
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.solver.island_damping import add_to_island, place_from
 from tamias2d.engine.solver.support import is_root
@@ -171,11 +172,6 @@ def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
     return bool((bodies.kind[i] == tb.DYNAMIC) & (bodies.moved[i] == tb.MOVED) & free)
 
 
-def has_been_turned(i: int, bodies: Bodies, given: Array) -> bool:
-    """Return whether contacts have turned a body, or what it is tied by may have."""
-    return bool((given[tb.ANGULAR_VELOCITY_GIVEN] != 0.0) | (bodies.properties[i, tb.JOINED] > 0.0))
-
-
 def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:
     """Add the motion of a body, and what contacts have given it, to those of its island."""
     mass, inertia = mass_and_inertia(i, bodies.properties)
@@ -192,7 +188,9 @@ def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> N
         inertia,
         given[tb.ANGULAR_VELOCITY_GIVEN],
     )
-    inertia = inertia if has_been_turned(i, bodies, given) else 0.0
+    turned = bool(given[tb.ANGULAR_VELOCITY_GIVEN] != 0.0)
+    turned = turned_or_joined(turned, i, bodies)
+    inertia = inertia if turned else 0.0
     velocity = velocity_seen((now[tb.VX], now[tb.VY]), (row[tb.REFERENCE], row[tb.REFERENCE + 1]))
     add_to_island(mass, inertia, place, velocity, now[tb.SPIN], row)
     row[tb.ENERGY_PUSHED] += kinetic_energy(mass, velocity, inertia, now[tb.SPIN])
@@ -211,7 +209,8 @@ def return_of_island(i: int, root: int, bodies: Bodies, given: Array, row: Array
     )
     seen = velocity_seen((now[tb.VX], now[tb.VY]), reference)
     before = kinetic_energy(mass, seen, inertia, now[tb.SPIN])
-    turned = has_been_turned(i, bodies, given)
+    turned = bool(given[tb.ANGULAR_VELOCITY_GIVEN] != 0.0)
+    turned = turned_or_joined(turned, i, bodies)
     if not can_turn(one, row[tb.MOMENT_OF_INERTIA]):
         return
     now[tb.VX], now[tb.VY] = seen

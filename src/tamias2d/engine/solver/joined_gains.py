@@ -25,6 +25,11 @@ def noted_if_free(noted: bool, world: World) -> bool:
     return bool(noted | (free & (world.joints.counts[tb.MECHANISMS_TOUCHED] > 0)))
 
 
+def joints_disagree(again: bool, world: World) -> bool:
+    """Return whether a part is taken again: also where joints and contacts disagree in it."""
+    return bool(again | (world.control.counts[tb.DISAGREE] == 1))
+
+
 def note_gains(control: Control, islands: Islands, joints: Joints) -> None:
     """Note which mechanisms are in free islands that got energy, and whether joints disagree."""
     for n in range(joints.counts[tb.MECHANISMS]):
