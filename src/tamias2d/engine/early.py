@@ -9,7 +9,8 @@ from tamias2d.engine.tables import World
 
 def add_early(world: World) -> None:
     """Add up by which share of half a step loads have acted before its middle, part by part."""
-    control, early = world.control, world.bodies.early
+    control = world.control
+    early = world.bodies.early
     note_early_joined(world)
     length = control.progress[tb.PART_TIME] / control.settings[tb.TIME_STEP]
     for i in range(len(early)):
