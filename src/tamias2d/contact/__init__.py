@@ -4,7 +4,7 @@ Serves: `solve`, which makes a run of the paths and impulses. Hides: how an impa
 (conservative advancement along separating axes), and in which order one instant is resolved.
 """
 
-from tamias2d.contact.event_driven_scenes import is_event_driven, is_known
+from tamias2d.contact.event_driven_scenes import has_thin_pair, is_event_driven, is_known
 from tamias2d.contact.located import MOST_RULED, RULED, Located
 from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
@@ -33,6 +33,7 @@ __all__ = [
     "SimultaneousImpactsError",
     "UndecidedContactError",
     "UnlocatedContactError",
+    "has_thin_pair",
     "is_event_driven",
     "is_known",
     "refuse_contact",

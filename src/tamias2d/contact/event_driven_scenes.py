@@ -17,13 +17,17 @@ def is_event_driven(scene: Scene) -> bool:
 
 
 def is_known(body: Body) -> bool:
-    """Whether compiled code knows a body: convex, and thick enough that a gap tells its side.
-
-    It does not remember from which side two bodies have met, as thin ones have to.
-    """
+    """Whether compiled code knows a body."""
     convex = not isinstance(body.shape, Chain | Compound)
-    alone = not (body.kinematic or body.sensor or filters(body))
-    return convex and alone and not _is_thin(Core(0, body))
+    return convex and not (body.kinematic or body.sensor or filters(body))
+
+
+def has_thin_pair(scene: Scene) -> bool:
+    """Whether two bodies are so thin that a gap does not tell on which side of each other they are.
+
+    Compiled code does not remember from which side two bodies have met.
+    """
+    return sum(_is_thin(Core(0, body)) for body in scene.bodies) > 1
 
 
 def _is_thin(core: Core) -> bool:

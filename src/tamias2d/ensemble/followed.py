@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.contact import MANY, is_known
+from tamias2d.contact import MANY, has_thin_pair, is_known
 from tamias2d.contact.core import Core
 from tamias2d.ensemble.request import STATE, Request
 from tamias2d.ensemble.worlds import VariedWorlds, Worlds, inertia_of, value_of
@@ -115,7 +115,7 @@ def _fits(worlds: VariedWorlds) -> bool:
         place.keys[0] in ("gravity", *_OF_PAIRS) or _of_body(scene, place.keys)
         for place in worlds.values
     )
-    return varied and hypot_agrees()
+    return varied and hypot_agrees() and not has_thin_pair(scene)
 
 
 def _known(body: Body) -> bool:

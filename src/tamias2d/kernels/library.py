@@ -49,18 +49,18 @@ class Library:
         Their bits are those of the plain ones. An entry that takes a group takes its `addresses`
         instead.
         """
-        if self not in _LOADED:
-            _LOADED[self] = _compiled(self)
-        return _LOADED[self]
+        return _compiled(self)
 
 
-_LOADED: dict[Library, SimpleNamespace] = {}
+_LOADED: set[Library] = set()
 
 
+@cache
 def _compiled(library: Library) -> SimpleNamespace:
     text = _text(library)
     with progress(library.name, text):
         module = loaded(text)
+    _LOADED.add(library)
     return SimpleNamespace(
         **{entry.__name__: getattr(module, entry.__name__) for entry in library.entries}
     )

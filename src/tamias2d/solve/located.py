@@ -4,7 +4,14 @@ import math
 
 import numpy as np
 
-from tamias2d.contact import MANY, MOST_RULED, Located, RangeError, is_event_driven
+from tamias2d.contact import (
+    MANY,
+    MOST_RULED,
+    Located,
+    RangeError,
+    has_thin_pair,
+    is_event_driven,
+)
 from tamias2d.errors import SimulationError
 from tamias2d.event_driven import EventDriven
 from tamias2d.kernels import flight, joint_code, march_by_kernels
@@ -86,7 +93,10 @@ def follower_of(scene: Scene, method: PathMethod, times: Array | None) -> EventD
     """
     if not (isinstance(method, ClosedForm) and is_event_driven(scene)):
         return None
-    return EventDriven(scene, times, many=are_many(scene))
+    many = are_many(scene)
+    if has_thin_pair(scene) and not many:
+        return None
+    return EventDriven(scene, times, many=many)
 
 
 def are_many(scene: Scene) -> bool:
