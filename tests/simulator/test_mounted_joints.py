@@ -363,14 +363,21 @@ def test_chain_between_two_hooks_that_move_against_each_other() -> None:
     assert np.abs(sim.velocity).max() < 10
 
 
-def test_mechanism_sleeps_on_a_support_at_rest_only() -> None:
+def asleep_on(kind: str) -> tuple[Simulator, int, int]:
+    """A bob that has fallen asleep below a hook of a kind; both bodies."""
     scene = Scene(gravity=(0.0, -G))
-    hook = scene.add_kinematic(Disc(radius=0.1), position=(0.0, 0.0), **SURFACE)
+    add = scene.add_kinematic if kind == "kinematic" else scene.add_static
+    hook = add(Disc(radius=0.1), position=(0.0, 0.0), **SURFACE)
     bob = scene.add_body(Disc(radius=0.1), mass=1.0, position=(0.0, -1.0), **SURFACE)
     scene.add_joint(Revolute(), hook, bob, other_anchor=(0.0, 1.0))
     sim = Simulator(scene, sleeping=True, compiled=False)
     sim.step(90)
     assert sim.asleep[bob]
+    return sim, hook, bob
+
+
+def test_mechanism_sleeps_on_a_support_at_rest_only() -> None:
+    sim, hook, bob = asleep_on("kinematic")
     sim.velocity[hook] = (0.5, 0.0)
     sim.step()
     assert not sim.asleep[bob]
@@ -474,13 +481,7 @@ def test_moved_at_once_it_comes_to_rest_there(lift: float) -> None:
 
 
 def test_sleeping_load_wakes_as_its_hook_is_moved() -> None:
-    scene = Scene(gravity=(0.0, -G))
-    hook = scene.add_static(Disc(radius=0.1), position=(0.0, 0.0), **SURFACE)
-    bob = scene.add_body(Disc(radius=0.1), mass=1.0, position=(0.0, -1.0), **SURFACE)
-    scene.add_joint(Revolute(), hook, bob, other_anchor=(0.0, 1.0))
-    sim = Simulator(scene, sleeping=True, compiled=False)
-    sim.step(90)
-    assert sim.asleep[bob]
+    sim, hook, bob = asleep_on("static")
     sim.position[hook] = (0.5, 0.0)
     sim.step(20)
     assert not sim.asleep[bob]

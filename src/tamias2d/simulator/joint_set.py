@@ -271,23 +271,21 @@ class JointSet:
 
     def turned(self, engine: Engine) -> Joint | None:
         """Return a joint that turned too far in a substep of the last steps; or None."""
-        counts, numbers = engine.world.joints.counts, engine.world.joints.numbers
-        if not counts[tb.JOINTS_TURNED]:
-            return None
-        counts[tb.JOINTS_TURNED] = 0
-        worst = int(self._owner[np.argmax(numbers[self._places, tb.J_TURNED])])
-        numbers[:, tb.J_TURNED] = 0.0
-        return list(self._joints.values())[worst]
+        return self._worst_lately(engine, tb.JOINTS_TURNED, tb.J_TURNED)
 
     def gained(self, engine: Engine) -> Joint | None:
         """Return the first joint of what got energy, with what touches it, lately; or None."""
+        return self._worst_lately(engine, tb.JOINTS_GAINED, tb.J_GAINED)
+
+    def _worst_lately(self, engine: Engine, count: int, column: int) -> Joint | None:
+        """Return the joint with the largest number in a column since it was asked, if any has."""
         counts, numbers = engine.world.joints.counts, engine.world.joints.numbers
-        if not counts[tb.JOINTS_GAINED]:
+        if not counts[count]:
             return None
-        counts[tb.JOINTS_GAINED] = 0
-        first = int(self._owner[np.argmax(numbers[self._places, tb.J_GAINED])])
-        numbers[:, tb.J_GAINED] = 0.0
-        return list(self._joints.values())[first]
+        counts[count] = 0
+        worst = int(self._owner[np.argmax(numbers[self._places, column])])
+        numbers[:, column] = 0.0
+        return list(self._joints.values())[worst]
 
     def forget_report(self) -> None:
         """Note that a step is taken."""
