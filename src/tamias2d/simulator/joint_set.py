@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.joint_row import JointRow
+from tamias2d.engine.joints.placement import PULLED
 from tamias2d.engine.joints.rows import mechanism_of, move_anchor
-from tamias2d.engine.joints.stages import PULLED
 from tamias2d.engine.saved_checks import require
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, MOST_ROWS
