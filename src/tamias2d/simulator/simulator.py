@@ -3,6 +3,7 @@
 import hashlib
 from collections.abc import Iterable, Mapping
 from copy import deepcopy
+from dataclasses import asdict
 from pathlib import Path
 from threading import Lock
 from typing import Any
@@ -30,9 +31,11 @@ from tamias2d.simulator.applied import add_rows, applied_loads, velocity_changes
 from tamias2d.simulator.batch import scene_batch
 from tamias2d.simulator.exclusive import busy, exclusive
 from tamias2d.simulator.invalid_state import invalid_state
-from tamias2d.simulator.joint_set import JointSet, Reactions, Standing
+from tamias2d.simulator.joint_reactions import Reactions
+from tamias2d.simulator.joint_set import JointSet
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.queries import Hits, bodies_at_point, bodies_in_box, cast_rays
+from tamias2d.simulator.saved_joints import restored_joints
 from tamias2d.simulator.selection import Bodies, selected
 from tamias2d.simulator.settings import (
     checked_count,
@@ -41,6 +44,7 @@ from tamias2d.simulator.settings import (
     checked_time_step,
 )
 from tamias2d.simulator.spring_rows import spring_rows
+from tamias2d.simulator.standing_bodies import StandingBodies
 from tamias2d.simulator.step_warnings import (
     SPRINGS,
     Told,
@@ -207,7 +211,7 @@ class Simulator(Views):
                 too_long_for_contacts(engine, self._name_of, self.time, step, self._substeps)
             )
             if engine.joints_fail:
-                self._tell(too_long_for_joints(self._joints, engine, self.time, step))
+                self._tell(too_long_for_joints(self._joints.layout, self.time, step))
         if self._scene is None or SPRINGS in self._warned:
             return
         if (row := engine.lossy_springs) >= 0:
@@ -474,7 +478,7 @@ class Simulator(Views):
             (0.0, 0.0) if third is None else self._end(third),
         )
         anchors = (anchor, other_anchor, third_anchor)
-        standing: Any = Standing(self._engine, self._names)
+        standing: Any = StandingBodies(self._engine, self._names)
         joint = self._joints.add(kind, ends, anchors, name, collide, standing)
         self._engine.wake(np.array(joint.bodies, dtype=np.int64))
         self._unsettled = True
@@ -497,7 +501,7 @@ class Simulator(Views):
             InputError: there is no joint of that name, or it holds no single point of the plane.
         """
         at = vector(point, "position", "a target", "Give a point (x, y) in m.", at=("point",))
-        joint = self._joints.set_target(name, at, self._engine)
+        joint = self._joints.set_target(name, at)
         if self._sleeps:
             self._engine.wake(np.array(joint.bodies, dtype=np.int64))
         self._unsettled |= self._joints.new
@@ -627,7 +631,7 @@ class Simulator(Views):
             names=self._names,
             staying=self._staying,
             scene=None if self._scene is None else scene_text(self._scene),
-            joints=self._joints.saved(),
+            joints=[asdict(joint) for joint in self._joints],
         )
         parts = {
             "engine": saved_arrays(self._engine),
@@ -635,7 +639,7 @@ class Simulator(Views):
         }
         found = {f"{part}.{key}": a for part, arrays in parts.items() for key, a in arrays.items()}
         pushed = {} if self._pushed is None else {"pushed": self._pushed}
-        tied = {"joints": self._joints.totals(self._engine)} if len(self._joints) else {}
+        tied = {"joints": self._joints.kept(self._engine)} if len(self._joints) else {}
         return saving.sealed(about, {**found, **pushed, **tied})
 
     def _take_over(self, content: Mapping[str, NDArray[Any]], where: str, compiled: bool) -> None:
@@ -651,7 +655,7 @@ class Simulator(Views):
         )
         self._scene = saving.scene_of(about, engine.kind, dynamic=DYNAMIC, where=where)
         self._begin(engine)
-        self._joints = JointSet.restored(about.joints, arrays.get("joints"), engine.kind)
+        self._joints = JointSet(*restored_joints(about.joints, arrays.get("joints"), engine.kind))
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
         self._pushed = saving.pushed_of(arrays, engine.size)
 
