@@ -5,7 +5,7 @@ Serves: `solve`, which makes a run of the paths and impulses. Hides: how an impa
 """
 
 from tamias2d.contact.event_driven_scenes import has_thin_pair, is_event_driven, is_known
-from tamias2d.contact.located import MOST_RULED, RULED, Located
+from tamias2d.contact.located import Located
 from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
     FrictionError,
@@ -17,6 +17,7 @@ from tamias2d.contact.refusal import (
     UndecidedContactError,
     UnlocatedContactError,
 )
+from tamias2d.contact.ruled_instants import MOST_RULED, RULED
 from tamias2d.contact.stepping_choice import MANY, MEANT_TO_TOUCH, steps_because
 
 __all__ = [
