@@ -4,7 +4,12 @@ Serves: `solve`, which makes a run of the paths and impulses. Hides: how an impa
 (conservative advancement along separating axes), and in which order one instant is resolved.
 """
 
-from tamias2d.contact.event_driven_scenes import has_thin_pair, is_event_driven, is_known
+from tamias2d.contact.event_driven_scenes import (
+    has_thin_pair,
+    is_event_driven,
+    is_known,
+    thin_bodies,
+)
 from tamias2d.contact.located import Located
 from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
@@ -39,4 +44,5 @@ __all__ = [
     "is_known",
     "refuse_contact",
     "steps_because",
+    "thin_bodies",
 ]
