@@ -2,6 +2,8 @@
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.tables import Joints, World
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array
 
 
 def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
@@ -11,8 +13,9 @@ def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         for k in range(tb.J_TOTAL, tb.J_GIVEN + 3):
             joints.numbers[j, k] = 0.0
-        for k in range(tb.J_WARM, tb.J_WARM + 3):
-            joints.numbers[j, k] *= ratio
+        if ratio != 1.0:
+            for k in range(tb.J_WARM, tb.J_WARM + 3):
+                joints.numbers[j, k] *= ratio
         joints.numbers[j, tb.J_LEFT] = joints.numbers[j, tb.J_LEFT_BEFORE]
 
 
@@ -25,28 +28,38 @@ def keep_joint_impulses(world: World) -> None:
     substeps = world.control.counts[tb.PART_SUBSTEPS]
     for n in range(joints.counts[tb.MECHANISMS]):
         if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
-            first = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
-            first[tb.J_PULLED] = max(first[tb.J_PULLED] - substeps, 0.0)
+            keep_of_mechanism(n, substeps, joints)
             for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-                numbers = joints.numbers[j]
-                for k in range(9):
-                    before = kept * numbers[tb.J_STEP_TOTAL + k]
-                    numbers[tb.J_STEP_TOTAL + k] = before + numbers[tb.J_TOTAL + k]
-                numbers[tb.J_LEFT_BEFORE] = numbers[tb.J_LEFT]
-                numbers[tb.J_RESERVE] = numbers[tb.J_RESERVE_LATER]
-                numbers[tb.J_MOTION] = numbers[tb.J_MOTION_LATER]
-                numbers[tb.J_SCALE] = numbers[tb.J_SCALE_LATER]
-                for k in range(3):
-                    numbers[tb.J_FORCE + k] = numbers[tb.J_PULL + k] / time
-                    if numbers[tb.J_APART + k] > numbers[tb.J_SLIGHT + k]:
-                        joints.counts[tb.JOINTS_APART] = 1
-                if numbers[tb.J_TURNED] > 0.0:
-                    joints.counts[tb.JOINTS_TURNED] = 1
-                if numbers[tb.J_GAIN] > 0.0:
-                    joints.counts[tb.JOINTS_GAINED] = 1
-                    numbers[tb.J_GAINED] = 1.0
+                keep_of_joint(kept, time, joints.numbers[j], joints)
     if found_to_tell(joints) > known:
         world.control.counts[tb.LIMITS] += 1
+
+
+@inlined
+def keep_of_mechanism(n: int, substeps: int, joints: Joints) -> None:
+    """Keep the energies of a mechanism, which stand in its first joint, and note what it gained."""
+    first = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
+    first[tb.J_PULLED] = max(first[tb.J_PULLED] - substeps, 0.0)
+    first[tb.J_RESERVE] = first[tb.J_RESERVE_LATER]
+    first[tb.J_MOTION] = first[tb.J_MOTION_LATER]
+    first[tb.J_SCALE] = first[tb.J_SCALE_LATER]
+    if first[tb.J_GAIN] > 0.0:
+        joints.counts[tb.JOINTS_GAINED] = 1
+        first[tb.J_GAINED] = 1.0
+
+
+@inlined
+def keep_of_joint(kept: float, time: float, numbers: Array, joints: Joints) -> None:
+    """Add the impulses of a joint in a part to so much of those before, and note its forces."""
+    for k in range(9):
+        numbers[tb.J_STEP_TOTAL + k] = kept * numbers[tb.J_STEP_TOTAL + k] + numbers[tb.J_TOTAL + k]
+    numbers[tb.J_LEFT_BEFORE] = numbers[tb.J_LEFT]
+    for k in range(3):
+        numbers[tb.J_FORCE + k] = numbers[tb.J_PULL + k] / time
+        if numbers[tb.J_APART + k] > numbers[tb.J_SLIGHT + k]:
+            joints.counts[tb.JOINTS_APART] = 1
+    if numbers[tb.J_TURNED] > 0.0:
+        joints.counts[tb.JOINTS_TURNED] = 1
 
 
 def found_to_tell(joints: Joints) -> int:
