@@ -22,7 +22,7 @@ from tamias2d.study.event_errors import Errors
 from tamias2d.study.plot import plot
 from tamias2d.study.refusal import ToleranceError
 from tamias2d.study.report import as_json, schema
-from tamias2d.study.truth import truth_of
+from tamias2d.study.truth import affordable_phases, truth_of
 from tamias2d.study.work_precision import Point, Study, study
 
 
@@ -208,8 +208,24 @@ def test_a_long_study_is_refused_before_it_starts(monkeypatch: pytest.MonkeyPatc
 
 
 def test_a_setting_that_would_take_long_is_not_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tamias2d.study.work_precision._DEAREST", 1e-9)
+    monkeypatch.setattr("tamias2d.study.schedule.DEAREST", 1e-9)
     found = study(catalogue.load("kepler"), duration=1.0, timed=False)
     of_one = points_of(found, "RungeKutta4")
     assert of_one[0].failure is None
     assert all("not run: it would take" in (point.failure or "") for point in of_one[1:])
+
+
+def test_a_study_without_a_point_is_none(spring: Scene) -> None:
+    def stop(of: int, done: int, what: str) -> None:  # noqa: ARG001
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        study(spring, duration=0.5, told=stop, timed=False)
+
+
+def test_phases_are_as_many_as_there_is_time_for(
+    bounce: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert affordable_phases(bounce, 1.5, 2) == 2
+    monkeypatch.setattr("tamias2d.study.truth.LONGEST", 1e-9)
+    assert affordable_phases(bounce, 1.5, 32) == 1

@@ -66,18 +66,23 @@ def show_tradeoff(
         draw(found, plot, tolerance=tolerance)
         print(f"Plot: {plot}", file=sys.stderr)
     if not found.complete:
-        print(f"Interrupted: the first {len(found.points)} points are shown.", file=sys.stderr)
+        print(f"Interrupted: the {len(found.points)} points so far are shown.", file=sys.stderr)
     return found.complete
 
 
 def _studied(scene: Scene, time: float, phases: int) -> Study | ContactStudy:
     """Return the study that suits a scene: of located impacts, or of stepped contacts."""
-    with _progress() as told:
-        if reason := stepped_because(scene, time):
-            return contact_study(
-                scene, duration=time, reason=reason, phases_asked=phases, told=told
-            )
-        return study(scene, duration=time, phases_asked=phases, told=told)
+    try:
+        with _progress() as told:
+            if reason := stepped_because(scene, time):
+                return contact_study(
+                    scene, duration=time, reason=reason, phases_asked=phases, told=told
+                )
+            return study(scene, duration=time, phases_asked=phases, told=told)
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(
+            "Interrupted before the first point: nothing was measured yet."
+        ) from None
 
 
 def _as_json(found: Study | ContactStudy, tolerance: float | None) -> dict[str, Any]:

@@ -139,10 +139,11 @@ def contact_study(
     """Compare engines and settings on a scene whose contacts are stepped, over a duration in s.
 
     `rates` are those of steps in a second, where a run is long enough for them. Ctrl-C ends it
-    early; what is there by then is returned.
+    early; the points that are there by then are returned, if there are any.
 
     Raises:
         ToleranceError: a run by short steps is refused, so that there is nothing to compare with.
+        KeyboardInterrupt: it was stopped before its first point.
     """
     step = aligned_step(duration, np.array([duration]))
     tried = list(contact_candidates(scene, duration, coarsest=2 * step, most=_DEAREST, rates=rates))
@@ -155,6 +156,8 @@ def contact_study(
         if timed:
             points[1:] = _timed(tried, points[1:], scene, duration, told)
     except KeyboardInterrupt:
+        if len(points) == 1:
+            raise
         complete = False
     first, refined = known.answers[0], known.refined
     within = first.times <= first.horizon
