@@ -33,6 +33,8 @@ def test_tradeoff_prints_every_point_and_marks_the_front(told: Study) -> None:
     assert len(rows) >= len(told.points)
     assert any("Yoshida4" in line and "grow by the factor" in line for line in lines)
     assert "within 1e-06" in result.stdout
+    refused = [line for line in lines if line.startswith("Pymunk") and ": " in line]
+    assert len(refused) == len({line.partition(": ")[2] for line in refused})
 
 
 def test_tradeoff_answers_machines_by_its_schema(told: Study, tmp_path: Path) -> None:

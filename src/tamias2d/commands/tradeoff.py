@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
@@ -117,9 +118,7 @@ def _print(found: Study, name: str, tolerance: float | None) -> None:
         heads.append(f"within {tolerance:g}")
     say()
     print_table(heads, (_row(found, k, tolerance) for k in range(len(found.points))))
-    for point in found.points:
-        if point.failure:
-            say(f"\n{point.method} {point.setting} failed: {point.failure}")
+    _print_failures(found)
     say(
         "\nfront: nothing is both cheaper and better, by seconds (s) and by force evaluations (f). "
         "Seconds are the shortest of some runs, and differ each time. Forces that vary are "
@@ -127,11 +126,20 @@ def _print(found: Study, name: str, tolerance: float | None) -> None:
     )
 
 
+def _print_failures(found: Study) -> None:
+    """Print why there is no error, once where that is the same for settings in a row."""
+    failed = (point for point in found.points if point.failure)
+    for (method, why), points in groupby(failed, key=lambda point: (point.method, point.failure)):
+        first, *more = (point.setting for point in points)
+        settings = f"{first} to {more[-1]}" if more else first
+        say(f"\n{f'{method} {settings}'.strip()}: {why}")
+
+
 def _row(found: Study, k: int, tolerance: float | None) -> list[str]:
     point = found.points[k]
     front = ("s" if k in found.fastest else "") + ("f" if k in found.leanest else "")
     if point.error is None:
-        return ["", point.method, point.setting, "failed"]
+        return ["", point.method, point.setting, "none"]
     error = point.error
     cells = [front, point.method, point.setting, _known(error.size, found.floor)]
     if found.impacts:

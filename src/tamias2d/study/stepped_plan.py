@@ -15,6 +15,7 @@ from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Scene
+from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve import FRAMES, solve
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError
@@ -58,6 +59,8 @@ def stepped_because(scene: Scene, duration: float) -> str | None:
 
     They are if nothing is asked for, or where a rule decides what no bound is known of.
     """
+    if not pairs_that_can_meet(scene, duration):
+        return None
     try:
         run = solve(scene, duration=duration, times=[duration])
     except (SimulationError, SceneError):

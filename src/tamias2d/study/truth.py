@@ -20,7 +20,7 @@ SAMPLES = 1000
 _TIGHTEST = 1e-13
 _ROUNDING = 2.0**-52
 _LOOSE, _ORDER = 1e-3, 8  # by the order of the method tighter runs take more steps
-_PART = 64
+_PARTS = 1 / 64, 1 / 64, 1 / 8, 1.0  # of the duration: what is too long is known before its end
 _LONGEST = 60.0
 """s of the processor: what runs for the truth may take together: two of each phase, and two"""
 _USUAL = 20  # times what a closed form takes, other methods do where there are impacts
@@ -38,32 +38,39 @@ class Truth:
 def affordable_phases(scene: Scene, duration: float, asked: int) -> int:
     """Return how many phases of those that are asked for can be studied in about a minute.
 
-    That is estimated from a run that is quick: its start would not tell, for a whip is slow at
-    first. Raises `ToleranceError` where a truth would take too long even of one.
+    That is estimated from runs that are quick, of parts and the whole: a whip is slow at first.
+    Raises `ToleranceError` where a truth would take too long even of one.
     """
     exact = closed_forms_of_all(scene)
-    quick = _seconds(scene, duration, ClosedForm() if exact else Reference(_LOOSE))
+    more = 0.0 if exact else (_LOOSE / _TIGHTEST) ** (1 / _ORDER)
+    for part in _PARTS:
+        until = part * duration
+        quick = _seconds(scene, until, ClosedForm() if exact else Reference(_LOOSE))
+        if part == _PARTS[0]:  # now the code is loaded
+            continue
+        if (coming := 4 * more * quick) > _LONGEST:
+            raise _too_long(coming / part, duration, until * _LONGEST / coming)
     usual = _USUAL * quick if exact else quick
-    tight = 0.0 if exact else quick * (_LOOSE / _TIGHTEST) ** (1 / _ORDER)
-    if (coming := 4 * tight) > _LONGEST:
-        raise ToleranceError(
-            f"tradeoff: what others are compared with would take about {coming:.2g} s, and may "
-            f"take {_LONGEST:g} s (R4).",
-            until=sooner(duration * _LONGEST / coming),
-            otherwise="ask for a tolerance or a quality",
-        )
-    for_truths = (_LONGEST / tight - 2) / 2 if tight else math.inf
+    for_truths = (_LONGEST / (more * quick) - 2) / 2 if more and quick else math.inf
     for_points = LONGEST / (_RUNS * usual) if usual else math.inf
     return max(1, int(min(asked, for_truths, for_points)))
 
 
 def _seconds(scene: Scene, duration: float, method: Method) -> float:
-    """Return what a run takes once its code is loaded, s of the processor."""
-    first = duration / _PART
-    solve(scene, duration=first, method=method, times=[first])
+    """Return what a run takes, s of the processor."""
     began = thread_time()
     solve(scene, duration=duration, method=method, times=[duration])
     return thread_time() - began
+
+
+def _too_long(coming: float, duration: float, until: float) -> ToleranceError:
+    """Return the refusal of what would take so many s, and for which duration, s, it would not."""
+    return ToleranceError(
+        f"tradeoff: what others are compared with would take about {coming:.2g} s for "
+        f"{duration:g} s, and may take {_LONGEST:g} s (R4).",
+        until=sooner(until),
+        otherwise="ask for a tolerance or a quality",
+    )
 
 
 def closed_forms_of_all(scene: Scene) -> bool:
