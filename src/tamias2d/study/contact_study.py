@@ -108,13 +108,13 @@ class ContactStudy:
     def _front(
         self, cost: Callable[[ContactPoint], float], size: Callable[[ContactErrors], float]
     ) -> list[int]:
-        own = [k for k, p in enumerate(self.points) if p.error is not None and not p.peer]
-        pairs = [
-            (cost(point), size(point.error))
-            for k in own
-            if (point := self.points[k]).error is not None
-        ]
-        return [own[k] for k in front(pairs)]
+        own = {
+            k: (cost(point), size(point.error))
+            for k, point in enumerate(self.points)
+            if point.error is not None and not point.peer and cost(point) < math.inf
+        }
+        places = list(own)
+        return [places[k] for k in front(list(own.values()))]
 
 
 @dataclass(frozen=True)
