@@ -54,6 +54,22 @@ def test_what_would_take_too_long_is_not_run(monkeypatch: pytest.MonkeyPatch) ->
     assert "after 9.7 s for others, and all at most 10 s" in refused["cheap", 64]
 
 
+def test_every_method_has_a_point_if_it_does_not_take_long(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(module, "LONGEST", 5.0)
+    tried = [*ladder("first"), *ladder("second"), *ladder("peer", peer=True)]
+    found = order_of(tried, lambda one: 0.1 if one.peer else 9.0)
+    assert {(name, steps) for name, steps, why in found if why is None} == {
+        ("first", 16), ("second", 16), ("peer", 16),
+    }  # fmt: skip
+    found = order_of(tried, lambda one: 0.1 if one.peer else 11.0)
+    refused = [(name, steps, why) for name, steps, why in found if why and name == "second"]
+    took = "not run: another method's first point took 11 s, and one may take 10 s"
+    assert refused == [("second", 16, took)]
+    assert ("peer", 16, None) in found
+
+
 def test_a_failure_tells_nothing_of_the_next() -> None:
     """Failures are quick. What steps take is known from another method then."""
     tried = [*ladder("bad"), *ladder("good")]

@@ -27,6 +27,8 @@ class Schedule:
         self._tried = tried
         self._coming = dict.fromkeys(self._left, 0.0)
         self._failed: set[str] = set()  # methods whose last setting failed
+        self._begun: set[str] = set()  # methods that have had a setting run
+        self._first = 0.0  # s: the most that the first setting of a method took
         self._spent = 0.0
         self._of_a_step = math.inf  # s: the least that a step of a candidate took
 
@@ -35,15 +37,21 @@ class Schedule:
         while waiting := [name for name, left in self._left.items() if left]:
             name = min(waiting, key=self._seconds)
             seconds = self._seconds(name)
-            place, refused = self._left[name].popleft(), self._refused(seconds)
+            place = self._left[name].popleft()
+            refused = self._refused(place, seconds)
             if refused is not None:
                 self._coming[name] = 2 * seconds
+                if name not in self._begun:
+                    self._left[name].clear()
             yield place, refused
 
     def took(self, place: int, seconds: float, *, failed: bool) -> None:
         """Note what a candidate took, s of the processor."""
         candidate = self._tried[place]
         self._spent += seconds
+        if candidate.name not in self._begun and not candidate.peer:
+            self._first = max(self._first, seconds)
+        self._begun.add(candidate.name)
         self._coming[candidate.name] = 2 * seconds
         if failed:
             self._failed.add(candidate.name)
@@ -63,7 +71,12 @@ class Schedule:
         of_steps = (candidate.steps or 0) * self._of_a_step if known else 0.0
         return max(self._coming[name], of_steps)
 
-    def _refused(self, seconds: float) -> str | None:
+    def _refused(self, place: int, seconds: float) -> str | None:
+        candidate = self._tried[place]
+        if candidate.name not in self._begun:  # each method has a point, if it does not take long
+            dear = not candidate.peer and self._first > DEAREST
+            why = f"another method's first point took {self._first:.2g} s, and one may take"
+            return f"not run: {why} {DEAREST:g} s" if dear else None
         takes = f"not run: it would take about {seconds:.2g} s"
         if seconds > DEAREST:
             return f"{takes}, and a point at most {DEAREST:g} s"
