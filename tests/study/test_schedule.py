@@ -65,7 +65,7 @@ def test_every_method_has_a_point_if_it_does_not_take_long(
     }  # fmt: skip
     found = order_of(tried, lambda one: 0.1 if one.peer else 11.0)
     refused = [(name, steps, why) for name, steps, why in found if why and name == "second"]
-    took = "not run: another method's first point took 11 s, and one may take 10 s"
+    took = "not run: the first points of other methods took 11 s, and one may take 10 s"
     assert refused == [("second", 16, took)]
     assert ("peer", 16, None) in found
 

@@ -28,7 +28,7 @@ class Schedule:
         self._coming = dict.fromkeys(self._left, 0.0)
         self._failed: set[str] = set()  # methods whose last setting failed
         self._begun: set[str] = set()  # methods that have had a setting run
-        self._first = 0.0  # s: the most that the first setting of a method took
+        self._first = math.inf  # s: the least that the first setting of a method took
         self._spent = 0.0
         self._of_a_step = math.inf  # s: the least that a step of a candidate took
 
@@ -50,7 +50,7 @@ class Schedule:
         candidate = self._tried[place]
         self._spent += seconds
         if candidate.name not in self._begun and not candidate.peer:
-            self._first = max(self._first, seconds)
+            self._first = min(self._first, seconds)
         self._begun.add(candidate.name)
         self._coming[candidate.name] = 2 * seconds
         if failed:
@@ -74,8 +74,8 @@ class Schedule:
     def _refused(self, place: int, seconds: float) -> str | None:
         candidate = self._tried[place]
         if candidate.name not in self._begun:  # each method has a point, if it does not take long
-            dear = not candidate.peer and self._first > DEAREST
-            why = f"another method's first point took {self._first:.2g} s, and one may take"
+            dear = not candidate.peer and DEAREST < self._first < math.inf
+            why = f"the first points of other methods took {self._first:.2g} s, and one may take"
             return f"not run: {why} {DEAREST:g} s" if dear else None
         takes = f"not run: it would take about {seconds:.2g} s"
         if seconds > DEAREST:
