@@ -20,7 +20,7 @@ SAMPLES = 1000
 _TIGHTEST = 1e-13
 _ROUNDING = 2.0**-52
 _LOOSE, _ORDER = 1e-3, 8  # by the order of the method tighter runs take more steps
-_PARTS = 1 / 64, 1 / 64, 1 / 8, 1.0  # of the duration: what is too long is known before its end
+_PARTS = 1 / 64, 1 / 8, 1.0  # of the duration: what is too long is known before its end
 _LONGEST = 60.0
 """s of the processor: what runs for the truth may take together: two of each phase, and two"""
 _USUAL = 20  # times what a closed form takes, other methods do where there are impacts
@@ -43,11 +43,11 @@ def affordable_phases(scene: Scene, duration: float, asked: int) -> int:
     """
     exact = closed_forms_of_all(scene)
     more = 0.0 if exact else (_LOOSE / _TIGHTEST) ** (1 / _ORDER)
+    method = ClosedForm() if exact else Reference(_LOOSE)
+    _seconds(scene, _PARTS[0] * duration, method)  # its code is loaded
     for part in _PARTS:
         until = part * duration
-        quick = _seconds(scene, until, ClosedForm() if exact else Reference(_LOOSE))
-        if part == _PARTS[0]:  # now the code is loaded
-            continue
+        quick = _seconds(scene, until, method)
         if (coming := 4 * more * quick) > _LONGEST:
             raise _too_long(coming / part, duration, until * _LONGEST / coming)
     usual = _USUAL * quick if exact else quick
