@@ -224,7 +224,7 @@ def test_where_nothing_can_meet_nothing_is_simulated_to_know_it(
 
 
 def test_a_setting_that_would_take_long_is_not_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tamias2d.study.schedule.DEAREST", 1e-9)
+    monkeypatch.setattr("tamias2d.study.schedule.LONGEST", 1e-9)
     found = study(catalogue.load("kepler"), duration=1.0, timed=False)
     of_one = points_of(found, "RungeKutta4")
     assert of_one[0].failure is None
