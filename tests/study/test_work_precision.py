@@ -221,6 +221,8 @@ def test_where_nothing_can_meet_nothing_is_simulated_to_know_it(
 ) -> None:
     monkeypatch.setattr(stepped_plan, "solve", lambda *_, **__: pytest.fail("simulated"))
     assert stepped_plan.stepped_because(catalogue.load("kepler"), 10.0) is None
+    net = stepped_plan.stepped_because(catalogue.load("joint-grid"), 10.0)
+    assert net == "joints hold 893 moving bodies, more than 400"
 
 
 def test_a_setting_that_would_take_long_is_not_run(monkeypatch: pytest.MonkeyPatch) -> None:
