@@ -62,7 +62,7 @@ def run_by_paths(
         refusal.run = _finite(plan, motion, located, follower)
         raise
     except KeyboardInterrupt:
-        raise Interrupted(_finite(plan, motion, located, follower)) from None
+        raise Interrupted(lambda: _finite(plan, motion, located, follower)) from None
     return _reached(plan, motion, located, follower)
 
 
