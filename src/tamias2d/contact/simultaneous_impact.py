@@ -19,7 +19,7 @@ from tamias2d.state import Array, State, Vector
 _PARALLEL = 1e-12
 """Of the largest one: below it, a coupling is one of contacts that do the same."""
 _NEGLIGIBLE = 1e-14
-"""Of the largest one: a bound that friction can hardly reach."""
+"""Of the terms of a sum: what is left of them by rounding alone."""
 
 
 class Meeting(NamedTuple):
@@ -130,8 +130,9 @@ def _with_friction(
     limits, most_of = np.array(rows), np.array(most)
     coupled = limits @ effect @ limits.T
     slack = most_of + limits @ effect @ slip
-    far = np.sqrt(np.diag(coupled))
-    far[far <= _NEGLIGIBLE * far.max(initial=0.0)] = np.inf  # a bound that is not reached
+    reach, terms = np.diag(coupled), np.diag(np.abs(limits) @ np.abs(effect) @ np.abs(limits).T)
+    reached = reach > _NEGLIGIBLE * terms
+    far = np.sqrt(np.where(reached, reach, np.inf))
     found = lemke(coupled / np.outer(far, far), slack / far)
     if found is None:  # it does not happen to what is convex but by rounding: no friction
         return pushes, np.zeros(len(rough))
