@@ -77,7 +77,9 @@ class ImpactSearch:
             longest = 2.0**-20 * (until - instant.time)
             step = min(math.sqrt(8 * touch.tolerance / acceleration), longest)
             search = self._pair(pair, touch.staying)
-            self.resume[pair] = search.separation_time(instant.time, step, acceleration)
+            self.resume[pair] = search.separation_time(
+                instant.time, step, acceleration, touch.contacts
+            )
 
     def _pair(self, pair: PairOf, lasting: Sequence[Contact]) -> Pair:
         (i, j), direction = pair, self.separating_direction.get(pair)
