@@ -16,15 +16,16 @@ Motion: TypeAlias = tuple[float, float, float]
 
 EPSILON = 2.0**-52
 PRESSED = 1e-6  # of the loads: what presses a disc by less may not hold it
-BOUND = 1e-10  # of the friction at its bound: by how much rounding may exceed it
-NONE = 1e-13  # of the loads: what is left of them where they are in balance
-NOWHERE = (0.0, 0.0)
+BEYOND = 1e-10  # of the friction at its bound: by how much rounding may exceed it
+BALANCED = 1e-13  # of the loads: what is left of them where they are in balance
 
 
 def load_on(loads: Motion, arm: Vector, normal: Vector) -> float:
     """Return the normal acceleration of the contact under the loads, m/s^2."""
     x, y, turning = loads
-    return float(rest.normal_acceleration(NOWHERE, 0.0, NOWHERE, (x, y), turning, arm, normal))
+    return float(
+        rest.normal_acceleration((0.0, 0.0), 0.0, (0.0, 0.0), (x, y), turning, arm, normal)
+    )
 
 
 def is_pressed(loads: Motion, arm: Vector, normal: Vector) -> bool:
@@ -34,22 +35,22 @@ def is_pressed(loads: Motion, arm: Vector, normal: Vector) -> bool:
 
 def rate_of(motion: Motion, arm: Vector, normal: Vector) -> float:
     """Return the normal velocity of the contact, m/s."""
-    u, v, spin = motion
-    return float(impact.normal_velocity(NOWHERE, 0.0, NOWHERE, (u, v), spin, arm, normal))
+    (u, v, spin), still = motion, (0.0, 0.0)
+    return float(impact.normal_velocity(still, 0.0, still, (u, v), spin, arm, normal))
 
 
 def slip_of(motion: Motion, arm: Vector, normal: Vector) -> float:
     """Return the tangential velocity of the contact, m/s."""
     u, v, spin = motion
-    return float(friction.tangential_velocity(NOWHERE, 0.0, NOWHERE, (u, v), spin, arm, normal))
+    return float(
+        friction.tangential_velocity((0.0, 0.0), 0.0, (0.0, 0.0), (u, v), spin, arm, normal)
+    )
 
 
 def slip_change(by: Motion, arm: Vector, normal: Vector) -> float:
     """Return the tangential acceleration of the contact, m/s^2."""
-    x, y, turning = by
-    return float(
-        friction.tangential_acceleration(NOWHERE, 0.0, NOWHERE, (x, y), turning, arm, normal)
-    )
+    (x, y, turning), still = by, (0.0, 0.0)
+    return float(friction.tangential_acceleration(still, 0.0, still, (x, y), turning, arm, normal))
 
 
 def sense_of(
@@ -89,7 +90,7 @@ def held(
         by_loads, rolling.inverse_rolling_mass(inverses[0], inverses[1], arm)
     )
     force = rolling.disc_force(load_on(loads, arm, normal), inverses[0])
-    if sense == 0 and abs(along) > friction.friction_force_most(force, coefficient) * (1 + BOUND):
+    if sense == 0 and abs(along) > friction.friction_force_most(force, coefficient) * (1 + BEYOND):
         sense = 1 if by_loads > 0.0 else -1
     if sense != 0:
         along = friction.friction_force(sense, coefficient, force)
@@ -97,7 +98,7 @@ def held(
     x, y = along_surface(friction.velocity_b_after((loads[0], loads[1]), inverses[0], push), normal)
     turning = friction.angular_velocity_b_after(loads[2], inverses[1], arm, push)
     radius = abs(arm[0]) + abs(arm[1])
-    unseen = NONE * (abs(loads[0]) + abs(loads[1]) + radius * abs(loads[2]))
+    unseen = BALANCED * (abs(loads[0]) + abs(loads[1]) + radius * abs(loads[2]))
     if abs(x) + abs(y) <= unseen:
         x, y = 0.0, 0.0
     if radius * abs(turning) <= unseen:
