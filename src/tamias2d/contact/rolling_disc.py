@@ -150,7 +150,11 @@ def settled(
     return u, v, friction.angular_velocity_b_after(motion[2], inverses[1], arm, push)
 
 
-def sliding_end(start: float, motion: Motion, by: Motion, arm: Vector, normal: Vector) -> float:
+def sliding_end(
+    start: float, motion: Motion, by: Motion, arm: Vector, normal: Vector, sense: int
+) -> float:
     """Return when a disc that slides since a start does not slide any more, s, or infinity."""
-    slip, change = slip_of(motion, arm, normal), slip_change(by, arm, normal)
-    return start + float(rolling.sliding_time(slip, change)) if slip * change < 0.0 else inf
+    change = slip_change(by, arm, normal)
+    if not sense * change < 0.0:
+        return inf
+    return start + max(float(rolling.sliding_time(slip_of(motion, arm, normal), change)), 0.0)

@@ -97,7 +97,7 @@ class RollingDisc(Island):
         """Return the constraint of the disc."""
         (body,) = self.bodies
         by = self.accelerations[body]
-        return {body: RollingConstraint(by, self._arm, self._normal, bool(self._sense))}
+        return {body: RollingConstraint(by, self._arm, self._normal, self._sense)}
 
 
 @dataclass(frozen=True)
@@ -106,14 +106,13 @@ class RollingConstraint(Constant):
 
     arm: Vector
     normal: Vector
-    slides: bool
+    sense: int
+    """In which it slides, or 0"""
 
     def sliding_end(self, path: Piece) -> float | None:
         """Return when the disc does not slide any more on a path, s, or None."""
-        if not self.slides:
-            return None
         motion, by = _motion(path.at(path.start)), path.acceleration(path.start)
-        end = rolling_disc.sliding_end(path.start, motion, by, self.arm, self.normal)
+        end = rolling_disc.sliding_end(path.start, motion, by, self.arm, self.normal, self.sense)
         return end if end <= path.end else None
 
 

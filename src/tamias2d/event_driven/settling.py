@@ -86,8 +86,7 @@ def settle(
     motion = settled(motion, arm, normal, inverses, coefficient, sense)
     path[tb.VX], path[tb.VY], path[tb.SPIN] = motion
     path[tb.AX], path[tb.AY], path[tb.TURNING] = ax, ay, turning
-    if sense != 0:
-        world.sliding[k] = sliding_end(start, motion, (ax, ay, turning), arm, normal)
+    world.sliding[k] = sliding_end(start, motion, (ax, ay, turning), arm, normal, sense)
     return True
 
 
