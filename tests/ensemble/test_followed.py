@@ -168,7 +168,7 @@ def test_worlds_that_come_to_rest_with_friction_have_the_bits_of_the_ordinary_wa
 def test_discs_that_slide_roll_and_stand_are_followed() -> None:
     scene = t2.Scene(gravity=(1.0, -9.81))
     floor = t2.HalfPlane(normal=(0.6, 0.8), offset=0.0)
-    scene.add_static(floor, restitution=1.0, friction=0.1, name="floor")
+    scene.add_static(floor, restitution=1.0, friction=0.5, name="floor")
     ball = t2.Disc(radius=0.2)
     scene.add_body(ball, mass=1.0, position=(0.0, 1.0), restitution=0.5, friction=0.1, name="ball")
     vary = {
