@@ -87,6 +87,45 @@ def rough_crowd(seed: int) -> tuple[t2.Scene, dict[str, Any]]:
     return scene, vary
 
 
+def slopes(seed: int) -> tuple[t2.Scene, dict[str, Any]]:
+    """Rough discs that fall on slopes and floors, rough or not, spin, and come to rest there."""
+    chance = np.random.default_rng(seed)
+    scene = t2.Scene(
+        gravity=(0.0, -9.81) if chance.random() < 0.5 else tuple(chance.normal(0, 5, 2))
+    )
+    for k in range(chance.integers(1, 4)):
+        angle = math.pi / 2 + chance.uniform(-0.6, 0.6) if k else chance.uniform(0, 2 * math.pi)
+        wall = t2.HalfPlane(
+            normal=(math.cos(angle), math.sin(angle)), offset=-chance.uniform(0.5, 4)
+        )
+        scene.add_static(
+            wall,
+            restitution=chance.choice([0.0, 0.5, 1.0]),
+            friction=chance.choice([0.0, 0.3, 1.0]),
+            name=f"wall{k}",
+        )
+    vary: dict[str, Any] = {
+        "restitution_of_pairs.disc0.wall0": stats.uniform(0.0, 1.0),
+        "friction_of_pairs.disc0.wall0": stats.uniform(0.0, 1.0),
+    }
+    for k in range(chance.integers(1, 4)):
+        scene.add_body(
+            t2.Disc(radius=0.2),
+            mass=chance.uniform(0.1, 10.0),
+            position=(1.0 * k - 1.0, -0.2),
+            torque=chance.choice([0.0, 0.3]),
+            force=(chance.choice([0.0, 1.0]), 0.0),
+            restitution=chance.uniform(0, 1),
+            friction=chance.uniform(0, 1),
+            name=f"disc{k}",
+        )
+        vary[f"bodies.disc{k}.velocity.x"] = stats.norm(0.0, 3.0)
+        vary[f"bodies.disc{k}.angular_velocity"] = stats.norm(0.0, 20.0)
+        vary[f"bodies.disc{k}.position.y"] = stats.uniform(-0.6, 0.5)
+        vary[f"bodies.disc{k}.radius"] = stats.uniform(0.05, 0.2)
+    return scene, vary
+
+
 @pytest.fixture(autouse=True)
 def _few_are_worth_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(following, "_WORTH", 1)
@@ -119,9 +158,42 @@ def test_worlds_of_all_shapes_with_friction_have_the_bits_of_the_ordinary_way(se
     assert found.done.any()
 
 
-def test_a_table_of_pairs_finds_what_a_queue_of_events_does() -> None:
+@pytest.mark.parametrize("seed", range(12))
+def test_worlds_that_come_to_rest_with_friction_have_the_bits_of_the_ordinary_way(
+    seed: int,
+) -> None:
+    compare(*slopes(seed), worlds=8, duration=3.0, seed=seed)
+
+
+def test_discs_that_slide_roll_and_stand_are_followed() -> None:
+    scene = t2.Scene(gravity=(1.0, -9.81))
+    floor = t2.HalfPlane(normal=(0.6, 0.8), offset=0.0)
+    scene.add_static(floor, restitution=1.0, friction=0.5, name="floor")
+    ball = t2.Disc(radius=0.2)
+    scene.add_body(ball, mass=1.0, position=(0.0, 1.0), restitution=0.5, friction=0.1, name="ball")
+    vary = {
+        "bodies.ball.friction": stats.uniform(0.0, 1.0),
+        "bodies.ball.velocity.x": stats.norm(0.0, 5.0),
+        "bodies.ball.angular_velocity": stats.norm(0.0, 30.0),
+    }
+    found = compare(scene, vary, 32, 4.0, seed=1)
+    assert found.done.all()
+    velocity, spin = found.arrays["velocity"][:, -1, 0], found.arrays["angular_velocity"][:, -1, 0]
+    slip = np.abs(0.8 * velocity[:, 0] - 0.6 * velocity[:, 1] + 0.2 * spin)
+    assert 4 < (slip < 1e-9).sum() < 28  # some roll, and some slide on
+
+
+def test_rough_discs_between_walls_are_followed() -> None:
+    worlds = scattered(5, 0.9, 64, seed=1, friction=0.5)
+    found = followed(worlds, request_of(worlds.base, duration=4.0), 0, 64)
+    assert found is not None
+    assert found.done.mean() > 0.9
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.5])
+def test_a_table_of_pairs_finds_what_a_queue_of_events_does(friction: float) -> None:
     """Discs far away, behind a wall, make the bodies too many for the table."""
-    worlds = scattered(10, 0.9, 30, seed=3)
+    worlds = scattered(10, 0.9, 30, seed=3, friction=friction)
     values = {place.path: rows for place, rows in worlds.values.items()}
     request = request_of(worlds.base, duration=2.0)
     few = followed(worlds, request, 0, 30)

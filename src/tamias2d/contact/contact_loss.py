@@ -11,6 +11,7 @@ from tamias2d.contact.gap import EPSILON, axes, resolution
 from tamias2d.contact.manifold import LASTING_NOISE, Contact, manifold, refreshed, speed_scale
 from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.refusal import Refusal
+from tamias2d.contact.rolling_island import RollingConstraint
 from tamias2d.path import Piece
 from tamias2d.state import Acceleration, Constraint, State
 
@@ -45,6 +46,8 @@ class ContactLossWatch:
         core = self._cores[self._body]
         endless = all(self._cores[i].endless for i in self._supports)
         if not constraint.state_dependent and core.steady and endless:
+            if isinstance(constraint, RollingConstraint):
+                return constraint.sliding_end(path)
             return (
                 self._sliding_end(path, constraint)
                 if isinstance(constraint, FrictionConstraint)

@@ -39,6 +39,7 @@ from tamias2d.contact.modes import (
 )
 from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.refusal import FrictionError, named
+from tamias2d.contact.rolling_island import RollingDisc, rolls
 from tamias2d.generated import friction
 from tamias2d.state import Acceleration, Constraint, State
 
@@ -59,6 +60,8 @@ def island_of(
     if sum(cores[i].dynamic for i in {i for c in contacts for i in (c.a, c.b)}) > 1:
         return CoupledIsland(cores, placed, contacts, free, slight, pair_friction)
     if any(pair_friction.of(contact.a, contact.b) for contact in contacts):
+        if rolls(cores, contacts, free):
+            return RollingDisc(cores, placed, contacts, free, slight, pair_friction)
         return FrictionalIsland(cores, placed, contacts, free, slight, pair_friction)
     return Island(cores, placed, contacts, free, slight)
 

@@ -60,6 +60,7 @@ def blank_world(
         notes=np.zeros((count, tables.NOTE_COLUMNS), dtype=np.int32),
         bounces=np.zeros((count, 4)),
         leaving=np.full(count, math.inf),
+        sliding=np.full(count, math.inf),
         cells=np.zeros((1, 1), dtype=np.int32),
         everywhere=np.flatnonzero(shaped).astype(np.int32),
         changed=np.arange(count, dtype=np.int32),

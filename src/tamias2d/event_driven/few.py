@@ -14,6 +14,7 @@ from tamias2d.event_driven.bound import BLURRED, earliest_meeting
 from tamias2d.event_driven.instant import collide, is_full
 from tamias2d.event_driven.kinds import has_hull, is_pushed
 from tamias2d.event_driven.meeting import meets
+from tamias2d.event_driven.settling import end_sliding
 from tamias2d.event_driven.tables import Few, World
 from tamias2d.event_driven.touch import touches_third
 from tamias2d.generated import translation
@@ -72,9 +73,11 @@ def follow_few(world: World, few: Few) -> int:
 
 @inlined
 def happen_to(i: int, j: int, time: float, world: World, few: Few) -> int:
-    """Let a pair meet, and find when both meet others."""
+    """Let a pair meet, or a body end its sliding, and find when both meet others."""
     world.numbers[tb.NOW] = time
     place_all(time, few)
+    if i == j:
+        return go_on(i, time, world, few)
     third = is_third_near(i, j, world, few) or is_third_near(j, i, world, few)
     if third and touches_third(i, j, time, world):
         return tb.INSTANT
@@ -94,6 +97,19 @@ def happen_to(i: int, j: int, time: float, world: World, few: Few) -> int:
         return tb.SEARCH
     find_first(i, world, few)
     find_first(j, world, few)
+    return tb.DONE
+
+
+@inlined
+def go_on(k: int, time: float, world: World, few: Few) -> int:
+    """Let a disc go on that does not slide any more, and find when it meets others."""
+    if not end_sliding(k, time, world):
+        return tb.INSTANT
+    take_up(k, world, few)
+    place(k, few)
+    if not look_around(k, -1, time, world, few):
+        return tb.SEARCH
+    find_first(k, world, few)
     return tb.DONE
 
 
@@ -144,6 +160,9 @@ def look_around(k: int, but: int, time: float, world: World, few: Few) -> bool:
     measure_times(k, world.counts[tb.AT_START] == 0, few)
     for other in range(len(world.kinds)):
         if other == but:
+            continue
+        if other == k:
+            note_meeting(k, k, world.sliding[k], 1, few)
             continue
         early = few.now[tb.NOW_TIME + other]
         i, j = min(k, other), max(k, other)

@@ -7,11 +7,13 @@ from math import inf
 
 from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.cells import enter, gather, leave, time_of_leaving
+from tamias2d.event_driven.departure import tell
 from tamias2d.event_driven.few import are_few, follow_few
-from tamias2d.event_driven.instant import is_full, meet, tell
+from tamias2d.event_driven.instant import is_full, meet
 from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.meeting import look, meets, search
 from tamias2d.event_driven.queue import has_room, is_void, pop, push
+from tamias2d.event_driven.settling import end_sliding
 from tamias2d.event_driven.tables import World, Worlds
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
@@ -58,8 +60,12 @@ def happen(world: World) -> int:
         return tb.DONE if search(j, i, limit_of(j, i, world), world) else tb.SEARCH
     world.numbers[tb.NOW] = time
     if i == j:
-        leave(i, world)
-        world.leaving[i] = tb.NOWHERE
+        if time < world.leaving[i]:
+            if not end_sliding(i, time, world):
+                return tb.INSTANT
+        else:
+            leave(i, world)
+            world.leaving[i] = tb.NOWHERE
         return tb.DONE if set_out(i, -1, time, world) else tb.SEARCH
     if not meet(i, j, time, world):
         world.counts[tb.MEETING], world.counts[tb.OTHER] = i, j
@@ -74,7 +80,7 @@ def happen(world: World) -> int:
 
 def most_events(world: World) -> int:
     """Return how many events may come of one."""
-    return 2 * (len(world.kinds) + 1)
+    return 2 * (len(world.kinds) + 2)
 
 
 def set_out(k: int, but: int, time: float, world: World) -> bool:
@@ -87,6 +93,8 @@ def set_out(k: int, but: int, time: float, world: World) -> bool:
     world.leaving[k] = time_of_leaving(k, time, world)
     if world.leaving[k] < inf:
         push(world.leaving[k], k, k, world)
+    if world.sliding[k] < inf:
+        push(world.sliding[k], k, k, world)
     for place in range(gather(k, world)):
         other = world.near[place]
         i, j = min(k, other), max(k, other)
@@ -127,6 +135,7 @@ def begin(bodies: Array, laws: Array, world: World) -> None:
     world.notes[:, tb.ACROSS] = -1
     world.bounces[:, :] = 0.0
     world.leaving[:] = inf
+    world.sliding[:] = inf
     world.numbers[tb.NOW] = 0.0
     world.counts[tb.EVENTS] = world.counts[tb.IMPACTS] = 0
     world.counts[tb.AT_START] = 1

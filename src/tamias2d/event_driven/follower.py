@@ -227,7 +227,7 @@ class EventDriven:
             pair, estimate = next(iter(known[body].items()), ((-1, -1), NONE))
             other = pair[1] if pair[0] == body else pair[0]
             self.world.bounces[body] = (other + 1, *estimate)
-            if len(known[body]) > 1:
+            if len(known[body]) > 1 and is_pushed(body, self.world):  # many may bounce on a floor
                 self.world.bounces[body, tables.WITH] = tables.SEVERAL
 
     def give_back(self) -> None:

@@ -9,21 +9,18 @@ from math import inf
 from tamias2d.contact.rest_time import better_estimate
 from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.approach import EPSILON, state_at
+from tamias2d.event_driven.departure import MOST_REPEATS, depart, pull_of, pull_on
 from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.laws import friction_of, restitution_of
 from tamias2d.event_driven.length import hypot
-from tamias2d.event_driven.settling import settle
+from tamias2d.event_driven.settling import stay
 from tamias2d.event_driven.tables import Moving, Pair, Point, World
-from tamias2d.event_driven.touch import touch_of, touches_third
+from tamias2d.event_driven.touch import MOST_RESOLUTION, touch_of, touches_third
 from tamias2d.generated import friction, impact, rest
-from tamias2d.kernels.arrays import FloatRows
 from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Array
 
 MOST_IMPULSES = 32  # of one pair at one instant
 CLEAR = 4.0  # times what rounding is at most: a bounce so fast is one, whatever the rounding is
-MOST_REPEATS = 32  # new paths of a body that do not advance in time
-MOST_RESOLUTION = 0.01  # of the smaller size: the largest gap that may count as none
 
 
 @inlined
@@ -77,7 +74,7 @@ def collide(i: int, j: int, time: float, world: World) -> bool:
     forecast(i, j, time, rate, opening, restitution, tolerance, world)
     depart(i, time, after_a, world)
     depart(j, time, after_b, world)
-    return not staying or settle(i, j, normal, world)
+    return not staying or stay(i, j, a, b, arm_a, arm_b, normal, world)
 
 
 @inlined
@@ -306,20 +303,6 @@ def opening_acceleration(on_points: float, p: Moving, q: Moving, point: Point, s
     return float(rest.gap_acceleration_corner(on_points, p[5], v, q[5], w, u, slip, distance))
 
 
-def pull_of(k: int, world: World) -> float:
-    """Return how large the acceleration of a body by its loads is at most, m/s^2."""
-    on = pull_on(k, world)
-    return abs(on[0]) + abs(on[1])
-
-
-def pull_on(k: int, world: World) -> tuple[float, float, float]:
-    """Return the acceleration of a body by its loads, m/s^2 and rad/s^2."""
-    if not is_pushed(k, world):
-        return 0.0, 0.0, 0.0
-    body = world.bodies[k]
-    return body[tb.AX], body[tb.AY], body[tb.TURNING]
-
-
 @inlined
 def forecast(
     i: int,
@@ -349,37 +332,3 @@ def forecast(
             row = world.bounces[k]
             row[tb.WITH] = other + 1 if doubt >= 0.0 else 0.0
             row[tb.LAST], row[tb.BEST], row[tb.DOUBT] = last, best, doubt
-
-
-def depart(k: int, time: float, state: Moving, world: World) -> None:
-    """Set the path of a body, if it is one that is pushed."""
-    if not is_pushed(k, world):
-        return
-    tell(k, time, world)
-    path, body, note = world.paths[k], world.bodies[k], world.notes[k]
-    stalled = path[tb.START] >= time * (1 - 4 * EPSILON)
-    note[tb.STALLED] = note[tb.STALLED] + 1 if stalled else 0
-    note[tb.VERSION] += 1
-    path[tb.X], path[tb.Y], path[tb.TURN], path[tb.VX], path[tb.VY], path[tb.SPIN] = state
-    path[tb.AX], path[tb.AY], path[tb.TURNING] = body[tb.AX], body[tb.AY], body[tb.TURNING]
-    path[tb.START] = time
-    if len(world.departures) > 0:
-        note_departure(k, world.paths, world.departures[world.counts[tb.DEPARTURES]])
-        world.counts[tb.DEPARTURES] += 1
-
-
-def note_departure(k: int, paths: FloatRows, row: Array) -> None:
-    """Record the new path of a body."""
-    row[0] = k
-    for column in range(tb.PATH_COLUMNS):
-        row[1 + column] = paths[k, column]
-
-
-def tell(k: int, until: float, world: World) -> None:
-    """Write down the states of a body on its path at all samples before a time, s."""
-    note, count = world.notes[k], len(world.kinds)
-    while note[tb.TOLD] < len(world.times) and world.times[note[tb.TOLD]] < until:
-        x, y, turn, u, v, spin = state_at(k, world.times[note[tb.TOLD]], world.paths)
-        row = world.samples[count * note[tb.TOLD] + k]
-        row[0], row[1], row[2], row[3], row[4], row[5] = x, y, turn, u, v, spin
-        note[tb.TOLD] += 1

@@ -1,25 +1,95 @@
-"""A disc that stays on a half-plane without friction, and slides along it (GD3)."""
+"""A disc that stays on a half-plane, and slides or rolls along it (GD3, DD85)."""
 
 from tamias2d.contact.constrained_acceleration import along_surface
+from tamias2d.contact.manifold import LASTING_NOISE
+from tamias2d.contact.rolling_disc import (
+    crept,
+    held,
+    is_pressed,
+    rate_of,
+    sense_of,
+    settled,
+    sliding_end,
+)
 from tamias2d.event_driven import tables as tb
-from tamias2d.event_driven.approach import MARGIN
-from tamias2d.event_driven.laws import friction_of
-from tamias2d.event_driven.tables import Pair, World
+from tamias2d.event_driven.approach import EPSILON, axis_of_plane, resolution, size_of, state_at
+from tamias2d.event_driven.departure import MOST_REPEATS, depart, pull_of
+from tamias2d.event_driven.laws import friction_of, restitution_of
+from tamias2d.event_driven.length import hypot
+from tamias2d.event_driven.tables import Moving, Pair, World
+from tamias2d.event_driven.touch import MOST_RESOLUTION, touches_third
+from tamias2d.kernels.assembled import inlined
 
 
-def settle(i: int, j: int, normal: Pair, world: World) -> bool:
-    """Let a disc stay on the half-plane that it is pressed on; return whether it is so."""
-    planes = world.kinds[i] == tb.PLANE, world.kinds[j] == tb.PLANE
-    if not (planes[0] or planes[1]):
+@inlined
+def stay(
+    i: int, j: int, a: Moving, b: Moving, arm_a: Pair, arm_b: Pair, normal: Pair, world: World
+) -> bool:
+    """Let a disc stay on the half-plane that it met in such states; return whether it is so."""
+    if world.kinds[i] == tb.PLANE:
+        return settle(j, i, b, arm_b, normal, 64 * EPSILON, world)
+    if world.kinds[j] == tb.PLANE:
+        return settle(i, j, a, arm_a, (-normal[0], -normal[1]), 64 * EPSILON, world)
+    return False
+
+
+@inlined
+def end_sliding(k: int, time: float, world: World) -> bool:
+    """Let a disc go on that does not slide any more; return whether that is all that happens."""
+    plane = world.notes[k, tb.HELD_BY] - 1
+    a, b = state_at(k, time, world.paths), state_at(plane, time, world.paths)
+    radius = world.bodies[k, tb.RADIUS]
+    ux, uy, _ = axis_of_plane(world.bodies[plane], a[0] - b[0], a[1] - b[1], radius)
+    arm, normal = (0.0 - radius * ux, 0.0 - radius * uy), (ux, uy)
+    speed = speed_of_disc(a, arm)
+    tolerance = resolution(a, b, radius, size_of(plane, world), time)
+    unclear = tolerance > MOST_RESOLUTION * radius or world.notes[k, tb.STALLED] >= MOST_REPEATS
+    unclear = unclear or speed <= 64 * EPSILON * time * pull_of(k, world)
+    parts = abs(rate_of((a[3], a[4], a[5]), arm, normal)) > LASTING_NOISE * speed
+    if unclear or parts or touches_third(k, k, time, world):
         return False
-    k, plane = (j, i) if planes[0] else (i, j)
+    depart(k, time, a, world)
+    return settle(k, plane, a, arm, normal, 64 * EPSILON, world)
+
+
+@inlined
+def settle(
+    k: int, plane: int, before: Moving, arm: Pair, normal: Pair, share: float, world: World
+) -> bool:
+    """Let a disc that starts on its path now stay on a half-plane; return whether it is pressed.
+
+    `before` is its state before the instant; a share of its speed counts as no sliding.
+    """
     path, body = world.paths[k], world.bodies[k]
-    sign = 1.0 if planes[0] else -1.0
-    pressing = -sign * (body[tb.AX] * normal[0] + body[tb.AY] * normal[1])
-    rough = friction_of(i, j, world) > 0.0
-    if rough or pressing <= MARGIN * (abs(body[tb.AX]) + abs(body[tb.AY])):
+    loads = (body[tb.AX], body[tb.AY], body[tb.TURNING])
+    if not is_pressed(loads, arm, normal):
         return False
-    path[tb.VX], path[tb.VY] = along_surface((path[tb.VX], path[tb.VY]), normal)
-    path[tb.AX], path[tb.AY] = along_surface((body[tb.AX], body[tb.AY]), normal)
     world.notes[k, tb.HELD_BY] = plane + 1
+    i, j = min(k, plane), max(k, plane)
+    coefficient = friction_of(i, j, world)
+    if coefficient == 0.0:
+        path[tb.VX], path[tb.VY] = along_surface((path[tb.VX], path[tb.VY]), normal)
+        path[tb.AX], path[tb.AY] = along_surface((body[tb.AX], body[tb.AY]), normal)
+        return True
+    inverses = (body[tb.INVERSE_MASS], body[tb.INVERSE_INERTIA])
+    motion = (path[tb.VX], path[tb.VY], path[tb.SPIN])
+    noise = speed_of_disc(before, arm) * share
+    start = path[tb.START]
+    sense = sense_of(motion, loads, arm, normal, inverses, coefficient, noise, start)
+    ax, ay, turning, sense = held(loads, arm, normal, inverses, coefficient, sense)
+    if sense == 0:
+        place = (path[tb.X], path[tb.Y], path[tb.TURN])
+        restitution = restitution_of(i, j, world)
+        path[tb.X], path[tb.Y], path[tb.TURN] = crept(
+            place, motion, loads, arm, normal, inverses, restitution
+        )
+    motion = settled(motion, arm, normal, inverses, coefficient, sense)
+    path[tb.VX], path[tb.VY], path[tb.SPIN] = motion
+    path[tb.AX], path[tb.AY], path[tb.TURNING] = ax, ay, turning
+    world.sliding[k] = sliding_end(start, motion, (ax, ay, turning), arm, normal, sense)
     return True
+
+
+def speed_of_disc(state: Moving, arm: Pair) -> float:
+    """Return the size of the terms that make up the velocity of a disc's contact, m/s."""
+    return hypot(state[3], state[4]) + abs(state[5]) * hypot(arm[0], arm[1])

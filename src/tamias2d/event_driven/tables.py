@@ -138,6 +138,8 @@ class World(NamedTuple):
     """(n, 4)"""
     leaving: Floats
     """(n,): when a body leaves its cell, s"""
+    sliding: Floats
+    """(n,): until when a disc slides that stays on a half-plane, s; infinite where none does"""
     cells: IndexRows
     """(across, up): the first body of a cell + 1"""
     everywhere: Indices

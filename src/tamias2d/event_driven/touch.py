@@ -18,6 +18,7 @@ from tamias2d.event_driven.tables import Moving, Pair, Point, World
 from tamias2d.kernels.assembled import inlined, separate
 
 NOT_ONE = -1.0
+MOST_RESOLUTION = 0.01  # of the smaller size: the largest gap that may count as none
 
 
 @inlined

@@ -1,6 +1,6 @@
 """Friction: Impact with friction; Lasting contact with friction; Tangential acceleration of what
-turns; Tangential acceleration of what rolls; Creep of bounces that stick; Bodies that move on
-in contact.
+turns; Tangential acceleration of what rolls; Impulse of the bounces that are left; Creep of
+bounces that stick; Bodies that move on in contact.
 
 Generated from srs/models/friction.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -510,6 +510,23 @@ def tangential_acceleration_rolling(
     )
 
 
+def settling_impulse(normal_velocity_after: Scalar, inverse_pressed_mass: Scalar) -> Scalar:
+    """Impulse along the normal by which the bounces that are left give more than a contact that
+    rests for the same time (N*s).
+
+    settling_impulse = -normal_velocity_after/inverse_pressed_mass
+
+    Args:
+        normal_velocity_after: Rate at which the contact opens, along the normal; negative when
+            the bodies approach; just after the impact, m/s
+        inverse_pressed_mass: Change of the normal acceleration for one unit of normal force,
+            with the friction that it brings about, 1/kg
+
+    Source: DD75, srs/models/friction.md:541.
+    """
+    return (-normal_velocity_after) / inverse_pressed_mass
+
+
 def creep(
     normal_velocity_after: Scalar,
     normal_acceleration: Scalar,
@@ -531,7 +548,7 @@ def creep(
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: DD78, srs/models/friction.md:538.
+    Source: DD78, srs/models/friction.md:589.
     """
     return (
         2
@@ -551,6 +568,6 @@ def friction_force_most(contact_force: Scalar, pair_friction: Scalar) -> Scalar:
         contact_force: Size of the force of a resting contact along its normal, N
         pair_friction: The coefficient of friction that holds between two bodies, 1
 
-    Source: IM18, srs/models/friction.md:591.
+    Source: IM18, srs/models/friction.md:642.
     """
     return pair_friction * contact_force

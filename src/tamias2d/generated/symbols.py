@@ -42,13 +42,21 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=33,
     ),
+    "sliding_time": Symbol(
+        "sliding_time",
+        "s",
+        "time until a contact that slides does not slide any more",
+        tex="t_s",
+        file="srs/symbols.md",
+        line=38,
+    ),
     "bounce_height": Symbol(
         "bounce_height",
         "m",
         "how far a contact opens in a bounce",
         tex="h_b",
         file="srs/symbols.md",
-        line=38,
+        line=42,
     ),
     "duration": Symbol(
         "duration",
@@ -57,7 +65,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="T",
         file="srs/symbols.md",
-        line=42,
+        line=46,
     ),
     "mass": Symbol(
         "mass",
@@ -68,7 +76,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="56.2 kg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=56,
+        line=60,
     ),
     "inverse_mass": Symbol(
         "inverse_mass",
@@ -77,7 +85,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="m^{-1}",
         file="srs/symbols.md",
-        line=63,
+        line=67,
     ),
     "inertia": Symbol(
         "inertia",
@@ -88,7 +96,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="74.5 kg*m^2",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=68,
+        line=72,
     ),
     "inverse_inertia": Symbol(
         "inverse_inertia",
@@ -97,7 +105,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="I^{-1}",
         file="srs/symbols.md",
-        line=75,
+        line=79,
     ),
     "restitution": Symbol(
         "restitution",
@@ -108,7 +116,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="0.8",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=80,
+        line=84,
     ),
     "pair_restitution": Symbol(
         "pair_restitution",
@@ -117,7 +125,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="C_R",
         file="srs/symbols.md",
-        line=89,
+        line=93,
     ),
     "friction": Symbol(
         "friction",
@@ -128,7 +136,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="0.5",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=94,
+        line=98,
     ),
     "pair_friction": Symbol(
         "pair_friction",
@@ -137,7 +145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\mu",
         file="srs/symbols.md",
-        line=103,
+        line=107,
     ),
     "position": Symbol(
         "position",
@@ -148,7 +156,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0.412 m, 0.502 m]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=117,
+        line=121,
     ),
     "displacement": Symbol(
         "displacement",
@@ -157,7 +165,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=124,
+        line=128,
     ),
     "velocity": Symbol(
         "velocity",
@@ -168,7 +176,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[2.51 m/s, 0 m/s]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=129,
+        line=133,
     ),
     "acceleration": Symbol(
         "acceleration",
@@ -177,7 +185,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=136,
+        line=140,
     ),
     "orientation": Symbol(
         "orientation",
@@ -187,7 +195,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="90 deg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=141,
+        line=145,
     ),
     "angular_displacement": Symbol(
         "angular_displacement",
@@ -195,7 +203,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of orientation since the start",
         tex="\\theta",
         file="srs/symbols.md",
-        line=149,
+        line=153,
     ),
     "angular_velocity": Symbol(
         "angular_velocity",
@@ -205,7 +213,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="2.1 rad/s",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=153,
+        line=157,
     ),
     "angular_acceleration": Symbol(
         "angular_acceleration",
@@ -213,7 +221,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the angular velocity",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=159,
+        line=163,
     ),
     "point_velocity": Symbol(
         "point_velocity",
@@ -222,7 +230,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}^P",
         file="srs/symbols.md",
-        line=163,
+        line=167,
     ),
     "force": Symbol(
         "force",
@@ -233,7 +241,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[98.1 N, 0 N]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=177,
+        line=181,
     ),
     "torque": Symbol(
         "torque",
@@ -243,7 +251,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="200 N*m",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=184,
+        line=188,
     ),
     "gravity": Symbol(
         "gravity",
@@ -254,7 +262,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0 m/s^2, -9.81 m/s^2]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=190,
+        line=194,
     ),
     "gravitational_constant": Symbol(
         "gravitational_constant",
@@ -264,7 +272,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="G",
         typical="6.6743e-11 m^3/(kg*s^2)",
         file="srs/symbols.md",
-        line=197,
+        line=201,
     ),
     "attraction": Symbol(
         "attraction",
@@ -273,7 +281,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=212,
+        line=216,
     ),
     "gravitational_energy": Symbol(
         "gravitational_energy",
@@ -281,7 +289,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of two bodies that attract each other, zero when far apart",
         tex="U^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=217,
+        line=221,
     ),
     "linear_drag": Symbol(
         "linear_drag",
@@ -291,7 +299,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_1",
         typical="0.5 kg/s",
         file="srs/symbols.md",
-        line=221,
+        line=225,
     ),
     "quadratic_drag": Symbol(
         "quadratic_drag",
@@ -301,7 +309,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_2",
         typical="0.05 kg/m",
         file="srs/symbols.md",
-        line=227,
+        line=231,
     ),
     "linear_drag_force": Symbol(
         "linear_drag_force",
@@ -310,7 +318,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=233,
+        line=237,
     ),
     "quadratic_drag_force": Symbol(
         "quadratic_drag_force",
@@ -319,7 +327,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{quad}}",
         file="srs/symbols.md",
-        line=238,
+        line=242,
     ),
     "angular_drag": Symbol(
         "angular_drag",
@@ -329,7 +337,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_\\omega",
         typical="0.1 kg*m^2/s",
         file="srs/symbols.md",
-        line=243,
+        line=247,
     ),
     "angular_drag_torque": Symbol(
         "angular_drag_torque",
@@ -337,7 +345,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of angular drag on a body",
         tex="\\tau^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=249,
+        line=253,
     ),
     "angular_drag_rate": Symbol(
         "angular_drag_rate",
@@ -346,7 +354,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma_\\omega",
         file="srs/symbols.md",
-        line=253,
+        line=257,
     ),
     "drag_rate": Symbol(
         "drag_rate",
@@ -355,7 +363,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma",
         file="srs/symbols.md",
-        line=260,
+        line=264,
     ),
     "speed": Symbol(
         "speed",
@@ -364,7 +372,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="v",
         file="srs/symbols.md",
-        line=265,
+        line=269,
     ),
     "stiffness": Symbol(
         "stiffness",
@@ -374,7 +382,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\kappa",
         typical="100 N/m",
         file="srs/symbols.md",
-        line=270,
+        line=274,
     ),
     "rest_length": Symbol(
         "rest_length",
@@ -384,7 +392,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\ell_0",
         typical="0.5 m",
         file="srs/symbols.md",
-        line=276,
+        line=280,
     ),
     "damping": Symbol(
         "damping",
@@ -394,7 +402,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\eta",
         typical="2 kg/s",
         file="srs/symbols.md",
-        line=282,
+        line=286,
     ),
     "point": Symbol(
         "point",
@@ -403,7 +411,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}^P",
         file="srs/symbols.md",
-        line=288,
+        line=292,
     ),
     "span": Symbol(
         "span",
@@ -412,7 +420,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\ell}",
         file="srs/symbols.md",
-        line=293,
+        line=297,
     ),
     "distance": Symbol(
         "distance",
@@ -421,7 +429,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell",
         file="srs/symbols.md",
-        line=298,
+        line=302,
     ),
     "axis": Symbol(
         "axis",
@@ -430,7 +438,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=303,
+        line=307,
     ),
     "extension": Symbol(
         "extension",
@@ -438,7 +446,7 @@ SYMBOLS: dict[str, Symbol] = {
         "excess of a spring's length over its rest length",
         tex="\\delta",
         file="srs/symbols.md",
-        line=308,
+        line=312,
     ),
     "extension_rate": Symbol(
         "extension_rate",
@@ -446,7 +454,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a spring's extension",
         tex="\\dot{\\delta}",
         file="srs/symbols.md",
-        line=312,
+        line=316,
     ),
     "tension": Symbol(
         "tension",
@@ -454,7 +462,7 @@ SYMBOLS: dict[str, Symbol] = {
         "pull of a spring and its damper, negative where it pushes",
         tex="S",
         file="srs/symbols.md",
-        line=316,
+        line=320,
     ),
     "spring_force": Symbol(
         "spring_force",
@@ -463,7 +471,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=320,
+        line=324,
     ),
     "spring_energy": Symbol(
         "spring_energy",
@@ -472,7 +480,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="U^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=325,
+        line=329,
     ),
     "half_turn": Symbol(
         "half_turn",
@@ -480,7 +488,7 @@ SYMBOLS: dict[str, Symbol] = {
         "half of the angle by which a body turns in a step",
         tex="\\vartheta",
         file="srs/symbols.md",
-        line=330,
+        line=334,
     ),
     "half_turn_sine": Symbol(
         "half_turn_sine",
@@ -488,7 +496,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of half of the angle by which a body turns in a step",
         tex="\\sin\\vartheta",
         file="srs/symbols.md",
-        line=334,
+        line=338,
     ),
     "damping_step": Symbol(
         "damping_step",
@@ -497,7 +505,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="z",
         file="srs/symbols.md",
-        line=338,
+        line=342,
     ),
     "resistance_along": Symbol(
         "resistance_along",
@@ -506,7 +514,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{\\parallel}",
         file="srs/symbols.md",
-        line=345,
+        line=349,
     ),
     "resistance_across": Symbol(
         "resistance_across",
@@ -515,7 +523,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{\\perp}",
         file="srs/symbols.md",
-        line=350,
+        line=354,
     ),
     "velocity_along": Symbol(
         "velocity_along",
@@ -523,7 +531,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which the ends of a spring part",
         tex="u_{\\parallel}",
         file="srs/symbols.md",
-        line=355,
+        line=359,
     ),
     "end_velocity": Symbol(
         "end_velocity",
@@ -532,7 +540,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=359,
+        line=363,
     ),
     "spring_impulse": Symbol(
         "spring_impulse",
@@ -541,7 +549,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=364,
+        line=368,
     ),
     "resisting_impulse": Symbol(
         "resisting_impulse",
@@ -550,7 +558,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}^{\\mathrm{res}}",
         file="srs/symbols.md",
-        line=369,
+        line=373,
     ),
     "critical_step": Symbol(
         "critical_step",
@@ -559,7 +567,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="h_{\\mathrm{crit}}",
         file="srs/symbols.md",
-        line=374,
+        line=378,
     ),
     "angular_frequency": Symbol(
         "angular_frequency",
@@ -568,7 +576,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\Omega",
         file="srs/symbols.md",
-        line=379,
+        line=383,
     ),
     "equilibrium": Symbol(
         "equilibrium",
@@ -577,7 +585,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{p}}",
         file="srs/symbols.md",
-        line=384,
+        line=388,
     ),
     "field_force": Symbol(
         "field_force",
@@ -586,7 +594,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=389,
+        line=393,
     ),
     "field_torque": Symbol(
         "field_torque",
@@ -594,7 +602,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of the fields of a scene about the body's centre of mass",
         tex="\\tau^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=394,
+        line=398,
     ),
     "anchor": Symbol(
         "anchor",
@@ -603,7 +611,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{b}",
         file="srs/symbols.md",
-        line=406,
+        line=410,
     ),
     "post": Symbol(
         "post",
@@ -612,7 +620,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=413,
+        line=417,
     ),
     "guide": Symbol(
         "guide",
@@ -621,7 +629,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=420,
+        line=424,
     ),
     "joint_length": Symbol(
         "joint_length",
@@ -630,7 +638,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="L",
         file="srs/symbols.md",
-        line=425,
+        line=429,
     ),
     "joint_angle": Symbol(
         "joint_angle",
@@ -638,7 +646,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle that a joint keeps between two bodies",
         tex="\\theta",
         file="srs/symbols.md",
-        line=430,
+        line=434,
     ),
     "gear_ratio": Symbol(
         "gear_ratio",
@@ -646,7 +654,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how often one side of a joint moves for once that the other does",
         tex="\\rho",
         file="srs/symbols.md",
-        line=434,
+        line=438,
     ),
     "joint_travel": Symbol(
         "joint_travel",
@@ -654,7 +662,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is along the line on which a joint lets it slide",
         tex="z",
         file="srs/symbols.md",
-        line=438,
+        line=442,
     ),
     "stretch": Symbol(
         "stretch",
@@ -662,7 +670,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a joint is beyond the place at which its spring is at rest",
         tex="\\zeta",
         file="srs/symbols.md",
-        line=442,
+        line=446,
     ),
     "stretch_rate": Symbol(
         "stretch_rate",
@@ -670,7 +678,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a joint's stretch",
         tex="\\dot{\\zeta}",
         file="srs/symbols.md",
-        line=446,
+        line=450,
     ),
     "twist": Symbol(
         "twist",
@@ -678,7 +686,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a joint is turned beyond the angle at which its spring is at rest",
         tex="\\psi",
         file="srs/symbols.md",
-        line=450,
+        line=454,
     ),
     "twist_rate": Symbol(
         "twist_rate",
@@ -686,7 +694,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a joint's twist",
         tex="\\dot{\\psi}",
         file="srs/symbols.md",
-        line=454,
+        line=458,
     ),
     "rotary_stiffness": Symbol(
         "rotary_stiffness",
@@ -695,7 +703,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\kappa_\\theta",
         file="srs/symbols.md",
-        line=458,
+        line=462,
     ),
     "rotary_damping": Symbol(
         "rotary_damping",
@@ -704,7 +712,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\eta_\\theta",
         file="srs/symbols.md",
-        line=463,
+        line=467,
     ),
     "joint_spring_force": Symbol(
         "joint_spring_force",
@@ -712,7 +720,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a joint's spring and damper, by which its stretch grows",
         tex="F^\\zeta",
         file="srs/symbols.md",
-        line=468,
+        line=472,
     ),
     "joint_spring_torque": Symbol(
         "joint_spring_torque",
@@ -720,7 +728,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of a joint's spring and damper, by which its twist grows",
         tex="\\tau^\\psi",
         file="srs/symbols.md",
-        line=472,
+        line=476,
     ),
     "joint_spring_energy": Symbol(
         "joint_spring_energy",
@@ -728,7 +736,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is stretched",
         tex="E^\\zeta",
         file="srs/symbols.md",
-        line=476,
+        line=480,
     ),
     "rotary_spring_energy": Symbol(
         "rotary_spring_energy",
@@ -736,7 +744,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is twisted",
         tex="E^\\psi",
         file="srs/symbols.md",
-        line=480,
+        line=484,
     ),
     "motor_speed": Symbol(
         "motor_speed",
@@ -744,7 +752,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed that a motor gives to a joint",
         tex="w",
         file="srs/symbols.md",
-        line=484,
+        line=488,
     ),
     "motor_spin": Symbol(
         "motor_spin",
@@ -752,7 +760,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that a motor gives to a joint",
         tex="w_\\theta",
         file="srs/symbols.md",
-        line=488,
+        line=492,
     ),
     "joint_force_most": Symbol(
         "joint_force_most",
@@ -761,7 +769,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="F^{\\max}",
         file="srs/symbols.md",
-        line=492,
+        line=496,
     ),
     "joint_torque_most": Symbol(
         "joint_torque_most",
@@ -770,7 +778,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tau^{\\max}",
         file="srs/symbols.md",
-        line=497,
+        line=501,
     ),
     "tooth_pitch": Symbol(
         "tooth_pitch",
@@ -779,7 +787,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\theta_p",
         file="srs/symbols.md",
-        line=502,
+        line=506,
     ),
     "normal": Symbol(
         "normal",
@@ -788,7 +796,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=516,
+        line=520,
     ),
     "tangent": Symbol(
         "tangent",
@@ -797,7 +805,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=521,
+        line=525,
     ),
     "direction": Symbol(
         "direction",
@@ -805,7 +813,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=526,
+        line=530,
     ),
     "arm": Symbol(
         "arm",
@@ -814,7 +822,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=530,
+        line=534,
     ),
     "separation": Symbol(
         "separation",
@@ -822,7 +830,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=535,
+        line=539,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -830,7 +838,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=539,
+        line=543,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -838,7 +846,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=545,
+        line=549,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -846,7 +854,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=551,
+        line=555,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -854,7 +862,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=555,
+        line=559,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -863,7 +871,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=559,
+        line=563,
     ),
     "coupling": Symbol(
         "coupling",
@@ -871,7 +879,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=564,
+        line=568,
     ),
     "impulse": Symbol(
         "impulse",
@@ -880,7 +888,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=570,
+        line=574,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -888,7 +896,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=575,
+        line=579,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -896,7 +904,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=579,
+        line=583,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -905,7 +913,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=585,
+        line=589,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -914,7 +922,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=590,
+        line=594,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -922,7 +930,32 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=597,
+        line=601,
+    ),
+    "inverse_rolling_mass": Symbol(
+        "inverse_rolling_mass",
+        "1/kg",
+        "change of the tangential velocity of a disc that touches what cannot move, for one unit of tangential impulse",
+        range=Range("> 0", low=0.0),
+        tex="k_r",
+        file="srs/symbols.md",
+        line=607,
+    ),
+    "disc_force": Symbol(
+        "disc_force",
+        "N",
+        "force along the normal that holds a disc up",
+        tex="F_d",
+        file="srs/symbols.md",
+        line=614,
+    ),
+    "rolling_friction": Symbol(
+        "rolling_friction",
+        "N",
+        "force along the tangent with which a disc does not begin to slide",
+        tex="F_r",
+        file="srs/symbols.md",
+        line=618,
     ),
     "settling_impulse": Symbol(
         "settling_impulse",
@@ -931,7 +964,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="j_r",
         file="srs/symbols.md",
-        line=603,
+        line=622,
     ),
     "bounced_impulse": Symbol(
         "bounced_impulse",
@@ -940,7 +973,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_b",
         file="srs/symbols.md",
-        line=610,
+        line=629,
     ),
     "creep": Symbol(
         "creep",
@@ -948,7 +981,7 @@ SYMBOLS: dict[str, Symbol] = {
         "way along the tangent in the bounces that are left, at each of which a contact sticks",
         tex="s_b",
         file="srs/symbols.md",
-        line=615,
+        line=634,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -956,7 +989,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=621,
+        line=640,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -964,7 +997,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=625,
+        line=644,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -973,7 +1006,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=629,
+        line=648,
     ),
     "share": Symbol(
         "share",
@@ -982,7 +1015,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\kappa",
         file="srs/symbols.md",
-        line=634,
+        line=653,
     ),
     "sense": Symbol(
         "sense",
@@ -991,7 +1024,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=641,
+        line=660,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -1000,7 +1033,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=648,
+        line=667,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -1009,7 +1042,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=653,
+        line=672,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -1017,7 +1050,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=658,
+        line=677,
     ),
     "overlap": Symbol(
         "overlap",
@@ -1025,7 +1058,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=662,
+        line=681,
     ),
     "line": Symbol(
         "line",
@@ -1034,7 +1067,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=674,
+        line=693,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -1042,7 +1075,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=679,
+        line=698,
     ),
     "bend": Symbol(
         "bend",
@@ -1050,7 +1083,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=684,
+        line=703,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -1058,7 +1091,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=689,
+        line=708,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -1067,7 +1100,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=693,
+        line=712,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -1075,7 +1108,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=698,
+        line=717,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -1084,7 +1117,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=702,
+        line=721,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -1093,7 +1126,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=707,
+        line=726,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -1102,7 +1135,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=712,
+        line=731,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -1110,7 +1143,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=717,
+        line=736,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -1118,7 +1151,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=721,
+        line=740,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -1127,7 +1160,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=725,
+        line=744,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -1136,7 +1169,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=730,
+        line=749,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -1144,7 +1177,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=735,
+        line=754,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -1153,7 +1186,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=739,
+        line=758,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -1162,7 +1195,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=744,
+        line=763,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -1171,7 +1204,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=749,
+        line=768,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -1180,7 +1213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=756,
+        line=775,
     ),
     "extent": Symbol(
         "extent",
@@ -1189,7 +1222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=763,
+        line=782,
     ),
     "firmest": Symbol(
         "firmest",
@@ -1198,7 +1231,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=770,
+        line=789,
     ),
     "preload": Symbol(
         "preload",
@@ -1207,7 +1240,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=775,
+        line=794,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -1216,7 +1249,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=780,
+        line=799,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1225,7 +1258,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=785,
+        line=804,
     ),
     "gap_share": Symbol(
         "gap_share",
@@ -1234,7 +1267,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=790,
+        line=809,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1243,7 +1276,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=795,
+        line=814,
     ),
     "half_width": Symbol(
         "half_width",
@@ -1252,7 +1285,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w",
         file="srs/symbols.md",
-        line=800,
+        line=819,
     ),
     "corner_fall": Symbol(
         "corner_fall",
@@ -1261,7 +1294,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_f",
         file="srs/symbols.md",
-        line=805,
+        line=824,
     ),
     "extent_thin": Symbol(
         "extent_thin",
@@ -1270,7 +1303,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=811,
+        line=830,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1279,7 +1312,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=816,
+        line=835,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1288,7 +1321,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=821,
+        line=840,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1297,7 +1330,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=826,
+        line=845,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1305,7 +1338,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=831,
+        line=850,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1313,7 +1346,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=835,
+        line=854,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1321,7 +1354,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=839,
+        line=858,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1329,7 +1362,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=843,
+        line=862,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1337,7 +1370,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=847,
+        line=866,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1346,7 +1379,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=851,
+        line=870,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1355,7 +1388,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=856,
+        line=875,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1364,7 +1397,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=861,
+        line=880,
     ),
     "shift": Symbol(
         "shift",
@@ -1373,7 +1406,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=866,
+        line=885,
     ),
     "turn": Symbol(
         "turn",
@@ -1381,7 +1414,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=871,
+        line=890,
     ),
     "early_share": Symbol(
         "early_share",
@@ -1390,7 +1423,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=875,
+        line=894,
     ),
     "step_share": Symbol(
         "step_share",
@@ -1398,7 +1431,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of a step that is over",
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=882,
+        line=901,
     ),
     "impulse_late": Symbol(
         "impulse_late",
@@ -1406,7 +1439,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sum of the impulses of a contact in a step, each times the share of the step that was over",
         tex="j_{\\mathrm{late}}",
         file="srs/symbols.md",
-        line=886,
+        line=905,
     ),
     "impulse_turned": Symbol(
         "impulse_turned",
@@ -1415,7 +1448,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{j}",
         file="srs/symbols.md",
-        line=892,
+        line=911,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1424,7 +1457,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=897,
+        line=916,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1433,7 +1466,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=904,
+        line=923,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1442,7 +1475,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=909,
+        line=928,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1451,7 +1484,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=916,
+        line=935,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1460,7 +1493,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=923,
+        line=942,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1469,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=929,
+        line=948,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1477,7 +1510,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=936,
+        line=955,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1486,7 +1519,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=949,
+        line=968,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1494,7 +1527,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=954,
+        line=973,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1502,7 +1535,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=958,
+        line=977,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1511,7 +1544,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=964,
+        line=983,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1519,7 +1552,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=969,
+        line=988,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1528,7 +1561,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=973,
+        line=992,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1536,7 +1569,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=978,
+        line=997,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1545,7 +1578,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=982,
+        line=1001,
     ),
     "advance": Symbol(
         "advance",
@@ -1554,7 +1587,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=987,
+        line=1006,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1562,7 +1595,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=992,
+        line=1011,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1571,7 +1604,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=996,
+        line=1015,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1579,7 +1612,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=1001,
+        line=1020,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1587,7 +1620,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=1005,
+        line=1024,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1596,7 +1629,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=1009,
+        line=1028,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1604,7 +1637,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=1014,
+        line=1033,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1612,7 +1645,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=1018,
+        line=1037,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1620,7 +1653,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1023,
+        line=1042,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1628,7 +1661,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1029,
+        line=1048,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1637,7 +1670,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=1033,
+        line=1052,
     ),
     "slip": Symbol(
         "slip",
@@ -1645,7 +1678,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1040,
+        line=1059,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1653,7 +1686,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=1046,
+        line=1065,
     ),
     "circling": Symbol(
         "circling",
@@ -1662,7 +1695,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=1050,
+        line=1069,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1670,7 +1703,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1057,
+        line=1076,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1679,7 +1712,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1061,
+        line=1080,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1688,7 +1721,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1066,
+        line=1085,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1697,7 +1730,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1071,
+        line=1090,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1705,7 +1738,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1076,
+        line=1095,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1714,7 +1747,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1080,
+        line=1099,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1722,7 +1755,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1085,
+        line=1104,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1730,7 +1763,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1089,
+        line=1108,
     ),
     "arc": Symbol(
         "arc",
@@ -1739,7 +1772,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1095,
+        line=1114,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1748,7 +1781,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1100,
+        line=1119,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1756,7 +1789,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1110,
+        line=1129,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1764,7 +1797,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1114,
+        line=1133,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1773,7 +1806,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1118,
+        line=1137,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1782,7 +1815,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1123,
+        line=1142,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1791,7 +1824,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1128,
+        line=1147,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1800,7 +1833,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1133,
+        line=1152,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1809,7 +1842,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1138,
+        line=1157,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1817,7 +1850,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1143,
+        line=1162,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1826,7 +1859,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1152,
+        line=1171,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1834,7 +1867,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1157,
+        line=1176,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1843,7 +1876,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1161,
+        line=1180,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1851,7 +1884,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1166,
+        line=1185,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1859,7 +1892,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1170,
+        line=1189,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1868,7 +1901,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1174,
+        line=1193,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1877,7 +1910,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1179,
+        line=1198,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1886,7 +1919,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1184,
+        line=1203,
     ),
     "work": Symbol(
         "work",
@@ -1894,7 +1927,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1189,
+        line=1208,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -1903,7 +1936,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1193,
+        line=1212,
     ),
     "bounce_energy_most": Symbol(
         "bounce_energy_most",
@@ -1912,7 +1945,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\max}^e",
         file="srs/symbols.md",
-        line=1198,
+        line=1217,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1921,7 +1954,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1203,
+        line=1222,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1929,7 +1962,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1208,
+        line=1227,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1938,7 +1971,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1212,
+        line=1231,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1946,7 +1979,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1217,
+        line=1236,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1955,7 +1988,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1222,
+        line=1241,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -1964,7 +1997,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1227,
+        line=1246,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1973,7 +2006,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1232,
+        line=1251,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1982,7 +2015,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1237,
+        line=1256,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -1991,7 +2024,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1244,
+        line=1263,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2000,7 +2033,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1249,
+        line=1268,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2008,7 +2041,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1254,
+        line=1273,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2016,7 +2049,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1259,
+        line=1278,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2024,7 +2057,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1265,
+        line=1284,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2033,7 +2066,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1269,
+        line=1288,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2042,7 +2075,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1276,
+        line=1295,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2051,7 +2084,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1281,
+        line=1300,
     ),
     "energy": Symbol(
         "energy",
@@ -2059,7 +2092,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1286,
+        line=1305,
     ),
     "radius": Symbol(
         "radius",
@@ -2068,7 +2101,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1295,
+        line=1314,
     ),
     "length": Symbol(
         "length",
@@ -2077,7 +2110,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1300,
+        line=1319,
     ),
     "width": Symbol(
         "width",
@@ -2086,7 +2119,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1307,
+        line=1326,
     ),
     "height": Symbol(
         "height",
@@ -2095,7 +2128,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1312,
+        line=1331,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2104,7 +2137,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1317,
+        line=1336,
     ),
     "center": Symbol(
         "center",
@@ -2113,7 +2146,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1322,
+        line=1341,
     ),
     "offset": Symbol(
         "offset",
@@ -2121,7 +2154,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1327,
+        line=1346,
     ),
     "area": Symbol(
         "area",
@@ -2130,7 +2163,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1331,
+        line=1350,
     ),
     "way": Symbol(
         "way",
@@ -2139,7 +2172,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1336,
+        line=1355,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2147,7 +2180,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1341,
+        line=1360,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2156,7 +2189,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1345,
+        line=1364,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2165,7 +2198,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1350,
+        line=1369,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2173,7 +2206,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1355,
+        line=1374,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2181,7 +2214,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1359,
+        line=1378,
     ),
     "lean": Symbol(
         "lean",
@@ -2189,7 +2222,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1363,
+        line=1382,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2197,7 +2230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1367,
+        line=1386,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2205,7 +2238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1371,
+        line=1390,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2214,7 +2247,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1377,
+        line=1396,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2222,7 +2255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1390,
+        line=1409,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2230,7 +2263,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1394,
+        line=1413,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2239,7 +2272,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1398,
+        line=1417,
     ),
     "slope": Symbol(
         "slope",
@@ -2248,7 +2281,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1403,
+        line=1422,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2257,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1408,
+        line=1427,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2266,7 +2299,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1413,
+        line=1432,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2275,7 +2308,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1418,
+        line=1437,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2283,7 +2316,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1423,
+        line=1442,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2291,7 +2324,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1427,
+        line=1446,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2299,7 +2332,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1431,
+        line=1450,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2308,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1435,
+        line=1454,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2316,7 +2349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1440,
+        line=1459,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2324,7 +2357,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1444,
+        line=1463,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2332,7 +2365,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1448,
+        line=1467,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2340,7 +2373,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1452,
+        line=1471,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2348,7 +2381,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1456,
+        line=1475,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2357,7 +2390,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1460,
+        line=1479,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2366,7 +2399,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1465,
+        line=1484,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2375,7 +2408,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1470,
+        line=1489,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2384,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1475,
+        line=1494,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2392,7 +2425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1480,
+        line=1499,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2401,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1484,
+        line=1503,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2409,7 +2442,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1489,
+        line=1508,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2417,7 +2450,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1493,
+        line=1512,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2426,7 +2459,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1497,
+        line=1516,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2435,7 +2468,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1502,
+        line=1521,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2443,7 +2476,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1507,
+        line=1526,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2452,7 +2485,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1511,
+        line=1530,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2460,7 +2493,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1516,
+        line=1535,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2468,7 +2501,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1520,
+        line=1539,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2477,7 +2510,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1524,
+        line=1543,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2485,7 +2518,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1529,
+        line=1548,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2494,7 +2527,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1533,
+        line=1552,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2503,7 +2536,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1538,
+        line=1557,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2512,7 +2545,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1543,
+        line=1562,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2520,7 +2553,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1548,
+        line=1567,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2529,7 +2562,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1552,
+        line=1571,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2537,7 +2570,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1557,
+        line=1576,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2545,7 +2578,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1561,
+        line=1580,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2554,7 +2587,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1565,
+        line=1584,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2563,7 +2596,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1570,
+        line=1589,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2572,7 +2605,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1575,
+        line=1594,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2580,7 +2613,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1580,
+        line=1599,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2588,7 +2621,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1584,
+        line=1603,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2596,7 +2629,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1588,
+        line=1607,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2605,7 +2638,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1592,
+        line=1611,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2614,7 +2647,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1597,
+        line=1616,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2623,7 +2656,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1602,
+        line=1621,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2632,7 +2665,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1607,
+        line=1626,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2641,7 +2674,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1612,
+        line=1631,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2650,7 +2683,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1617,
+        line=1636,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2659,7 +2692,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1622,
+        line=1641,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2668,7 +2701,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1627,
+        line=1646,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2676,7 +2709,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1632,
+        line=1651,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2685,7 +2718,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1636,
+        line=1655,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2693,7 +2726,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1641,
+        line=1660,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2702,7 +2735,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1645,
+        line=1664,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2711,7 +2744,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1650,
+        line=1669,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2720,7 +2753,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1655,
+        line=1674,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2729,7 +2762,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1660,
+        line=1679,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2738,7 +2771,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1665,
+        line=1684,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2746,7 +2779,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1670,
+        line=1689,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2755,7 +2788,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1674,
+        line=1693,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2764,7 +2797,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1679,
+        line=1698,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2773,7 +2806,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1684,
+        line=1703,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2782,7 +2815,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1689,
+        line=1708,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2790,7 +2823,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1694,
+        line=1713,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2798,7 +2831,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1698,
+        line=1717,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2807,7 +2840,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1702,
+        line=1721,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2816,7 +2849,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1707,
+        line=1726,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2825,7 +2858,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1712,
+        line=1731,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2834,7 +2867,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1717,
+        line=1736,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2843,7 +2876,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1722,
+        line=1741,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2852,7 +2885,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1727,
+        line=1746,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2861,7 +2894,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1732,
+        line=1751,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2870,7 +2903,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1737,
+        line=1756,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2879,7 +2912,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1742,
+        line=1761,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2887,7 +2920,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1747,
+        line=1766,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2895,7 +2928,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1751,
+        line=1770,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2904,7 +2937,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1755,
+        line=1774,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2912,7 +2945,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1760,
+        line=1779,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2920,7 +2953,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1764,
+        line=1783,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2929,7 +2962,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1768,
+        line=1787,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2938,7 +2971,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1773,
+        line=1792,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2947,7 +2980,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1778,
+        line=1797,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2955,7 +2988,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1783,
+        line=1802,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2964,7 +2997,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1787,
+        line=1806,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2972,7 +3005,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1792,
+        line=1811,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2981,7 +3014,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1796,
+        line=1815,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2990,7 +3023,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1801,
+        line=1820,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2998,7 +3031,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1806,
+        line=1825,
     ),
     "change": Symbol(
         "change",
@@ -3007,7 +3040,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1810,
+        line=1829,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3016,7 +3049,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1815,
+        line=1834,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3025,7 +3058,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1820,
+        line=1839,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3033,7 +3066,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1825,
+        line=1844,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3042,7 +3075,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1829,
+        line=1848,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3050,7 +3083,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1834,
+        line=1853,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3058,7 +3091,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1838,
+        line=1857,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3066,7 +3099,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1842,
+        line=1861,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3075,7 +3108,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1846,
+        line=1865,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3083,7 +3116,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1851,
+        line=1870,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3092,6 +3125,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1855,
+        line=1874,
     ),
 }
