@@ -133,7 +133,8 @@ class JointSet:
         """Return what the last step left of each row, as `JointLayout.kept` does."""
         if self._saved is not None:
             return self._saved
-        return kept_of_new(list(self), engine) if self.new else self.layout.kept()
+        known = len(self) > 0 and not self.new
+        return self.layout.kept() if known else kept_of_new(list(self), engine)
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
         """Return what joints exerted in the last step, and how well they hold now."""

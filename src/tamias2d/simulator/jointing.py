@@ -4,9 +4,10 @@ from typing import Any
 
 import numpy as np
 
+from tamias2d.engine.state import LARGEST
 from tamias2d.scene.joint_kinds import Equation, Kind
 from tamias2d.scene.joints import End
-from tamias2d.scene.rules import VectorLike, vector
+from tamias2d.scene.rules import RuleError, VectorLike, vector
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.joint_reactions import Reactions
 from tamias2d.simulator.standing_bodies import StandingBodies
@@ -71,9 +72,16 @@ class Jointing(Stepping):
         It costs some 12 microseconds, and may be done before each step, as with a mouse.
 
         Raises:
-            InputError: there is no joint of that name, or it holds no single point of the plane.
+            InputError: there is no joint of that name, it holds no single point of the plane, or
+                float64 cannot hold what a point so far away does.
         """
         at = vector(point, "position", "a target", "Give a point (x, y) in m.", at=("point",))
+        if max(abs(at[0]), abs(at[1])) > LARGEST:
+            raise RuleError(
+                f"point {at} of a target: must be within {LARGEST:.2g} m, or float64 cannot hold "
+                "what follows (R4). Bring it nearer.",
+                "point",
+            )
         joint = self._joints.set_target(name, at)
         if self._sleeps:
             self._engine.wake(np.array(joint.bodies, dtype=np.int64))
