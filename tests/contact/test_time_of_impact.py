@@ -40,7 +40,7 @@ def test_a_body_that_falls_close_beside_another_is_looked_at_a_few_times(
 
 
 def test_a_box_that_parts_at_one_corner_comes_down_on_the_next() -> None:
-    """One corner rests on the floor and is pulled up; the box turns, and is flat at a known time."""
+    """One corner rests on the floor and is pulled up; the box is flat at a known time."""
     scene = t2.Scene(gravity=(0.0, 0.0))
     scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0))
     scene.add_body(t2.Box(width=1.0, height=1.0), mass=1.0, position=(0.0, 0.5))

@@ -149,6 +149,6 @@ def _inverse(matrix: Array, size: Array) -> Array:
     scale = np.outer(size, size)
     shares = matrix / scale
     shares[np.abs(shares) <= _PARALLEL] = 0.0  # what is held has none but by rounding
-    found: Array = np.linalg.pinv(shares, rcond=_PARALLEL, hermitian=True)
+    found = np.asarray(np.linalg.pinv(shares, rcond=_PARALLEL, hermitian=True), float)
     found[np.abs(found) <= _NEGLIGIBLE * np.abs(found).max(initial=0.0)] = 0.0
     return found / scale
