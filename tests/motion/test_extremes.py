@@ -9,6 +9,7 @@ import tamias2d as t2
 from tamias2d.contact import RangeError, located
 from tamias2d.contact.refusal import UndecidedContactError
 from tamias2d.errors import InputError
+from tamias2d.event_driven import EventDriven
 from tamias2d.solve import Interrupted
 
 
@@ -88,6 +89,7 @@ def test_turns_out_of_reach_are_not_looked_at(spin, monkeypatch):
 
 def test_a_pair_that_meets_without_end_is_refused(monkeypatch):
     """As when an impact leaves everything as it was."""
+    monkeypatch.setattr(EventDriven, "pays", lambda *_: False)  # which the clock decides
     monkeypatch.setattr(
         located.Located, "_resolve_instant", lambda self, *_: self._schedule_impacts([0, 1])
     )
