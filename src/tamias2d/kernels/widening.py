@@ -1,0 +1,26 @@
+"""Arguments that are whole numbers or truth values have one type each, as they have in Python.
+
+By itself numba compiles a function anew for each width of whole numbers, and for each constant that
+is passed: a third more functions than there are.
+"""
+
+from typing import Any
+
+from numba import types
+
+
+def compile_once(dispatcher: Any) -> None:
+    """Let a function that others call be compiled for the widest types of its numbers."""
+    folded = dispatcher._compiler.fold_argument_types
+
+    def widened(args: Any, kws: Any) -> tuple[Any, tuple[Any, ...]]:
+        signature, given = folded(args, kws)
+        return signature, tuple(map(_widest, given))
+
+    dispatcher._compiler.fold_argument_types = widened
+
+
+def _widest(kind: Any) -> Any:
+    kind = types.unliteral(kind)
+    fits = isinstance(kind, types.Integer) and (kind.signed or kind.bitwidth < types.intp.bitwidth)
+    return types.intp if fits else kind
