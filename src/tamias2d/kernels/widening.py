@@ -1,12 +1,15 @@
-"""Arguments that are whole numbers or truth values have one type each, as they have in Python.
+"""Whole numbers and truth values that are arguments have one type each, as they have in Python.
 
 By itself numba compiles a function anew for each width of whole numbers, and for each constant that
-is passed: a third more functions than there are.
+is passed: a third more functions than there are. Columns of lanes stay constants: without them,
+compiled code takes lanes one by one.
 """
 
 from typing import Any
 
 from numba import types
+
+from tamias2d.kernels.lanes import LANES
 
 
 def compile_once(dispatcher: Any) -> None:
@@ -21,6 +24,8 @@ def compile_once(dispatcher: Any) -> None:
 
 
 def _widest(kind: Any) -> Any:
+    if isinstance(kind, types.IntegerLiteral) and kind.literal_value >= LANES:
+        return kind
     kind = types.unliteral(kind)
     fits = isinstance(kind, types.Integer) and (kind.signed or kind.bitwidth < types.intp.bitwidth)
     return types.intp if fits else kind
