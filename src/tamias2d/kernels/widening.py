@@ -11,6 +11,8 @@ from numba import types
 
 from tamias2d.kernels.lanes import LANES
 
+_unliteral: Any = types.unliteral  # numba states no types
+
 
 def compile_once(dispatcher: Any) -> None:
     """Let a function that others call be compiled for the widest types of its numbers."""
@@ -23,9 +25,11 @@ def compile_once(dispatcher: Any) -> None:
     dispatcher._compiler.fold_argument_types = widened
 
 
-def _widest(kind: Any) -> Any:
-    if isinstance(kind, types.IntegerLiteral) and kind.literal_value >= LANES:
-        return kind
-    kind = types.unliteral(kind)
-    fits = isinstance(kind, types.Integer) and (kind.signed or kind.bitwidth < types.intp.bitwidth)
-    return types.intp if fits else kind
+def _widest(given: Any) -> Any:
+    """Return the type that an argument is taken for."""
+    if isinstance(given, types.IntegerLiteral) and given.literal_value >= LANES:
+        return given
+    kind = _unliteral(given)
+    whole = isinstance(kind, types.Integer)
+    widest: Any = types.intp
+    return widest if whole and (kind.signed or kind.bitwidth < widest.bitwidth) else kind
