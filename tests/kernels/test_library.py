@@ -108,6 +108,26 @@ def test_what_is_marked_so_is_a_function_of_its_own_in_machine_code(
     forget()
 
 
+NUMBERS = """
+from tamias2d.kernels.arrays import Floats, Indices, Places
+def chosen(rows: Floats, k: int, half: bool) -> float:
+    return 0.5 * rows[k] if half else rows[k]
+def summed(rows: Floats, narrow: Indices, places: Places, half: bool) -> float:
+    found = chosen(rows, 0, False) + chosen(rows, 1, True) + chosen(rows, len(rows) - 1, half)
+    return found + chosen(rows, narrow[0], half) + chosen(rows, places[0], not half)
+"""
+
+
+def test_a_function_is_compiled_once_whatever_whole_numbers_it_takes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
+    made = Library("numbers", (module("numbers", NUMBERS).summed,))
+    arrays = np.array([1.0, 2.0, 4.0]), np.array([-1], np.int32), np.array([2], np.uint32)
+    assert made.compiled().summed(*arrays, True) == made.plain().summed(*arrays, True) == 10.0
+    assert len(loaded(made.source()).chosen.signatures) == 1
+
+
 def module(name: str, text: str) -> ModuleType:
     """A module of the package, from a text that can be looked up."""
     import linecache

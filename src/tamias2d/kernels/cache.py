@@ -23,6 +23,7 @@ from numba.core.serialize import dumps
 
 from tamias2d.kernels import kept_files
 from tamias2d.kernels.linking import EntryCompiler, HelperCompiler, SeparateCompiler
+from tamias2d.kernels.widening import compile_once
 
 
 def njit(source: str) -> Callable[..., Callable[[FunctionType], Any]]:
@@ -38,6 +39,8 @@ def njit(source: str) -> Callable[..., Callable[[FunctionType], Any]]:
             made: Any = numba.njit(pipeline_class=compiler, **options)(function)
             if made is function:  # NUMBA_DISABLE_JIT
                 return made
+            if options.get("no_cpython_wrapper"):
+                compile_once(made)
             if cache:
                 made._cache = KernelCache(function.__qualname__, source)
             for signature in signatures:
