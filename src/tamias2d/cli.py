@@ -327,11 +327,14 @@ def tradeoff(
         Path | None, typer.Option(metavar="PATH", help="Draw it: .png, .svg or .pdf.")
     ] = None,
     phases: Annotated[
-        int, typer.Option(metavar="COUNT", min=1, help="Starts of a scene with impacts.")
+        int, typer.Option(metavar="COUNT", min=1, help="Starts of a scene with impacts, at most.")
     ] = 32,
     as_json: _Json = False,
 ) -> None:
-    """Measure what accuracy costs on a scene: each method, its errors, its work, its seconds."""
+    """Measure what accuracy costs on a scene: each method, its errors, its work, its seconds.
+
+    It takes up to about two minutes of the processor. Ctrl-C ends it and shows what there is.
+    """
     from tamias2d.commands.tradeoff import show_tradeoff
 
     complete = show_tradeoff(

@@ -183,7 +183,7 @@ def test_an_interrupted_run_is_kept(
     call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def stopped(*_: Any, **__: Any) -> None:
-        raise Interrupted(simulate(catalogue.load("tc3"), duration=1.0))
+        raise Interrupted(lambda: simulate(catalogue.load("tc3"), duration=1.0))
 
     monkeypatch.setattr(run_command, "simulate", stopped)
     result = call("run", "tc3", "--record", tmp_path / "part.npz")
@@ -196,7 +196,7 @@ def test_an_interrupted_check_is_no_failed_one(
     call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def stopped(*_: Any, **__: Any) -> None:
-        raise Interrupted(simulate(catalogue.load("tc3"), duration=1.0))
+        raise Interrupted(lambda: simulate(catalogue.load("tc3"), duration=1.0))
 
     monkeypatch.setattr(case, "simulate", stopped)
     result = call("verify", "TC3")
@@ -240,7 +240,7 @@ def test_an_interrupted_run_says_nothing_of_checks(
     call: Call, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def stopped(*_: Any, **__: Any) -> None:
-        raise Interrupted(simulate(catalogue.load("tc3"), duration=1.0))
+        raise Interrupted(lambda: simulate(catalogue.load("tc3"), duration=1.0))
 
     monkeypatch.setattr(run_command, "simulate", stopped)
     assert "checks" not in call("run", "tc3").stderr

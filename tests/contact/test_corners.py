@@ -8,6 +8,10 @@ from hypothesis import assume, given, settings, strategies as st
 
 import tamias2d as t2
 from tamias2d.contact import Refusal
+from tamias2d.contact.core import cores_of, place
+from tamias2d.contact.gap import resolution
+from tamias2d.contact.manifold import manifold
+from tamias2d.state import State
 
 BOX = t2.Box(width=1, height=1)
 
@@ -61,3 +65,22 @@ def test_no_energy_is_gained(u: float, v: float, spin: float, restitution: float
         run = refusal.run
     assume(len(run.impacts))
     assert (np.diff(run.energy) <= 1e-13 * run.energy[0]).all()
+
+
+@pytest.mark.parametrize("tilt", [1e-3, 1e-8])
+def test_a_corner_that_has_lasted_on_a_side_keeps_it_at_its_end(tilt: float) -> None:
+    """A tilted box slides down beside another one, and ends where corner is upon corner."""
+    scene = t2.Scene(gravity=(0, 0))
+    for x in (0.0, 1.0):
+        scene.add_body(BOX, mass=1, position=(x, 0))
+    left, right = cores_of(scene)
+    stands = place(left, State((0.0, 0.0), 0.0, (0.0, 0.0), 0.0))
+    x, y = place(right, State((0.0, 0.0), -tilt, (0.0, 0.0), 0.0)).corners[0]
+    lasting = []
+    for height in (0.0, -0.5):
+        slides = place(right, State((0.5 - x, height - y), -tilt, (0.0, -1.0), 0.0))
+        tolerance = resolution(stands, slides, 1.0)
+        lasting = manifold(stands, slides, tolerance, 1.0, lasting)
+        (contact,) = lasting
+        assert contact.normal == (1.0, 0.0)
+        assert contact.axis.side == left.sides[1]

@@ -7,7 +7,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import tamias2d as t2
+from tamias2d.contact.core import Core, cores_of, place
 from tamias2d.contact.lemke import lemke
+from tamias2d.contact.manifold import manifold, normal_velocity
+from tamias2d.contact.simultaneous_impact import Meeting, apply, simultaneous_impulses
+from tamias2d.state import State
 from tools.measurements.drops import drop
 from tools.measurements.located_drops import ROUNDING, laws
 
@@ -144,6 +148,57 @@ def test_a_tolerance_is_met_by_steps_where_a_rule_bounds_nothing():
         t2.simulate(scene, duration=0.6, tolerance=1e-2)
     assert refused.value.until is not None
     assert t2.recommend(scene, duration=0.2, tolerance=1e-2).choice.method == t2.ClosedForm()
+
+
+def row_of_boxes(seed: int) -> tuple[list[Core], list[Meeting], dict[int, State]]:
+    """Two to four boxes that stand flat on a floor and side by side, as they all meet."""
+    chance = np.random.default_rng(seed)
+    scene, place_of, states = t2.Scene(gravity=(0, 0)), 0.0, {0: State((0, 0), 0, (0, 0), 0)}
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0))
+    count = int(chance.integers(2, 5))
+    for k in range(1, count + 1):
+        size, mass = chance.uniform((0.5, 0.5), (1.5, 5.0)).tolist()
+        at = place_of + size / 2, size / 2
+        scene.add_body(t2.Box(width=size, height=size), mass=mass, position=at)
+        along, spin, fall = (*chance.normal(size=2), chance.uniform())
+        states[k] = State(at, 0.0, (float(along), -float(fall)), float(spin))
+        place_of += size
+    cores = cores_of(scene)
+    placed = {i: place(core, states[i]) for i, core in enumerate(cores)}
+    meetings = []
+    for i, j in [(0, k) for k in range(1, count + 1)] + [(k, k + 1) for k in range(1, count)]:
+        found = manifold(placed[i], placed[j], 1e-14, 1.0)
+        closing = [c for c in found if normal_velocity(c, states[i], states[j]) <= 0]
+        if closing:
+            meetings.append(Meeting(closing, 0.5, 0.4))
+    return cores, meetings, states
+
+
+@pytest.mark.parametrize("seed", range(50))
+def test_boxes_side_by_side_that_meet_a_floor_rub_within_coulombs_bound(seed: int):
+    """They hold each other, so that some friction could do nothing: what there is takes energy."""
+    cores, meetings, before = row_of_boxes(seed)
+
+    def energy(states: dict[int, State]) -> float:
+        moving = [(core, states[core.index]) for core in cores if core.dynamic]
+        return sum(
+            math.hypot(*state.velocity) ** 2 / core.inverse_mass / 2
+            + state.angular_velocity**2 / core.inverse_inertia / 2
+            for core, state in moving
+        )
+
+    smooth, rough = dict(before), dict(before)
+    bare = [meeting._replace(coefficient=0.0) for meeting in meetings]
+    apply(cores, simultaneous_impulses(cores, bare, before), smooth)
+    found = simultaneous_impulses(cores, meetings, before)
+    apply(cores, found, rough)
+    assert energy(rough) < (1 - 1e-9) * energy(smooth) < energy(before)
+    impulses = iter(found)
+    for meeting in meetings:
+        own = [next(impulses) for _ in meeting.contacts]
+        push, drag = sum(n for _, n, _ in own), sum(t for *_, t in own)
+        assert min(n for _, n, _ in own) >= 0
+        assert abs(drag) <= 0.4 * push + 1e-13
 
 
 def test_lemke_solves_what_it_is_given():

@@ -8,7 +8,9 @@ import pytest
 import tamias2d as t2
 from tamias2d.contact import conservative_advancement
 from tamias2d.contact.conservative_advancement import Pair
-from tamias2d.contact.core import cores_of
+from tamias2d.contact.core import cores_of, place
+from tamias2d.contact.gap import resolution
+from tamias2d.contact.manifold import manifold
 from tamias2d.motion.polynomial import Polynomial
 from tamias2d.motion.uniform import Uniform
 from tamias2d.state import State
@@ -35,6 +37,27 @@ def test_a_body_that_falls_close_beside_another_is_looked_at_a_few_times(
         Uniform(start=0.0, end=0.02, state=falls, acceleration=(0.0, -9.81, 0.0)),
     )
     assert Pair(a, b, *paths).time_of_impact(0.0, 0.02) is None
+
+
+def test_a_box_that_parts_at_one_corner_comes_down_on_the_next() -> None:
+    """One corner rests on the floor and is pulled up; the box is flat at a known time."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0))
+    scene.add_body(t2.Box(width=1.0, height=1.0), mass=1.0, position=(0.0, 0.5))
+    floor, box = cores_of(scene)
+    tilt, spin, pull = 1e-12, -1.0, 2.0
+    x, y = place(box, State((0.0, 0.0), tilt, (0.0, 0.0), spin)).corners[0]
+    state = State((0.0, -y), tilt, (0.0, -spin * x), spin)
+    still = State((0.0, 0.0), 0.0, (0.0, 0.0), 0.0)
+    paths = (
+        Uniform(start=0.0, end=1.0, state=still, acceleration=(0.0, 0.0, 0.0)),
+        Uniform(start=0.0, end=1.0, state=state, acceleration=(0.0, pull, 0.0)),
+    )
+    a, b = place(floor, still), place(box, state)
+    touching = manifold(a, b, resolution(a, b, 0.0), 0.0)
+    assert len(touching) == 1
+    met = Pair(floor, box, *paths).separation_time(0.0, 1e-8, pull - spin**2 * y, touching)
+    assert met == pytest.approx(tilt / -spin, rel=1e-3)
 
 
 @pytest.mark.parametrize("seed", range(20))

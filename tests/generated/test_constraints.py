@@ -26,7 +26,7 @@ from tests.support import Value, follows, values
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_revolute_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:147."""
+    """srs/models/joints.md:154."""
     follows(CONSTRAINTS["revolute"], given)
 
 
@@ -48,7 +48,7 @@ def test_revolute_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_distance_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:161."""
+    """srs/models/joints.md:168."""
     follows(CONSTRAINTS["distance"], given)
 
 
@@ -70,7 +70,7 @@ def test_distance_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_weld_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:178."""
+    """srs/models/joints.md:185."""
     follows(CONSTRAINTS["weld"], given)
 
 
@@ -93,7 +93,7 @@ def test_weld_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_prismatic_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:191."""
+    """srs/models/joints.md:198."""
     follows(CONSTRAINTS["prismatic"], given)
 
 
@@ -115,7 +115,7 @@ def test_prismatic_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_groove_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:208."""
+    """srs/models/joints.md:215."""
     follows(CONSTRAINTS["groove"], given)
 
 
@@ -136,7 +136,7 @@ def test_groove_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_gear_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:224."""
+    """srs/models/joints.md:231."""
     follows(CONSTRAINTS["gear"], given)
 
 
@@ -161,7 +161,7 @@ def test_gear_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_pulley_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:242."""
+    """srs/models/joints.md:249."""
     follows(CONSTRAINTS["pulley"], given)
 
 
@@ -181,7 +181,7 @@ def test_pulley_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_angle_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:274."""
+    """srs/models/joints.md:281."""
     follows(CONSTRAINTS["angle"], given)
 
 
@@ -204,5 +204,5 @@ def test_angle_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_travel_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:284."""
+    """srs/models/joints.md:291."""
     follows(CONSTRAINTS["travel"], given)

@@ -74,6 +74,28 @@ def test_reactions_and_places_are_those_of_the_general_way(name: str) -> None:
         assert found[1] == pytest.approx(shares, rel=1e-8, abs=1e-8 * np.abs(shares).max(initial=0))
 
 
+def lying(count: int, above: float, rate: float) -> Given:
+    """A row of four-bars whose cranks turn clockwise, rad/s, by an angle above the ground."""
+    c, s = math.sin(above), math.cos(above)
+    turned, still = above - math.pi / 2, 0.0
+    cranks = [(k + 0.5 * s, 0.5 * c, turned) for k in range(count + 1)]
+    couplers = [(k + 0.5 + s, c, still) for k in range(count)]
+    of_crank, of_coupler = (0.5 * c * rate, -0.5 * s * rate, -rate), (c * rate, -s * rate, still)
+    q, speeds = cranks + couplers, [of_crank] * (count + 1) + [of_coupler] * count
+    return 0.0, np.array(q), np.array(speeds), np.full((len(q), 3), (0.0, -9.81, 0.0))
+
+
+@pytest.mark.parametrize(("rate", "fades"), [(5.0, True), (2.0, False), (0.0, False)])
+def test_reactions_fade_where_motion_passes_what_joints_depend_on(rate: float, fades: bool) -> None:
+    """What loads could hold there is left to the general factors (GD19)."""
+    one = next(pairs(four_bars(7)))[0]
+    assert one.code is not None
+    assert one.code.react(*lying(7, 0.3, 1.0)) is not None
+    found = one.code.react(*lying(7, 1e-4, rate))
+    assert (found is not None) == fades
+    assert found is None or found[1] is None
+
+
 @pytest.mark.parametrize("sense", [-1, 0, 1])
 def test_springs_and_motors_push_or_keep_their_speed(sense: int) -> None:
     turned = t2.Revolute(spring=t2.JointSpring(stiffness=40.0, damping=3.0, rest=0.5))

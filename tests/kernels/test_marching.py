@@ -189,3 +189,17 @@ def test_short_pushes_have_the_same_bits_and_cost_in_all_ways(
         at_price(-np.inf)
         assert outcome(pushes(seed), method, None) == plain
         assert not isinstance(plain, str)
+
+
+@pytest.mark.parametrize(("method", "step"), METHODS[-2:], ids=str)
+def test_a_first_step_as_long_as_its_trial_costs_the_same_in_all_ways(
+    method: Method,
+    step: float | None,
+    at_price: Callable[[float], None],
+    generally: Callable[..., Outcome],
+) -> None:
+    at_price(np.inf)
+    scene = t2.Scene(gravity=(0.0, 0.0))  # so slow that the trial goes to the end, as the step does
+    scene.add_body(None, mass=1.0, position=(2.0, 0.0), velocity=(0.0078125, 0.0), linear_drag=0.0)
+    scene.add_body(None, mass=1.0, position=(4.0, 0.0), force=("0[N/m]*x(position)", 0.0))
+    assert outcome(scene, method, step) == generally(scene, method, step)

@@ -8,6 +8,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import tamias2d as t2
 from tamias2d.contact import steps_because
@@ -101,6 +102,23 @@ def test_a02_two_four_bars_pass_the_place_where_they_could_part() -> None:
     assert np.abs(run.orientation[-1, 3:]).max() < 1e-9
     fallen = 2 * 3.5 * G * (1 - math.cos(turns[0])) / 3
     assert spins[0] ** 2 == pytest.approx(1 + fallen, rel=1e-9)
+
+
+def test_a02_ten_four_bars_pass_their_flat_places_in_few_steps() -> None:
+    """An abrupt end of reactions takes tens of thousands of evaluations for each (GD19)."""
+    run = final(four_bars(10), 1.5, t2.Dop853(rtol=1e-12))
+    weight, inertia = 5.5 + 10, 11 / 3 + 10  # of the closed form, for angles from upright
+    path = solve_ivp(
+        lambda _, y: (y[1], weight / inertia * G * math.sin(y[0])),
+        (0.0, 1.5),
+        (0.0, 1.0),
+        method="DOP853",
+        rtol=3e-14,
+        atol=1e-15,
+    )
+    assert -run.orientation[-1, :11] == pytest.approx(np.full(11, path.y[0, -1]), abs=1e-9)
+    assert run.cost is not None
+    assert run.cost.force_evaluations < 10_000
 
 
 def test_a_chain_swings_with_the_roots_of_laguerre() -> None:

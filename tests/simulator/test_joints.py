@@ -131,6 +131,20 @@ def test_reactions_of_a_hanging_chain_are_the_weights_below() -> None:
     assert told.index(sim.joints[2]) == 2
 
 
+def test_where_there_are_no_joints_there_are_no_reactions() -> None:
+    """They were asked of an engine that knows of no joints, after the last was removed, too."""
+    scene = Scene(gravity=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, position=(0.0, 0.0))
+    sim = plain(scene)
+    assert sim.reactions.force.shape == (0, 3, 2)
+    name = sim.add_joint(Revolute(), (0.0, 0.0), 0)
+    sim.step()
+    assert sim.reactions.names == (name,)
+    sim.remove_joint(name)
+    sim.step()
+    assert sim.reactions.names == ()
+
+
 def test_weld_of_a_cantilever_tells_its_moment() -> None:
     scene = Scene(gravity=(0.0, -G))
     scene.add_body(None, mass=2.0, inertia=1.0, position=(1.5, 0.0))

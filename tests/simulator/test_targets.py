@@ -179,6 +179,18 @@ def test_what_is_no_target_is_refused_by_name() -> None:
         sim.set_target("mouse", (math.nan, 0.0))
     with pytest.raises(InputError, match=r"rest 1 m: it pulls to the point itself"):
         sim.add_joint(Target(spring=JointSpring(stiffness=1.0, rest=1.0)), (0.0, 0.0), wheel)
+    unsprung: Any = None
+    with pytest.raises(InputError, match=r"spring of joint 'pull': found None.*Give JointSpring"):
+        sim.add_joint(Target(spring=unsprung), (0.0, 0.0), wheel, name="pull")
+
+
+def test_a_target_too_far_away_for_float64_is_refused() -> None:
+    """It exerted nothing at 1e300 m, as its force was no number."""
+    sim = dragged(Target(spring=SOFT))
+    with pytest.raises(InputError, match=r"point \(1e\+300, 0.0\) .*: must be within 1.2e"):
+        sim.set_target("mouse", (1e300, 0.0))
+    sim.step()
+    assert sim.position[0] == pytest.approx((0.5, 3.0), abs=1e-12)
 
 
 def test_a_body_that_may_not_turn() -> None:

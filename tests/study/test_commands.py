@@ -1,6 +1,7 @@
 """The command `tradeoff`, and `tools.measure`."""
 
 import json
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -32,6 +33,8 @@ def test_tradeoff_prints_every_point_and_marks_the_front(told: Study) -> None:
     assert len(rows) >= len(told.points)
     assert any("Yoshida4" in line and "grow by the factor" in line for line in lines)
     assert "within 1e-06" in result.stdout
+    refused = [line for line in lines if line.startswith("Pymunk") and ": " in line]
+    assert len(refused) == len({line.partition(": ")[2] for line in refused})
 
 
 def test_tradeoff_answers_machines_by_its_schema(told: Study, tmp_path: Path) -> None:
@@ -58,7 +61,55 @@ def test_tradeoff_keeps_what_was_computed(monkeypatch: pytest.MonkeyPatch) -> No
     result = CliRunner().invoke(cli.app, ["tradeoff", "tc3"])
     assert result.exit_code == cli.INTERRUPTED
     assert "ExplicitEuler" in result.stdout
-    assert "the first 2 points" in result.stderr
+    assert "the 2 points so far" in result.stderr
+
+
+_STOPPED = """
+import signal, sys
+from tamias2d import cli
+from tamias2d.commands import tradeoff
+from tamias2d.study import work_precision
+
+def told(what):
+    def call(*words, **more):
+        print("begun", file=sys.stderr, flush=True)
+        return what(*words, **more)
+    return call
+
+if sys.argv[1] == "early":
+    tradeoff.stepped_because = told(tradeoff.stepped_because)
+else:
+    work_precision.point_of = told(work_precision.point_of)
+signal.signal(signal.SIGINT, signal.default_int_handler)  # what runs in the background ignores it
+cli.app(["tradeoff", *sys.argv[2:]])
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C cannot be sent to one process there")
+@pytest.mark.parametrize(
+    ("when", "scene", "says"),
+    [
+        ("early", "gear-train", "Interrupted before the first point: nothing was measured yet."),
+        ("late", "kepler", "Interrupted: the 3 points so far are shown."),
+    ],
+)
+def test_one_press_of_ctrl_c_ends_it(when: str, scene: str, says: str) -> None:
+    """Else they would take minutes. No time decides: what does not end is killed."""
+    with subprocess.Popen(
+        [sys.executable, "-c", _STOPPED, when, scene],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as asked:
+        assert asked.stderr is not None
+        for _ in range(1 if when == "early" else 4):
+            assert asked.stderr.readline() == "begun\n"
+        asked.send_signal(signal.SIGINT)
+        out, err = asked.communicate(timeout=300)
+    assert asked.returncode == cli.INTERRUPTED
+    assert err.splitlines()[-1] == says
+    assert "Traceback" not in err
+    assert ("ExplicitEuler" in out) == (when == "late")
 
 
 @pytest.mark.parametrize(

@@ -68,8 +68,23 @@ def test_shorter_steps_are_nearer_for_every_engine(studied: ContactStudy) -> Non
         assert errors[max(errors)] < errors[min(errors)], method
 
 
+def timed(studied: ContactStudy) -> ContactStudy:
+    """Each pass takes 0.1 ms."""
+    points = []
+    for point in studied.points:
+        seconds = 1e-4 * point.sweeps
+        taken = module.Seconds(seconds, seconds, 1) if point.error else None
+        points.append(replace(point, seconds=taken))
+    return replace(studied, points=tuple(points))
+
+
+def test_what_was_not_timed_is_on_no_front_of_seconds(studied: ContactStudy) -> None:
+    assert studied.fastest == studied.soundest == []
+    assert timed(studied).fastest == studied.leanest
+
+
 def test_fronts_are_of_this_library_and_fall(studied: ContactStudy) -> None:
-    for places in (studied.leanest, studied.soundest):
+    for places in (studied.leanest, timed(studied).soundest):
         assert places
         assert not any(studied.points[k].peer for k in places)
     errors = [studied.points[k].error for k in studied.leanest]
@@ -110,12 +125,33 @@ def test_a_report_keeps_its_schema(studied: ContactStudy) -> None:
 
 
 def test_a_study_is_drawn(studied: ContactStudy, tmp_path: Path) -> None:
-    points = [replace(p, seconds=module.Seconds(0.1, 0.1, 1)) for p in studied.points]
     path = tmp_path / "study.svg"
-    plot(replace(studied, points=tuple(points)), path, tolerance=1e-2)
+    plot(timed(studied), path, tolerance=1e-2)
     text = path.read_text()
+    assert "<!-- cost: seconds" in text
     for words in ("Stepped x 4", "Pymunk x 10", "pyb2d3 x 16", "brick, 0.4 s"):
         assert f"<!-- {words}" in text
+
+
+def test_a_study_that_was_stopped_before_its_timing_is_drawn(
+    studied: ContactStudy, tmp_path: Path
+) -> None:
+    """By how often contacts are gone through; there may be failures only, too."""
+    path = tmp_path / "study.svg"
+    plot(replace(studied, complete=False), path, tolerance=1e-2)
+    assert "<!-- cost: passes through the contacts" in path.read_text()
+    plot(replace(studied, points=studied.points[:1]), path, tolerance=1e-2)
+    assert "<!-- brick, 0.4 s" in path.read_text()
+
+
+def test_a_study_without_any_error_is_drawn(studied: ContactStudy, tmp_path: Path) -> None:
+    """As of bodies that nothing pushes into each other: an axis of powers of ten has no zero."""
+    none = ContactErrors(
+        position=0.0, centre=0.0, event_time=None, missed=None, extra=None, overlap=0.0,
+        energy=None, momentum=None, hang=0.0, rest=None,
+    )  # fmt: skip
+    points = tuple(replace(p, error=none, worst=none) for p in timed(studied).points)
+    plot(replace(studied, points=points, floor=0.0), tmp_path / "study.svg", tolerance=None)
 
 
 def test_the_command_prints_tables(studied: ContactStudy, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,6 +1,9 @@
 """Pymunk as one more way: it runs the scene that was asked, and errs as is known of it."""
 
+import signal
 import sys
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 import pytest
@@ -8,6 +11,7 @@ import pytest
 from tamias2d.scene import Box, Capsule, Disc, HalfPlane, Scene, Segment, catalogue
 from tamias2d.simulate import simulate as exact
 from tamias2d.study.box2d_run import simulate as box2d
+from tamias2d.study.engines.chipmunk import Chipmunk
 from tamias2d.study.invariants import energy_drift
 from tamias2d.study.peers import simulate
 from tamias2d.study.pymunk_world import PeerError
@@ -51,6 +55,50 @@ def test_it_comes_nearer_to_the_exact_answer(scene: str) -> None:
         for n in (400, 800)
     ]
     assert errors[0] / errors[1] == pytest.approx(2, rel=0.1)
+
+
+@pytest.fixture
+def heard() -> Iterator[None]:
+    """A process that was started in the background ignores Ctrl-C; here it is heard."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("heard")
+def test_ctrl_c_is_not_lost_in_what_pymunk_calls(capfd: pytest.CaptureFixture[str]) -> None:
+    """It would be where C calls Python: cffi prints what is raised there, and goes on."""
+    calls = 0
+
+    def push(body: Any) -> tuple[float, float, float]:  # noqa: ARG001
+        nonlocal calls
+        calls += 1
+        if calls == 3:
+            signal.raise_signal(signal.SIGINT)
+        return 0.0, 0.0, 0.0
+
+    with pytest.raises(KeyboardInterrupt):
+        simulate(catalogue.load("tc3"), duration=1.0, steps=100, times=[1.0], push=push)
+    assert calls == 3
+    assert capfd.readouterr().err == ""
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+@pytest.mark.usefixtures("heard")
+def test_ctrl_c_is_not_lost_in_a_contact_that_is_heard(capfd: pytest.CaptureFixture[str]) -> None:
+    class Stopping(Chipmunk):
+        def _begun(self, arbiter: Any, space: Any, data: Any) -> None:
+            super()._begun(arbiter, space, data)
+            signal.raise_signal(signal.SIGINT)
+
+    scene = Scene(gravity=(0.0, -9.81), name="fall")
+    scene.add_body(Disc(radius=0.5), mass=1.0, position=(0.0, 0.6), restitution=0.0)
+    scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0))
+    engine = Stopping(scene, 0.01, listens=True)
+    with pytest.raises(KeyboardInterrupt):
+        engine.step(1000)
+    assert engine.met
+    assert capfd.readouterr().err == ""
 
 
 def test_a_box_comes_to_lie_on_a_thick_floor() -> None:

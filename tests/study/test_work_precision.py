@@ -16,13 +16,13 @@ from tamias2d.errors import InputError
 from tamias2d.motion import RungeKutta4
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
-from tamias2d.study import candidates, plot as drawn, work_precision
+from tamias2d.study import candidates, plot as drawn, stepped_plan, truth, work_precision
 from tamias2d.study.candidates import Candidate
 from tamias2d.study.event_errors import Errors
 from tamias2d.study.plot import plot
 from tamias2d.study.refusal import ToleranceError
 from tamias2d.study.report import as_json, schema
-from tamias2d.study.truth import truth_of
+from tamias2d.study.truth import affordable_phases, truth_of
 from tamias2d.study.work_precision import Point, Study, study
 
 
@@ -199,17 +199,51 @@ def test_a_method_that_is_not_finite_has_an_error_without_limit(spring: Scene) -
 
 
 def test_a_long_study_is_refused_before_it_starts(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tamias2d.study.truth._LONGEST", 1e-6)
+    """By the first part of it that takes too long; that its code is loaded counts for nothing."""
+    real, asked = truth.solve, []
+
+    def counted(scene: Scene, **inputs: Any) -> Any:
+        asked.append(inputs["duration"])
+        return real(scene, **inputs)
+
+    monkeypatch.setattr(truth, "solve", counted)
+    monkeypatch.setattr(truth, "_LONGEST", 1e-6)
     scene = catalogue.load("kepler")
     with pytest.raises(ToleranceError, match=r"End the run at .* s, or ask") as refused:
         study(scene, duration=10.0)
     assert refused.value.until is not None
     assert 0.0 < refused.value.until < 10.0
+    assert asked == [10.0 / 64] * 2
+
+
+def test_where_nothing_can_meet_nothing_is_simulated_to_know_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(stepped_plan, "solve", lambda *_, **__: pytest.fail("simulated"))
+    assert stepped_plan.stepped_because(catalogue.load("kepler"), 10.0) is None
+    net = stepped_plan.stepped_because(catalogue.load("joint-grid"), 10.0)
+    assert net == "joints hold 893 moving bodies, more than 400"
 
 
 def test_a_setting_that_would_take_long_is_not_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tamias2d.study.work_precision._DEAREST", 1e-9)
+    monkeypatch.setattr("tamias2d.study.schedule.LONGEST", 1e-9)
     found = study(catalogue.load("kepler"), duration=1.0, timed=False)
     of_one = points_of(found, "RungeKutta4")
     assert of_one[0].failure is None
     assert all("not run: it would take" in (point.failure or "") for point in of_one[1:])
+
+
+def test_a_study_without_a_point_is_none(spring: Scene) -> None:
+    def stop(of: int, done: int, what: str) -> None:  # noqa: ARG001
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        study(spring, duration=0.5, told=stop, timed=False)
+
+
+def test_phases_are_as_many_as_there_is_time_for(
+    bounce: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert affordable_phases(bounce, 1.5, 2) == 2
+    monkeypatch.setattr("tamias2d.study.truth.LONGEST", 1e-9)
+    assert affordable_phases(bounce, 1.5, 32) == 1

@@ -6,7 +6,7 @@ become Markdown.
 
 import ast
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import accumulate
 
 from tamias2d import _HOME_OF
@@ -40,9 +40,16 @@ def public_name(name: str, every: Iterable[Module]) -> Iterator[str]:
     yield code("python", signature(node))
     yield described(node) + "\n"
     if isinstance(node, ast.ClassDef):
-        bases = [known.get(ast.unparse(base)) for base in node.bases]
-        classes = [node, *(base for base in bases if isinstance(base, ast.ClassDef))]
+        classes = _with_bases(node, known)
         yield bullets(dict.fromkeys(line for each in classes for line in _members(each)))
+
+
+def _with_bases(node: ast.ClassDef, known: Mapping[str, Named]) -> Iterator[ast.ClassDef]:
+    yield node
+    for base in node.bases:
+        found = known.get(ast.unparse(base))
+        if isinstance(found, ast.ClassDef):
+            yield from _with_bases(found, known)
 
 
 def _declared(tree: ast.Module) -> Iterator[Named]:

@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
@@ -66,18 +67,23 @@ def show_tradeoff(
         draw(found, plot, tolerance=tolerance)
         print(f"Plot: {plot}", file=sys.stderr)
     if not found.complete:
-        print(f"Interrupted: the first {len(found.points)} points are shown.", file=sys.stderr)
+        print(f"Interrupted: the {len(found.points)} points so far are shown.", file=sys.stderr)
     return found.complete
 
 
 def _studied(scene: Scene, time: float, phases: int) -> Study | ContactStudy:
     """Return the study that suits a scene: of located impacts, or of stepped contacts."""
-    with _progress() as told:
-        if reason := stepped_because(scene, time):
-            return contact_study(
-                scene, duration=time, reason=reason, phases_asked=phases, told=told
-            )
-        return study(scene, duration=time, phases_asked=phases, told=told)
+    try:
+        with _progress() as told:
+            if reason := stepped_because(scene, time):
+                return contact_study(
+                    scene, duration=time, reason=reason, phases_asked=phases, told=told
+                )
+            return study(scene, duration=time, phases_asked=phases, told=told)
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(
+            "Interrupted before the first point: nothing was measured yet."
+        ) from None
 
 
 def _as_json(found: Study | ContactStudy, tolerance: float | None) -> dict[str, Any]:
@@ -112,9 +118,7 @@ def _print(found: Study, name: str, tolerance: float | None) -> None:
         heads.append(f"within {tolerance:g}")
     say()
     print_table(heads, (_row(found, k, tolerance) for k in range(len(found.points))))
-    for point in found.points:
-        if point.failure:
-            say(f"\n{point.method} {point.setting} failed: {point.failure}")
+    _print_failures(found)
     say(
         "\nfront: nothing is both cheaper and better, by seconds (s) and by force evaluations (f). "
         "Seconds are the shortest of some runs, and differ each time. Forces that vary are "
@@ -122,11 +126,20 @@ def _print(found: Study, name: str, tolerance: float | None) -> None:
     )
 
 
+def _print_failures(found: Study) -> None:
+    """Print why there is no error, once where that is the same for settings in a row."""
+    failed = (point for point in found.points if point.failure)
+    for (method, why), points in groupby(failed, key=lambda point: (point.method, point.failure)):
+        first, *more = (point.setting for point in points)
+        settings = f"{first} to {more[-1]}" if more else first
+        say(f"\n{f'{method} {settings}'.strip()}: {why}")
+
+
 def _row(found: Study, k: int, tolerance: float | None) -> list[str]:
     point = found.points[k]
     front = ("s" if k in found.fastest else "") + ("f" if k in found.leanest else "")
     if point.error is None:
-        return ["", point.method, point.setting, "failed"]
+        return ["", point.method, point.setting, "none"]
     error = point.error
     cells = [front, point.method, point.setting, _known(error.size, found.floor)]
     if found.impacts:

@@ -4,8 +4,13 @@ Serves: `solve`, which makes a run of the paths and impulses. Hides: how an impa
 (conservative advancement along separating axes), and in which order one instant is resolved.
 """
 
-from tamias2d.contact.event_driven_scenes import has_thin_pair, is_event_driven, is_known
-from tamias2d.contact.located import MOST_RULED, RULED, Located
+from tamias2d.contact.event_driven_scenes import (
+    has_thin_pair,
+    is_event_driven,
+    is_known,
+    thin_bodies,
+)
+from tamias2d.contact.located import Located
 from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
     FrictionError,
@@ -17,6 +22,7 @@ from tamias2d.contact.refusal import (
     UndecidedContactError,
     UnlocatedContactError,
 )
+from tamias2d.contact.ruled_instants import MOST_RULED, RULED
 from tamias2d.contact.stepping_choice import MANY, MEANT_TO_TOUCH, steps_because
 
 __all__ = [
@@ -38,4 +44,5 @@ __all__ = [
     "is_known",
     "refuse_contact",
     "steps_because",
+    "thin_bodies",
 ]

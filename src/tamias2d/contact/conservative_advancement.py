@@ -6,7 +6,7 @@ largest such step over the axes is taken, again and again (IM12).
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from tamias2d.contact.core import Core, Placed, place, rounded
 from tamias2d.contact.gap import Axis, Gap, axes, from_side, gaps, resolution
@@ -68,11 +68,17 @@ class Pair:
         Raises:
             UndecidedContactError: float64 cannot tell it in a bounded number of steps.
         """
+        return self._first(self._safe_step, start, end)
+
+    def _first(
+        self, safe_step: Callable[[float, float], float | None], start: float, end: float
+    ) -> float | None:
+        """Return the first time in s from `start` to `end` from which there is no safe step."""
         time, tiny_steps, tiny = start, 0, _TINY_STEP * max(abs(end), end - start)
         for _ in range(_MAX_STEPS):
             if not time < end:
                 return None
-            step = self._safe_step(time, end)
+            step = safe_step(time, end)
             if step is None or time + step == time:
                 return time
             tiny_steps += self._touching or step < tiny
@@ -88,11 +94,15 @@ class Pair:
             time=time,
         )
 
-    def separation_time(self, start: float, step: float, acceleration: float) -> float:
+    def separation_time(
+        self, start: float, step: float, acceleration: float, touching: Sequence[Contact]
+    ) -> float:
         """Return a time in s soon after `start` at which a parting pair is apart and opens.
 
-        `step` is the first guess of how long that takes; it is doubled until float64 can tell. The
-        `acceleration`, m/s^2, takes back what contacts that settle leave of an approach.
+        It is earlier where another corner comes into contact than those of the contacts that are
+        `touching`. `step` is the first guess of how long that takes; it is doubled until float64
+        can tell. The `acceleration`, m/s^2, takes back what contacts that settle leave of an
+        approach.
 
         Raises:
             UndecidedContactError: they come to overlap instead, by more than they did before.
@@ -100,21 +110,43 @@ class Pair:
         end = min(path.end for path in self._paths)
         now, _ = self._nearest(start)
         left = min(now.value, 0.0) - min(now.rate, 0.0) ** 2 / acceleration  # twice how far it goes
-        while (time := start + step) < end:
+        before = start
+        while True:
+            time = min(start + step, end)
+            met = self._others_meet(touching, before, time)
+            if met is not None or time == end:
+                return end if met is None else met
             nearest, tolerance = self._nearest(time)
             if nearest.value > tolerance and nearest.rate > 0:
                 return time
             if nearest.value < left - 4 * tolerance:
                 raise self._undecided(start)
-            step *= 2
-        return end
+            before, step = time, 2 * step
+
+    def _others_meet(self, touching: Sequence[Contact], start: float, end: float) -> float | None:
+        """Return the first time in s at which another corner meets the side that one touches.
+
+        The sides of both bodies are flat on each other then, so that one of them tells it.
+        """
+        if len(touching) > 1 or touching[0].axis.side is None:  # there is no other
+            return None
+
+        def safe_step(time: float, end: float) -> float | None:
+            a, b = self.placed(time)
+            axis, near = self._other_corners(touching, a, b)
+            if axis[:2] == touching[0].axis[:2]:
+                near = _distinct(near, touching[0], a, b, time)
+            return self._step_to(near, axis, a, b, time, end)
+
+        self._touching = False
+        return self._first(safe_step, start, end)
 
     def _nearest(self, time: float) -> tuple[Gap, float]:
         """Return the least gap of corners that no contact holds, and what is none of it, m."""
         a, b = self.placed(time)
         tolerance = resolution(a, b, time)
         if self._lasting:
-            _, near = self._other_corners(a, b)
+            _, near = self._other_corners(self._lasting, a, b)
         else:
             near = gaps(a, b, max(self._axes(a, b, tolerance) or axes(a, b), key=_gap_of))
         return min(near, key=lambda gap: gap.value), tolerance
@@ -159,15 +191,30 @@ class Pair:
             return math.inf
         if len(self._lasting) > 1:  # sides that lie flat on each other do not turn
             return math.inf
-        axis, near = self._other_corners(a, b)
+        axis, near = self._other_corners(self._lasting, a, b)
         same = axis[:2] == self._lasting[0].axis[:2]
         if same:
+            near = _distinct(near, self._lasting[0], a, b, time)
             near = [self._gap_from_lasting(gap, axis, a, b) for gap in near]
-            one = resolution(a, b, time)  # corners that near to each other are one
-            near = [gap for gap in near if gap.reach[1] > one]
+        return self._step_to(near, axis, a, b, time, end, relative=same)
+
+    def _step_to(
+        self,
+        near: list[Gap],
+        axis: Axis,
+        a: Placed,
+        b: Placed,
+        time: float,
+        end: float,
+        *,
+        relative: bool = False,
+    ) -> float | None:
+        """Return the safe step for some corners along an axis; infinity if there are none."""
         if any(gap.value <= 0 and gap.rate <= 0 for gap in near):
             return None
-        return self._step_along(axis, near, a, b, time, end, relative=same) if near else math.inf
+        return (
+            self._step_along(axis, near, a, b, time, end, relative=relative) if near else math.inf
+        )
 
     def _gap_from_lasting(self, gap: Gap, axis: Axis, a: Placed, b: Placed) -> Gap:
         """Return the gap to a corner relative to the lasting contact: only turning changes it."""
@@ -180,18 +227,18 @@ class Pair:
         rate = normal_velocity(centre, still, centre, centre, spin, (x, y), axis.direction)
         return gap._replace(value=ux * x + uy * y, rate=rate, reach=(0.0, math.hypot(x, y)))
 
-    def _other_corners(self, a: Placed, b: Placed) -> tuple[Axis, list[Gap]]:
-        """Return the axis of a lasting contact, and the gaps along it to all other corners."""
-        owner = self._lasting[0].axis
+    def _other_corners(
+        self, contacts: Sequence[Contact], a: Placed, b: Placed
+    ) -> tuple[Axis, list[Gap]]:
+        """Return the axis of contacts, and the gaps along it to all corners but theirs."""
+        owner = contacts[0].axis
         found = axes(a, b)
         same = [each for each in found if each[:2] == owner[:2]]
         axis = (
             same[0] if same else max(from_side(a, b, found, self.separating_direction), key=_gap_of)
         )
-        corners = {
-            contact.gap.which[1] for contact in self._lasting if contact.axis[:2] == axis[:2]
-        }
-        corners |= {c.found[1] for c in self._lasting if c.found[0] == axis.swapped}
+        corners = {contact.gap.which[1] for contact in contacts if contact.axis[:2] == axis[:2]}
+        corners |= {c.found[1] for c in contacts if c.found[0] == axis.swapped}
         return axis, [gap for gap in gaps(a, b, axis) if gap.which[1] not in corners]
 
     def _bounding_circle_step(
@@ -340,6 +387,16 @@ def _step_beside(a: Placed, b: Placed, tolerance: float, longest: float) -> floa
     turning = sum(abs(x.state.angular_velocity) * x.core.bounding_radius for x in (a, b))
     speed = math.hypot(bu - au, bv - av) + turning
     return min(_BESIDE * size / speed, longest) if speed > 0 else longest
+
+
+def _distinct(
+    near: Sequence[Gap], contact: Contact, a: Placed, b: Placed, time: float
+) -> list[Gap]:
+    """Return the gaps of those corners that float64 can tell from the one of a contact."""
+    q = a if contact.axis.swapped else b
+    x, y = q.corners[contact.gap.which[1]]
+    one = resolution(a, b, time)
+    return [gap for gap in near if math.hypot(gap.corner[0] - x, gap.corner[1] - y) > one]
 
 
 def _gap_of(axis: Axis) -> float:

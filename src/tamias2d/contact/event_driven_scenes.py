@@ -27,7 +27,12 @@ def has_thin_pair(scene: Scene) -> bool:
 
     Compiled code does not remember from which side two bodies have met.
     """
-    return sum(_is_thin(Core(0, body)) for body in scene.bodies) > 1
+    return len(thin_bodies(scene)) > 1
+
+
+def thin_bodies(scene: Scene) -> list[int]:
+    """Return the bodies that are much less wide in some direction than they reach."""
+    return [k for k, body in enumerate(scene.bodies) if _is_thin(Core(k, body))]
 
 
 def _is_thin(core: Core) -> bool:

@@ -47,14 +47,18 @@ def manifold(
 ) -> list[Contact]:
     """Return the contacts of a pair that touches within a tolerance in m; none if corners part.
 
-    The `lasting` contacts stay in it, whatever rounding does to their gaps.
+    The `lasting` contacts stay in it, whatever rounding does to their gaps, and a side that one of
+    them touches keeps it where corner comes upon corner.
     `separating_direction` is the direction from A to B in which they were last apart.
     """
     found = axes(a, b)
     found = normals(a, b, found) or found
     found = from_side(a, b, found, lasting[0].normal if lasting else separating_direction)
     axis = max(found, key=lambda each: each.gap)
-    if directions := _equal_directions(found, axis, tolerance):
+    directions = _equal_directions(found, axis, tolerance)
+    if directions and (own := _own_axis(found, axis.gap - tolerance, lasting)):
+        axis = own
+    elif directions:
         noise = LASTING_NOISE if lasting else 64 * EPSILON
         contact = _corner_on_corner(a, b, axis, directions, time, noise)
         return [] if contact is None else [contact]
@@ -293,6 +297,12 @@ def _equal_directions(found: list[Axis], best: Axis, tolerance: float) -> list[V
     if all(abs(ux * v - uy * u) <= 1e-9 for _, _, (u, v), _ in equal):
         return []
     return [(-u, -v) if swapped else (u, v) for swapped, _, (u, v), _ in equal]
+
+
+def _own_axis(found: Sequence[Axis], least: float, lasting: Sequence[Contact]) -> Axis | None:
+    """Return the axis of the side that a lasting contact is on, if its gap is not less."""
+    sides = [contact.axis[:2] for contact in lasting if contact.axis.side is not None]
+    return next((axis for axis in found if axis[:2] in sides and axis.gap >= least), None)
 
 
 def _corner_on_corner(

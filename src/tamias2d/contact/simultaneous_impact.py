@@ -19,7 +19,7 @@ from tamias2d.state import Array, State, Vector
 _PARALLEL = 1e-12
 """Of the largest one: below it, a coupling is one of contacts that do the same."""
 _NEGLIGIBLE = 1e-14
-"""Of the largest one: a bound that friction can hardly reach."""
+"""Of the terms of a sum, or of the largest one: what rounding leaves of nothing."""
 
 
 class Meeting(NamedTuple):
@@ -116,6 +116,7 @@ def _with_friction(
     inverse = _inverse(matrix[:count, :count][np.ix_(pressed, pressed)], size[:count][pressed])
     across = np.zeros((count, len(rough)))  # what a unit along the tangents takes off the normals
     across[pressed] = inverse @ matrix[:count, count:][pressed]
+    across[np.abs(across) <= _PARALLEL] = 0.0  # what takes off nothing, but by rounding
     compression = -inverse @ rates[:count][pressed]
     slip = rates[count:] + matrix[count:, :count][:, pressed] @ compression
     effect = _inverse(matrix[count:, count:] - matrix[count:, :count] @ across, size[count:])
@@ -130,8 +131,8 @@ def _with_friction(
     limits, most_of = np.array(rows), np.array(most)
     coupled = limits @ effect @ limits.T
     slack = most_of + limits @ effect @ slip
-    far = np.sqrt(np.diag(coupled))
-    far[far <= _NEGLIGIBLE * far.max(initial=0.0)] = np.inf  # a bound that is not reached
+    reach, terms = np.diag(coupled), np.diag(np.abs(limits) @ np.abs(effect) @ np.abs(limits).T)
+    far = np.sqrt(np.where(reach > _NEGLIGIBLE * terms, reach, np.inf))  # or it is not reached
     found = lemke(coupled / np.outer(far, far), slack / far)
     if found is None:  # it does not happen to what is convex but by rounding: no friction
         return pushes, np.zeros(len(rough))
@@ -148,5 +149,6 @@ def _inverse(matrix: Array, size: Array) -> Array:
     scale = np.outer(size, size)
     shares = matrix / scale
     shares[np.abs(shares) <= _PARALLEL] = 0.0  # what is held has none but by rounding
-    found: Array = np.linalg.pinv(shares, rcond=_PARALLEL, hermitian=True) / scale
-    return found
+    found = np.asarray(np.linalg.pinv(shares, rcond=_PARALLEL, hermitian=True), float)
+    found[np.abs(found) <= _NEGLIGIBLE * np.abs(found).max(initial=0.0)] = 0.0
+    return found / scale

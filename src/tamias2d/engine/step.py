@@ -23,11 +23,9 @@ from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_
 from tamias2d.engine.continuous.prediction import foresee
 from tamias2d.engine.early import add_early
 from tamias2d.engine.joined import mark_joined
-from tamias2d.engine.joints.stages import (
-    clear_of_joints,
-    keep_joint_impulses,
-    note_places,
-)
+from tamias2d.engine.joints.activity import clear_of_joints
+from tamias2d.engine.joints.placement import note_places
+from tamias2d.engine.joints.step_impulses import keep_joint_impulses
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
 from tamias2d.engine.overshoot import overshoots

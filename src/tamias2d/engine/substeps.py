@@ -11,11 +11,10 @@ from tamias2d.engine.joints.stages import (
     begin_joints,
     end_joints,
     fit_touched,
-    look_at_touched,
-    past_untouched,
     relax_joints,
     solve_joints,
 )
+from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
 from tamias2d.engine.solver.angular_momentum import add_moments, add_moments_before, begin_moments
 from tamias2d.engine.solver.blocks import clear_lanes, fill_lanes
 from tamias2d.engine.solver.energy import makes_energy, sum_step_energy

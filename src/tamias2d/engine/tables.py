@@ -1025,20 +1025,21 @@ T_APART_Y = _tree_lanes()
 T_LAW_PULL = _tree_lanes()  # N m s, of the spring
 
 _links = Columns(2)  # of a hinge in a net
+# what each substep reads and writes stands first, line by line of the cache
 L_ARM_A = _links()  # m
 L_ARM_B = _links()  # m
-L_MASS = _links(3)  # kg, the inverse of its yield
 L_GAP = _links()  # m, by which it is apart as a substep begins
-L_ERROR = _links()  # m/s, rate that it has too much
+L_GIVEN = _links()  # N s, since rows were written
 L_IMPULSE = _links()  # N s
 L_WARM = _links()  # N s, in the last substep
-L_GIVEN = _links()  # N s, since rows were written
+L_ERROR = _links()  # m/s, rate that it has too much
+L_RATE = _links()  # m/s, by which links that come later change it
 L_PULL = _links()  # N s, over this part, before rows were written
-L_APART = _links()  # m, by how much it was apart at most in this part
 L_TURN_A = _links(1)  # N m s, over this part, before rows were written
 L_TURN_B = _links(1)  # N m s
-L_SLIGHT = _links(1)  # m, by how much it may be apart without being looked at
-L_RATE = _links()  # m/s, by which links that come later change it
+L_APART = _links()  # m, by how much it was apart at most in this part
+L_SLIGHT = _links(1)  # m, by how much any may be apart without being looked at; in the first
+L_MASS = _links(3)  # kg, the inverse of its yield
 L_YIELD = _links(3)  # 1/kg, by x along x, by y along x, by y along y
 L_MADE = _links()  # N s, what a sweep makes of the direction
 L_LEFT = _links()  # N s, what a sweep makes of the error that is left

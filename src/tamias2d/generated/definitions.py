@@ -460,7 +460,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:499.
+    Source: DD22, srs/definitions.md:500.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -477,7 +477,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:512.
+    Source: DD23, srs/definitions.md:513.
     """
     return sqrt(friction_a * friction_b)
 
@@ -495,7 +495,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:530.
+    Source: DD15, srs/definitions.md:531.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -514,7 +514,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:544.
+    Source: DD16, srs/definitions.md:545.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -533,7 +533,7 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:561.
+    Source: DD60, srs/definitions.md:562.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
 
@@ -551,7 +551,7 @@ def joint_spring_force(
         damping: Force of a spring's damper for each unit of the extension's rate, kg/s
         stretch_rate: Rate of a joint's stretch, m/s
 
-    Source: DD64, srs/models/joints.md:346.
+    Source: DD64, srs/models/joints.md:353.
     """
     return (-stiffness) * stretch - damping * stretch_rate
 
@@ -565,7 +565,7 @@ def joint_spring_energy(stiffness: Scalar, stretch: Scalar) -> Scalar:
         stiffness: Force of a spring for each unit of extension, N/m
         stretch: How far a joint is beyond the place at which its spring is at rest, m
 
-    Source: DD64, srs/models/joints.md:347.
+    Source: DD64, srs/models/joints.md:354.
     """
     return stiffness * stretch * stretch / 2
 
@@ -583,7 +583,7 @@ def joint_spring_torque(
         rotary_damping: Torque of a joint's damper for each unit of the twist's rate, N*m*s/rad
         twist_rate: Rate of a joint's twist, rad/s
 
-    Source: DD65, srs/models/joints.md:361.
+    Source: DD65, srs/models/joints.md:368.
     """
     return (-rotary_stiffness) * twist - rotary_damping * twist_rate
 
@@ -597,6 +597,6 @@ def rotary_spring_energy(rotary_stiffness: Scalar, twist: Scalar) -> Scalar:
         rotary_stiffness: Torque of a joint's spring for each unit of its twist, N*m/rad
         twist: How far a joint is turned beyond the angle at which its spring is at rest, rad
 
-    Source: DD65, srs/models/joints.md:362.
+    Source: DD65, srs/models/joints.md:369.
     """
     return rotary_stiffness * twist * twist / 2

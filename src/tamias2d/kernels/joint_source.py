@@ -15,7 +15,7 @@ from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.kernels import elimination, row_products
 from tamias2d.kernels.copied import copied
 from tamias2d.kernels.march_source import joined
-from tamias2d.motion.mechanism import MOST, ROUNDING
+from tamias2d.motion.mechanism import APART, MOST, ROUNDING
 from tamias2d.spec.constraint import ENDS
 from tamias2d.spec.constraint_functions import ConstraintFunctions, Formula
 
@@ -26,12 +26,26 @@ _PLACE = ("position", "orientation")
 _SPEED = ("velocity", "angular_velocity")
 _PATTERN = ("row_starts", "row_entries", "row_columns")
 _FACTORS = ("below", "below_rows", "targets")
+_FACTORED = (
+    *("fading", "doubtful", "entries", *_PATTERN, "inverse", "reach", "order", "pairs"),
+    *("diagonal", "lower", *_FACTORS, "own", "shared"),
+)
+_ANSWERED = (
+    *("wanted", "multipliers", "entries", *_PATTERN, "inverse"),
+    *("diagonal", "lower", "below", "below_rows", "order", "total", "change"),
+)
 TABLES = (
-    *("still", "fixed", "sizes", "inverse", "weights", "speeds", "placed"),
+    *("still", "fixed", "sizes", "inverse", "reach", "weights", "speeds", "placed"),
     *(*_PATTERN, "pairs", "order", *_FACTORS),
     *("entries", "wanted", "total", "change", "diagonal", "lower", "own", "shared"),
 )
 """What every kernel takes after its state, before the tables of its kinds."""
+DOUBTED, KEPT, FADED = range(3)
+"""What rows are: in doubt; independent; some fade, as combinations of them are short (GD19)."""
+_FADES = 8
+"""Rounds in which fading rows are answered; others take all of theirs in one, but for rounding."""
+_UNANSWERED = 1e-3
+"""Of the accelerations: more than that, left by fading rows, is no passage of a singular place."""
 
 
 @dataclass(frozen=True)
@@ -67,85 +81,130 @@ def tables_of(demand: JointDemand) -> list[str]:
 
 
 _REACT = '''def react(time, position, velocity, rate, multipliers, {tables}):
-    """Add what joints give to the accelerations; return whether their rows are independent."""
+    """Add what joints give to the accelerations; return what the rows are."""
 {pushes}
     slopes(time, position, entries, still, {kinds})
-    multiply(entries, {pattern}, inverse, order, pairs, diagonal, lower)
-    if not independent(sizes[2], diagonal, lower, {factors}, own, shared):
-        return False
+    rows = factors(sizes[2], sizes[3], {factoring})
+    if rows == {doubted}:
+        return {doubted}
     convective(time, position, velocity, wanted, still, {kinds})
     along(entries, {pattern}, rate, total)
+    size = 0.0
+    if rows == {faded}:
+        by_loads, by_motion = largest(own, order, total), largest(own, order, wanted)
+        if by_motion < by_loads:  # it may stay there
+            return {doubted}
+        size = by_loads + by_motion
     for i in range(len(wanted)):
         wanted[i] = -(total[i] + wanted[i])
-        multipliers[i] = wanted[i]
-    solve(diagonal, lower, below, below_rows, order, multipliers)
-    across(entries, {pattern}, multipliers, change)
-    for j in range(len(change)):
-        change[j] = inverse[j] * change[j]
-    along(entries, {pattern}, change, total)
-    for i in range(len(wanted)):
-        total[i] = wanted[i] - total[i]
-    solve(diagonal, lower, below, below_rows, order, total)
-    for i in range(len(wanted)):
-        multipliers[i] = multipliers[i] + total[i]
+    answer({fades} if rows == {faded} else 2, {answered})
+    if rows == {faded} and missed({missing}) > {unanswered} * size:
+        return {doubted}
     across(entries, {pattern}, multipliers, change)
     check = 0.0
     for j in range(len(rate)):
         rate[j] = rate[j] + inverse[j] * change[j]
         check += rate[j] * 0.0
-    return check == 0.0'''
+    return rows if check == 0.0 else {doubted}'''
 
-_FIT = '''def fit(time, position, velocity, {tables}):
-    """Move places and velocities to where joints hold; return whether that could be done."""
+_FIT = '''def fit(time, position, velocity, multipliers, {tables}):
+    """Move places and velocities to where joints hold; return what the rows are."""
     before = 1e300
-    near = sizes[1] * length_of(position, fixed, sizes[0], {rounding})
+    length = length_of(position, fixed, sizes[0], {rounding})
+    near = sizes[1] * length
+    rows = {doubted}
     for _ in range({most}):
         slopes(time, position, entries, still, {kinds})
-        multiply(entries, {pattern}, inverse, order, pairs, diagonal, lower)
-        if not independent(sizes[2], diagonal, lower, {factors}, own, shared):
-            return False
-        values(time, position, total, still, {kinds})
-        for i in range(len(total)):
-            total[i] = placed[i] * total[i]
-        solve(diagonal, lower, below, below_rows, order, total)
-        across(entries, {pattern}, total, change)
+        rows = factors(sizes[4], sizes[5], {factoring})
+        if rows == {doubted}:
+            return {doubted}
+        values(time, position, wanted, still, {kinds})
+        for i in range(len(wanted)):
+            wanted[i] = placed[i] * wanted[i]
+        answer({fades} if rows == {faded} else 1, {answered})
+        far = missed({missing}) if rows == {faded} else 0.0
+        across(entries, {pattern}, multipliers, change)
         way, check = 0.0, 0.0
         for j in range(len(position)):
             position[j] = position[j] - inverse[j] * change[j]
             way = max(way, abs(weights[j] * change[j]))
             check += position[j] * 0.0
-        if not check == 0.0 or way > 2 * before:
-            return False
+        if not check == 0.0 or way > 2 * before or far > {apart} * length:
+            return {doubted}
         before = way
         if way <= near:
             break
     if not before <= near:
-        return False
-    rates(time, position, velocity, total, still, {kinds})
-    for i in range(len(total)):
-        total[i] = total[i] - speeds[i]
-    solve(diagonal, lower, below, below_rows, order, total)
-    across(entries, {pattern}, total, change)
+        return {doubted}
+    rates(time, position, velocity, wanted, still, {kinds})
+    for i in range(len(wanted)):
+        wanted[i] = wanted[i] - speeds[i]
+    answer({fades} if rows == {faded} else 1, {answered})
+    across(entries, {pattern}, multipliers, change)
     check = 0.0
     for j in range(len(velocity)):
         velocity[j] = velocity[j] - inverse[j] * change[j]
         check += velocity[j] * 0.0
-    return check == 0.0'''
+    return rows if check == 0.0 else {doubted}'''
 
-_INDEPENDENT = '''def independent(doubtful, diagonal, lower, {factors}, own, shared):
-    """Factorise; return whether no combination of rows is much shorter than they are."""
+_FACTORS_OF = '''def factors({factored}):
+    """Factorise; return {kept} where no combination of rows is much shorter than they are.
+
+    Where some may be, return {faded} and the factors that let them fade (GD19), with the squares of
+    the lengths of rows as `own`; {doubted} where these are too near to rounding.
+    """
+    squares(entries, {pattern}, inverse, order, diagonal)
+    multiply(entries, row_entries, row_columns, inverse, pairs, lower)
     for k in range(len(diagonal)):
         own[k] = diagonal[k]
-    if not factorised(diagonal, lower, {factors}):
-        return False
-    return inverse_size(diagonal, lower, {factors}, own, shared) < doubtful'''
+    if factorised(diagonal, lower, {factors}):
+        if inverse_size(diagonal, lower, {factors}, own, shared) < doubtful:
+            return {kept}
+    squares(entries, {pattern}, inverse, order, diagonal)
+    multiply(entries, row_entries, row_columns, inverse, pairs, lower)
+    squares(entries, {pattern}, reach, order, own)
+    for k in range(len(diagonal)):
+        diagonal[k] = diagonal[k] + fading * own[k]
+    if fading > 0 and factorised(diagonal, lower, {factors}):
+        return {faded}
+    return {doubted}'''
 
+_ANSWER = '''def answer(rounds, {answered}):
+    """Set the multipliers that give what is wanted; each round takes up what is left."""
+    for i in range(len(wanted)):
+        multipliers[i] = 0.0
+        total[i] = wanted[i]
+    for n in range(rounds):
+        if n > 0:
+            leave({answered})
+        solve(diagonal, lower, below, below_rows, order, total)
+        for i in range(len(wanted)):
+            multipliers[i] = multipliers[i] + total[i]'''
+
+_LEAVE = '''def leave({answered}):
+    """Set what the multipliers leave of what is wanted."""
+    across(entries, {pattern}, multipliers, change)
+    for j in range(len(change)):
+        change[j] = inverse[j] * change[j]
+    along(entries, {pattern}, change, total)
+    for i in range(len(wanted)):
+        total[i] = wanted[i] - total[i]'''
+
+_MISSED = '''def missed({missing}):
+    """Return the length of what multipliers leave, of rows of length one."""
+    leave({answered})
+    square = 0.0
+    for k in range(len(order)):
+        square = square + total[order[k]] * total[order[k]] / own[k]
+    return sqrt(square)'''
 
 _ENTRY = '''def joints(fitting, time, position, velocity, rate, multipliers, {tables}):
-    """Move a state to where joints hold, or add what they give; return whether that was done."""
+    """Move a state to where joints hold, or add what they give; return what the rows are."""
     if fitting:
-        return fit(time, position, velocity, {tables})
+        return fit(time, position, velocity, multipliers, {tables})
     return react(time, position, velocity, rate, multipliers, {tables})'''
+
+_TEMPLATES = (_FACTORS_OF, _LEAVE, _ANSWER, _MISSED, _REACT, _FIT, _ENTRY)
 
 
 @cache
@@ -162,9 +221,19 @@ def joints(demand: JointDemand) -> tuple[str, str]:
         "pushes": "\n".join(f"    {line}" for line in _pushes(demand)),
         "rounding": ROUNDING,
         "most": MOST,
+        "factored": ", ".join(_FACTORED),
+        "factoring": ", ".join(_FACTORED[2:]),
+        "answered": ", ".join(_ANSWERED),
+        "missing": ", ".join((*_ANSWERED, "own")),
+        "doubted": DOUBTED,
+        "kept": KEPT,
+        "faded": FADED,
+        "fades": _FADES,
+        "unanswered": _UNANSWERED,
+        "apart": APART,
     }
     loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate", "convective")]
-    parts = [template.format(**names) for template in (_INDEPENDENT, _REACT, _FIT, _ENTRY)]
+    parts = [template.format(**names) for template in _TEMPLATES]
     helpers = [*loops, *parts[:-1]]
     copies = _copies("\n".join(helpers))
     used = "\n".join([*copies, *helpers])
@@ -179,7 +248,8 @@ def _copies(body: str) -> list[str]:
         definitions.joint_spring_force,
         definitions.joint_spring_torque,
         *(elimination.factorised, elimination.inverse_size, elimination.solve),
-        *(row_products.along, row_products.across, row_products.multiply, row_products.length_of),
+        *(row_products.along, row_products.across, row_products.squares, row_products.multiply),
+        *(row_products.largest, row_products.length_of),
         *(row_products.place_of, row_products.rates_of, row_products.push_along),
         *(formula.function for each in CONSTRAINTS.values() for formula in _formulas(each)),
     ]

@@ -16,7 +16,16 @@ from numpy.typing import NDArray
 from tamias2d.kernels import joint_source
 from tamias2d.kernels.choice import kernel
 from tamias2d.kernels.elimination import Elimination, elimination
-from tamias2d.kernels.joint_source import ENTRIES, JointDemand, kind_of, shapes_of, tables_of
+from tamias2d.kernels.joint_source import (
+    DOUBTED,
+    ENTRIES,
+    FADED,
+    KEPT,
+    JointDemand,
+    kind_of,
+    shapes_of,
+    tables_of,
+)
 from tamias2d.motion.constraint_rows import Block, ConstraintRows
 from tamias2d.motion.joint_code import JointRows
 from tamias2d.motion.least import DEPENDENT, DOUBTFUL
@@ -25,6 +34,10 @@ from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
 
 _WORK = 2**20  # products of an elimination; more are done faster by those who know blocks
+_FEW = 24  # rows, with which the general factors pass better than reactions that fade
+_SPREAD = 16  # of masses at the reach of joints: what fades is at least 1e-13 of the largest
+_SHORT, _SHORT_RETURN = 2e-4, 6e-5  # as far as reactions, and the return, fade (GD19)
+_FULL = 6  # times what fades: so long combinations have all of their reactions but 1e-12
 _LIKELY = 1000  # reactions are asked for by those who cannot say how often they will
 Tables = dict[str, NDArray[Any]]
 
@@ -44,12 +57,18 @@ def joint_code(joints: JointRows) -> "KernelJoints | None":
 
 
 class KernelJoints:
-    """The reactions of one mechanism by kernels (`JointCode`)."""
+    """The reactions of one mechanism by kernels (`JointCode`).
+
+    Only rows that are independent where it begins fade elsewhere.
+    """
 
     def __init__(self, demand: JointDemand, tables: Tables, numbers: NDArray[np.int64]) -> None:
         self._demand = demand
         self._tables = [tables[name] for name in tables_of(demand)]
         self._numbers = numbers
+        self._sizes = tables["sizes"]
+        self._doubtful = float(tables["doubtful"][0])
+        self._begun = False
 
     @cached_property
     def _lists(self) -> list[list[Any]]:
@@ -58,33 +77,42 @@ class KernelJoints:
 
     def react(
         self, time: float, position: Array, velocity: Array, free: Array
-    ) -> tuple[Array, Array] | None:
+    ) -> tuple[Array, Array | None] | None:
         """Return the accelerations (n, 3) for those by the loads, and the multipliers (m,)."""
-        found = self._run(False, time, position, velocity, free)
-        if found is None:
+        rows, found = self._run(False, time, position, velocity, free)
+        if rows == DOUBTED:
             return None
         multipliers = np.empty(len(self._numbers))
         multipliers[self._numbers] = found[3]
-        return _rows(found[2]), multipliers
+        return _rows(found[2]), multipliers if rows == KEPT else None
 
     def fit(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array] | None:
         """Return places and velocities (n, 3), moved to where the joints hold (GD18)."""
-        found = self._run(True, time, position, velocity, velocity)
-        return None if found is None else (_rows(found[0]), _rows(found[1]))
+        rows, found = self._run(True, time, position, velocity, velocity)
+        return None if rows == DOUBTED else (_rows(found[0]), _rows(found[1]))
 
-    def _run(self, fitting: bool, time: float, *states: Array) -> list[Array] | None:
-        """Return states and multipliers after a kernel; None where it could not do it."""
+    def _run(self, fitting: bool, time: float, *states: Array) -> tuple[int, list[Array]]:
+        """Return what the rows are, and states and multipliers after a kernel."""
+        rows, found = self._tried(fitting, time, *states)
+        if rows == FADED and not self._begun:
+            self._sizes[2:] = (0.0, self._doubtful, 0.0, self._doubtful)
+            self.__dict__.pop("_lists", None)
+            rows, found = self._tried(fitting, time, *states)
+        self._begun = True
+        return rows, found
+
+    def _tried(self, fitting: bool, time: float, *states: Array) -> tuple[int, list[Array]]:
         code = kernel(*joint_source.joints(self._demand), "joints")
-        compiled: Callable[..., bool] | None = code.compiled(_LIKELY)
+        compiled: Callable[..., int] | None = code.compiled(_LIKELY)
         rows = [state.T.flatten() for state in states] + [np.zeros(len(self._numbers))]
         if compiled is not None:
-            return rows if compiled(fitting, time, *rows, *self._tables) else None
+            return compiled(fitting, time, *rows, *self._tables), rows
         lists = [row.tolist() for row in rows]
         try:
-            good = code.plain(fitting, time, *lists, *self._lists)
+            found: int = code.plain(fitting, time, *lists, *self._lists)
         except (ArithmeticError, ValueError):  # where compiled code goes on with what is not finite
-            return None
-        return [np.array(row) for row in lists] if good else None
+            return DOUBTED, []
+        return found, [np.array(row) for row in lists]
 
 
 def _rows(flat: Array) -> Array:
@@ -114,6 +142,7 @@ def _tables(joints: JointRows, demand: JointDemand, numbers: NDArray[np.int64]) 
         return None
     still = [*rows.fixed, *(joints.pushes.rows.fixed if joints.pushes else ())]
     weights = joints.weights.T.ravel()
+    doubtful = _doubtful(joints, columns)
     tables: Tables = {
         "still": np.array(still).ravel(),
         "fixed": joints.fixed.ravel(),
@@ -121,11 +150,13 @@ def _tables(joints: JointRows, demand: JointDemand, numbers: NDArray[np.int64]) 
             [
                 joints.length,
                 NEAR / joints.weights[:, :2].max(initial=0.0),
-                _doubtful(joints, columns),
+                *(_fading(joints) or 2 * [0.0, doubtful]),
             ]
         ),
+        "doubtful": np.array([doubtful]),
         "weights": weights,
         "inverse": weights * weights,
+        "reach": joints.reach.T.ravel() ** 2,
         "speeds": joints.speeds[numbers],
         "placed": joints.placed[numbers],
         **_pattern(holds, found),
@@ -147,17 +178,38 @@ def _tables(joints: JointRows, demand: JointDemand, numbers: NDArray[np.int64]) 
     return tables
 
 
+def _fading(joints: JointRows) -> list[float]:
+    """Return what lets short combinations of rows fade, and the trace of the inverse from which on.
+
+    For reactions, then for the return (GD19). Nothing fades where masses and reaches differ so much
+    that it would be lost in rounding, nor of few rows.
+    """
+    least, most = _ratios(joints)
+    if most > _SPREAD * least or len(joints.speeds) < _FEW:
+        return []
+    return [
+        number
+        for short in (_SHORT, _SHORT_RETURN)
+        for number in ((short * least) ** 2, 1 / (_FULL * short) ** 2)
+    ]
+
+
 def _doubtful(joints: JointRows, columns: Sequence[set[int]]) -> float:
     """Return the trace of the inverse from which on some rows may depend on others (GD19).
 
     What a combination of rows measures by mass and what it measures by the reach of joints are
     apart by a factor at most, and no combination is longer than all rows that share a body.
     """
-    ratio = (joints.weights / joints.reach)[joints.weights > 0]
-    spread = float(ratio.max(initial=1e-300) / ratio.min(initial=np.inf))
+    least, most = _ratios(joints)
     together = Counter(column for own in columns for column in own)
     longest = max((sum(together[c] for c in own) for own in columns), default=1)
-    return max(DOUBTFUL**2, 1 / (DEPENDENT * spread) ** 2 / longest)
+    return max(DOUBTFUL**2, (least / most / DEPENDENT) ** 2 / longest)
+
+
+def _ratios(joints: JointRows) -> tuple[float, float]:
+    """Return the least and the largest of what masses make of the reaches of joints."""
+    ratio = (joints.weights / joints.reach)[joints.weights > 0]
+    return float(ratio.min(initial=np.inf)), float(ratio.max(initial=1e-300))
 
 
 def _held(rows: ConstraintRows, kinds: Iterable[str]) -> Iterator[list[tuple[int, int]]]:

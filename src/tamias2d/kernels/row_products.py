@@ -5,6 +5,8 @@ row, its slopes by x, y and orientation of bodies A, B and C. Those of bodies th
 `row_entries`, by the coordinates `row_columns`, from `row_starts` of each row on.
 """
 
+from math import sqrt
+
 from tamias2d.kernels.arrays import Floats, Ranks
 
 
@@ -42,28 +44,37 @@ def across(
             total[j] = total[j] + entries[row_entries[p]] * share
 
 
-def multiply(
+def squares(
     entries: Floats,
     row_starts: Ranks,
     row_entries: Ranks,
     row_columns: Ranks,
-    inverse: Floats,
+    weights: Floats,
     order: Ranks,
-    pairs: Ranks,
     diagonal: Floats,
+) -> None:
+    """Set the products of rows with themselves, each column weighed, in their order."""
+    for k in range(len(order)):
+        i = order[k]
+        value = 0.0
+        for p in range(row_starts[i], row_starts[i + 1]):
+            slope = entries[row_entries[p]]
+            value = value + slope * slope * weights[row_columns[p]]
+        diagonal[k] = value
+
+
+def multiply(
+    entries: Floats,
+    row_entries: Ranks,
+    row_columns: Ranks,
+    inverse: Floats,
+    pairs: Ranks,
     lower: Floats,
 ) -> None:
     """Set the products of rows with each other, over mass and inertia.
 
     `pairs` holds three numbers for each of them: the place in `lower`, then those in `row_entries`.
     """
-    for k in range(len(order)):
-        i = order[k]
-        value = 0.0
-        for p in range(row_starts[i], row_starts[i + 1]):
-            slope = entries[row_entries[p]]
-            value = value + slope * slope * inverse[row_columns[p]]
-        diagonal[k] = value
     for p in range(len(lower)):
         lower[p] = 0.0
     for q in range(len(pairs) // 3):
@@ -71,6 +82,14 @@ def multiply(
         weight = inverse[row_columns[a]]
         product = entries[row_entries[a]] * entries[row_entries[b]] * weight
         lower[pairs[3 * q]] = lower[pairs[3 * q]] + product
+
+
+def largest(own: Floats, order: Ranks, found: Floats) -> float:
+    """Return the largest number of rows of length one; `own` has squares of lengths, in order."""
+    most = 0.0
+    for k in range(len(order)):
+        most = max(most, found[order[k]] * found[order[k]] / own[k])
+    return sqrt(most)
 
 
 def place_of(body: int, position: Floats, still: Floats) -> tuple[float, float, float]:

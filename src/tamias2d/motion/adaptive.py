@@ -212,6 +212,7 @@ class Adaptive:
         if field.bodies not in self._memory:
             first = self._first(field, start, limit, position, velocity)
             self._memory[field.bodies] = Memory(first)
+            field.settle(start, position, velocity)  # code that steps at once knows no trial
         return self._memory[field.bodies]
 
     def _trial(

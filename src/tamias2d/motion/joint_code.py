@@ -41,14 +41,16 @@ class JointRows:
 
 
 class JointCode(Protocol):
-    """The reactions of a mechanism whose rows do not depend on each other.
+    """The reactions of a mechanism.
 
-    None are returned where they may, and where a number is not finite.
+    Where rows depend on each other their reactions fade (GD19), and no multipliers are returned.
+    Nothing is returned where joints contradict each other, and where a number is not finite or too
+    near to rounding.
     """
 
     def react(
         self, time: float, position: Array, velocity: Array, free: Array
-    ) -> tuple[Array, Array] | None:
+    ) -> tuple[Array, Array | None] | None:
         """Return the accelerations (n, 3) for those by the loads, and the multipliers (m,)."""
 
     def fit(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array] | None:

@@ -25,7 +25,7 @@ _LARGEST = 2**22  # numbers in all rows: one solution of so many takes seconds
 MOST = 20  # returns; each squares what is left, so that more than a few do not get there
 NEAR = 1e-7  # of the mechanism's size: after a shorter way back what is left is rounding
 ROUNDING = 1e-8  # of how far off the origin: a smaller mechanism is as good as a point there
-_APART = 1e-6  # of the mechanism's size: joints that depend on others may not be further apart
+APART = 1e-6  # of the mechanism's size: joints that depend on others may not be further apart
 _CONTRADICTION = 0.01  # of the accelerations: so much is no remnant of a joint near its instant
 
 
@@ -130,7 +130,8 @@ class Mechanism:
 
     def multipliers(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
         """Return the multipliers (m,), likewise."""
-        if self.code and (found := self.code.react(time, position, velocity, free)):
+        found = self.code and self.code.react(time, position, velocity, free)
+        if found and found[1] is not None:
             return found[1]
         pulled = self._pull(time, position, velocity, free)
         x, least = self._reactions(time, position, velocity, pulled)
@@ -201,7 +202,7 @@ class Mechanism:
             position = position - self._weights * x.reshape(position.shape)
             way = float(np.abs(x).max(initial=0.0))
             if way <= NEAR * size:
-                if least.missed(values) > _APART * self.length(position):
+                if least.missed(values) > APART * self.length(position):
                     raise self._contradiction(time, least)
                 return position, least
             if way > 2 * before:

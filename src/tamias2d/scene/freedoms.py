@@ -126,15 +126,14 @@ def ratchet(of: str, *, pitch: object, restitution: object) -> tuple[Freedom, ..
 
 def target(of: str, *, spring: object) -> tuple[Freedom, Freedom]:
     """Return both travels of a point that springs alike pull to another one, checked."""
-    (along,) = freedom("travel", of, spring=spring)
-    assert along.spring
-    if along.spring.rest:
+    pull = _checked(spring, JointSpring, spring_symbols("travel"), f"spring of {of}", "spring")
+    if pull.rest:
         raise RuleError(
-            f"spring of {of}: rest {along.spring.rest:g} m: it pulls to the point itself (DD64). "
+            f"spring of {of}: rest {pull.rest:g} m: it pulls to the point itself (DD64). "
             "Leave rest out, and move the point.",
             *("spring", "rest"),
         )
-    along = replace(along, spring=replace(along.spring, rest=0.0))
+    along = Freedom(measure="travel", spring=replace(pull, rest=0.0))
     return along, replace(along, across=True)
 
 

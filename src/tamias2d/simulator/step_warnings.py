@@ -4,11 +4,13 @@ Serves: the simulator, which tells each once. Each text comes with the name unde
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TypeAlias
 
 from tamias2d.engine.engine import Engine
-from tamias2d.simulator.joint_set import APART, JointSet
+from tamias2d.scene.joints import Joint
+from tamias2d.simulator.joint_faults import apart, gained, too_stiff, turned
+from tamias2d.simulator.joint_layout import APART, JointLayout
 
 Told: TypeAlias = tuple[str, str]
 """A name under which a warning is kept, and its text."""
@@ -48,11 +50,9 @@ def too_long_for_contacts(
         yield "masses", text
 
 
-def too_long_for_joints(
-    joints: JointSet, engine: Engine, time: float, time_step: float
-) -> Iterator[Told]:
+def too_long_for_joints(layout: JointLayout, time: float, time_step: float) -> Iterator[Told]:
     """Yield joints that were apart before a time, s (R13), turned far, or made energy (IM15)."""
-    if (found := joints.apart(engine)) is not None:
+    if (found := apart(layout)) is not None:
         joint, much, moved = found
         remedy = (
             "It follows what was moved by hand within some steps: move that in smaller ones, or "
@@ -66,14 +66,14 @@ def too_long_for_joints(
             f"its size (R13). {remedy}"
         )
         yield f"joint {joint.name}{' by hand' * moved}", text
-    if (whirled := joints.turned(engine)) is not None:
+    if (whirled := turned(layout)) is not None:
         text = (
             f"joint '{whirled.name}' ({whirled.kind}), before {time:.6g} s: what it holds turned "
             f"by more than half a radian in a substep of a step of {time_step:.6g} s, which costs "
             "energy (IM15). Give a shorter step or more substeps."
         )
         yield f"turn of {whirled.name}", text
-    if (driven := joints.gained(engine)) is not None:
+    if (driven := gained(layout)) is not None:
         text = (
             f"joint '{driven.name}' ({driven.kind}), before {time:.6g} s: in steps of "
             f"{time_step:.6g} s what it holds and what touches that got energy, more than "
@@ -82,9 +82,11 @@ def too_long_for_joints(
         yield f"energy of {driven.name}", text
 
 
-def too_stiff_for_steps(joints: JointSet, engine: Engine, time_step: float) -> Iterator[Told]:
+def too_stiff_for_steps(
+    joints: Iterable[Joint], engine: Engine, time_step: float
+) -> Iterator[Told]:
     """Yield a joint with a spring that float64 does not solve (R13)."""
-    if (found := joints.too_stiff(engine, time_step)) is not None:
+    if (found := too_stiff(joints, engine, time_step)) is not None:
         joint, stiffness = found
         text = (
             f"joint '{joint.name}' ({joint.kind}): its spring of stiffness {stiffness:.3g} (N/m or "

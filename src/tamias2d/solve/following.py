@@ -1,17 +1,26 @@
 """A run followed up to its end, with a progress bar, and stopped by Ctrl-C without being lost."""
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import Protocol
 
 from tamias2d.run import Run
 
 
 class Interrupted(KeyboardInterrupt):
-    """The user stopped a run; `run` is its history up to there."""
+    """The user stopped a run; `run` is its history up to there, made when somebody wants it."""
 
-    def __init__(self, run: Run) -> None:
-        super().__init__(f"Run of {run.duration:g} s: interrupted at {run.times[-1]:.6g} s.")
-        self.run = run
+    def __init__(self, reached: Callable[[], Run]) -> None:
+        super().__init__()
+        self._reached = reached
+
+    @cached_property
+    def run(self) -> Run:
+        """The history up to there; it is not made for who only stops."""
+        return self._reached()
+
+    def __str__(self) -> str:
+        return f"Run of {self.run.duration:g} s: interrupted at {self.run.times[-1]:.6g} s."
 
 
 class Solver(Protocol):

@@ -25,7 +25,7 @@ def run_by_legacy(plan: Plan, method: Legacy2018) -> Run:
         times, history = method.history(plan.scene, plan.duration, plan.time_step or plan.duration)
     except KeyboardInterrupt:
         start = plan._replace(times=np.zeros(1))
-        raise Interrupted(run_of(start, start_of(plan), NO_IMPACTS, (), Tally())) from None
+        raise Interrupted(lambda: run_of(start, start_of(plan), NO_IMPACTS, (), Tally())) from None
     if not np.array_equal(times, plan.times):
         raise InputError(
             f"times of the run: found {len(plan.times)} of them beside {method}: it knows its "

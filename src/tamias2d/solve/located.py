@@ -11,6 +11,7 @@ from tamias2d.contact import (
     RangeError,
     has_thin_pair,
     is_event_driven,
+    thin_bodies,
 )
 from tamias2d.errors import SimulationError
 from tamias2d.event_driven import EventDriven
@@ -61,7 +62,7 @@ def run_by_paths(
         refusal.run = _finite(plan, motion, located, follower)
         raise
     except KeyboardInterrupt:
-        raise Interrupted(_finite(plan, motion, located, follower)) from None
+        raise Interrupted(lambda: _finite(plan, motion, located, follower)) from None
     return _reached(plan, motion, located, follower)
 
 
@@ -118,7 +119,23 @@ def _reached(plan: Plan, motion: Motion, located: Located, follower: EventDriven
     found = states(located.tracks[: len(plan.scene)], plan.times)
     history = fitted_history(plan.scene, plan.times, found, events, joint_code)
     impacts = _impacts(located.impacts, owners(in_pieces(plan.scene)))
-    return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally, events)
+    notes = motion.notes + located.notes
+    if follower is not None:
+        notes += _untold_sides(plan.scene)
+    return run_of(plan, history, impacts, notes, motion.tally, events)
+
+
+def _untold_sides(scene: Scene) -> tuple[str, ...]:
+    """Return the note that thin bodies may pass through each other where compiled code follows."""
+    thin = thin_bodies(scene)
+    if len(thin) < 2:
+        return ()
+    first, second = (scene.bodies[k].name for k in thin[:2])
+    return (
+        f"thin bodies: {len(thin)}, {first!r} and {second!r} among them: of more than {MANY} "
+        "moving bodies it is not remembered from which side two of these have met, and one may "
+        "fall through the other. Make them thicker than a fiftieth of their reach.",
+    )
 
 
 def _sampled(plan: Plan, motion: Motion) -> tuple[History, Array]:

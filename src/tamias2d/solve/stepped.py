@@ -35,7 +35,7 @@ def run_by_steps(plan: Plan, method: Stepped, *, progress: bool) -> Run:
         fault.run = _reached(plan, stepper)
         raise
     except KeyboardInterrupt:
-        raise Interrupted(_reached(plan, stepper)) from None
+        raise Interrupted(lambda: _reached(plan, stepper)) from None
     return _reached(plan, stepper)
 
 

@@ -108,13 +108,13 @@ class ContactStudy:
     def _front(
         self, cost: Callable[[ContactPoint], float], size: Callable[[ContactErrors], float]
     ) -> list[int]:
-        own = [k for k, p in enumerate(self.points) if p.error is not None and not p.peer]
-        pairs = [
-            (cost(point), size(point.error))
-            for k in own
-            if (point := self.points[k]).error is not None
-        ]
-        return [own[k] for k in front(pairs)]
+        own = {
+            k: (cost(point), size(point.error))
+            for k, point in enumerate(self.points)
+            if point.error is not None and not point.peer and cost(point) < math.inf
+        }
+        places = list(own)
+        return [places[k] for k in front(list(own.values()))]
 
 
 @dataclass(frozen=True)
@@ -139,10 +139,11 @@ def contact_study(
     """Compare engines and settings on a scene whose contacts are stepped, over a duration in s.
 
     `rates` are those of steps in a second, where a run is long enough for them. Ctrl-C ends it
-    early; what is there by then is returned.
+    early; the points that are there by then are returned, if there are any.
 
     Raises:
         ToleranceError: a run by short steps is refused, so that there is nothing to compare with.
+        KeyboardInterrupt: it was stopped before its first point.
     """
     step = aligned_step(duration, np.array([duration]))
     tried = list(contact_candidates(scene, duration, coarsest=2 * step, most=_DEAREST, rates=rates))
@@ -155,6 +156,8 @@ def contact_study(
         if timed:
             points[1:] = _timed(tried, points[1:], scene, duration, told)
     except KeyboardInterrupt:
+        if len(points) == 1:
+            raise
         complete = False
     first, refined = known.answers[0], known.refined
     within = first.times <= first.horizon

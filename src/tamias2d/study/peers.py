@@ -16,6 +16,7 @@ from tamias2d.motion import Method
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.state import Array, History
+from tamias2d.study.engines.deferred import deferred_interrupts
 from tamias2d.study.pymunk_world import Push, World, version
 
 
@@ -50,10 +51,12 @@ def simulate(
     needed = np.unique(np.concatenate((before, before + 1))).tolist()
     states = {0: world.state()}
     struck = np.zeros(steps, dtype=bool)
-    for k in range(steps):
-        struck[k] = world.step(float(grid[k + 1]), dt)
-        if needed[0] <= k + 1 <= needed[-1]:
-            states[k + 1] = world.state()
+    with deferred_interrupts() as raise_interrupt:
+        for k in range(steps):
+            struck[k] = world.step(float(grid[k + 1]), dt)
+            if needed[0] <= k + 1 <= needed[-1]:
+                states[k + 1] = world.state()
+            raise_interrupt()
     first, second = (np.array([states[k] for k in (before + n).tolist()]) for n in (0, 1))
     history = between_steps(first, second, (wanted - grid[before]) / dt, struck[before])
     energy, momentum, angular_momentum = balance(scene, history)

@@ -15,7 +15,7 @@ import numpy as np
 from tamias2d.record.plot import figure_for
 from tamias2d.storage import write_aside
 from tamias2d.study.contact_errors import ContactErrors
-from tamias2d.study.contact_study import ContactStudy
+from tamias2d.study.contact_study import ContactPoint, ContactStudy
 from tamias2d.study.work_precision import Point, Study
 
 _COLOURS = {
@@ -42,8 +42,11 @@ _PASSES = {
     ("pyb2d3", 4): "#bbbbbb",
     ("pyb2d3", 16): "#777777",
 }
+_ROUNDING = 2.0**-52
 _FEW_POWERS = 30.0  # times its low end is the high end of an axis with few powers of ten
+_PASSED = "passes through the contacts (seconds were not measured)"
 CostOf = Callable[[Point], float | None]
+CostOfContacts = Callable[[ContactPoint], float | None]
 
 
 def plot(study: Study | ContactStudy, path: str | Path, *, tolerance: float | None) -> None:
@@ -77,22 +80,34 @@ def _draw_study(figure: Any, study: Study, tolerance: float | None) -> None:
 
 
 def _draw_contacts(figure: Any, study: ContactStudy, tolerance: float | None) -> None:
-    """Draw seconds against the error of places, and against overlap and energy."""
+    """Draw what runs cost against the error of places, and against overlap and energy.
+
+    That are seconds, or passes through the contacts where the study was stopped before its timing.
+    """
     left, right = figure.subplots(1, 2)
+    timed = any(point.seconds for point in study.points)
+    cost, label = (_median, "seconds, median of runs in turns") if timed else (_sweeps, _PASSED)
     for axes, size, floor, chosen in (
-        (left, _place, study.floor, study.fastest),
+        (left, _place, study.floor, study.fastest if timed else study.leanest),
         (right, _quality, 0.0, study.soundest),
     ):
-        errors = {k: max(size(p.error), floor) for k, p in enumerate(study.points) if p.error}
-        _lines(axes, study, errors)
-        _worst(axes, study, errors, size)
+        errors = {
+            k: max(size(point.error), floor)
+            for k, point in enumerate(study.points)
+            if point.error and cost(point) is not None
+        }
+        errors = {k: error for k, error in errors.items() if 0 < error < math.inf}
+        _lines(axes, study, errors, cost)
+        _worst(axes, study, errors, size, cost)
         front = [k for k in chosen if k in errors]
-        timed = [(errors[k], study.points[k].seconds) for k in front]
-        _front(axes, [e for e, _ in timed], [one.median if one else math.nan for _, one in timed])
-        axes.set(xscale="log", yscale="log", ylabel="cost: seconds, median of runs in turns")
+        _front(axes, [errors[k] for k in front], [cost(study.points[k]) for k in front])
+        axes.set(xscale="log", yscale="log", ylabel=f"cost: {label}")
         axes.grid(visible=True, which="major", alpha=0.25)
-    left.set_xlim(left=study.floor / 2)
-    left.axvspan(study.floor / 2, study.floor, color=_GREY, alpha=0.15, linewidth=0)
+        if not errors:
+            axes.set(xlim=(_ROUNDING, 1.0), ylim=(1.0, 10.0))  # there is nothing to show
+    if study.floor > 0:
+        left.set_xlim(left=study.floor / 2)
+        left.axvspan(study.floor / 2, study.floor, color=_GREY, alpha=0.15, linewidth=0)
     _mark(left, right)
     left.set_xlabel(
         f"places up to the horizon of {study.horizon:.3g} s, against {study.truth},\n"
@@ -107,6 +122,14 @@ def _draw_contacts(figure: Any, study: ContactStudy, tolerance: float | None) ->
     figure.legend(handles, labels, loc="outside right upper", frameon=False, fontsize="small")
 
 
+def _median(point: ContactPoint) -> float | None:
+    return point.seconds.median if point.seconds else None
+
+
+def _sweeps(point: ContactPoint) -> float | None:
+    return float(point.sweeps)
+
+
 def _place(error: ContactErrors) -> float:
     return error.size
 
@@ -115,16 +138,16 @@ def _quality(error: ContactErrors) -> float:
     return error.quality
 
 
-def _lines(axes: Any, study: ContactStudy, errors: dict[int, float]) -> None:
+def _lines(axes: Any, study: ContactStudy, errors: dict[int, float], cost: CostOfContacts) -> None:
     """Draw a line for each engine and number of passes, from long to short steps."""
     lines: dict[tuple[str, int], list[int]] = {}
-    for k, point in enumerate(study.points):
-        if k in errors and point.seconds and 0 < errors[k] < math.inf:
-            lines.setdefault((point.method, point.passes), []).append(k)
+    for k in errors:
+        point = study.points[k]
+        lines.setdefault((point.method, point.passes), []).append(k)
     for (method, passes), places in lines.items():
         axes.plot(
             [errors[k] for k in places],
-            [study.points[k].seconds.median for k in places],  # type: ignore[union-attr]
+            [cost(study.points[k]) for k in places],
             marker=_PEERS.get(method, "o"),
             markersize=4.5,
             linewidth=1.1,
@@ -139,14 +162,15 @@ def _worst(
     study: ContactStudy,
     errors: dict[int, float],
     size: Callable[[ContactErrors], float],
+    cost: CostOfContacts,
 ) -> None:
     """Draw from the median to the worst of the starts."""
     for k, error in errors.items():
         point = study.points[k]
         worst = size(point.worst) if point.worst else math.inf
-        if point.seconds and 0 < error < worst < math.inf:
+        if error < worst < math.inf:
             colour = _PASSES.get((point.method, point.passes), _GREY)
-            height = [point.seconds.median] * 2
+            height = [cost(point)] * 2
             axes.plot([error, worst], height, color=colour, linewidth=2.5, alpha=0.25, zorder=1)
 
 

@@ -10,11 +10,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tamias2d.contact import RULED
+from tamias2d.contact import RULED, steps_because
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Scene
+from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve import FRAMES, solve
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError
@@ -58,6 +59,10 @@ def stepped_because(scene: Scene, duration: float) -> str | None:
 
     They are if nothing is asked for, or where a rule decides what no bound is known of.
     """
+    if reason := steps_because(scene, duration):
+        return reason.partition(". ")[0]
+    if not pairs_that_can_meet(scene, duration):
+        return None
     try:
         run = solve(scene, duration=duration, times=[duration])
     except (SimulationError, SceneError):

@@ -1,5 +1,6 @@
 """The run that others are compared with: the closed form, or else a far tighter run."""
 
+import math
 from dataclasses import dataclass
 from time import thread_time
 
@@ -11,16 +12,19 @@ from tamias2d.scene.exact import closed_forms
 from tamias2d.solve import solve
 from tamias2d.state import Array
 from tamias2d.study.event_errors import errors
-from tamias2d.study.refusal import ToleranceError
+from tamias2d.study.refusal import ToleranceError, sooner
 from tamias2d.study.sampled import Sampled, sampled
+from tamias2d.study.schedule import LONGEST
 
 SAMPLES = 1000
 _TIGHTEST = 1e-13
 _ROUNDING = 2.0**-52
 _LOOSE, _ORDER = 1e-3, 8  # by the order of the method tighter runs take more steps
-_PART = 64
+_PARTS = 1 / 64, 1 / 8, 1.0  # of the duration: what is too long is known before its end
 _LONGEST = 60.0
-"""s of the processor: what runs for the truth may take together"""
+"""s of the processor: what runs for the truth may take together: two of each phase, and two"""
+_USUAL = 20  # times what a closed form takes, other methods do where there are impacts
+_RUNS = 30  # of each phase
 
 
 @dataclass(frozen=True)
@@ -31,25 +35,40 @@ class Truth:
     how: str
 
 
-def refuse_long(scene: Scene, duration: float, runs: int) -> None:
-    """Raise `ToleranceError` where some runs for the truth would take too long.
+def affordable_phases(scene: Scene, duration: float, asked: int) -> int:
+    """Return how many phases of those that are asked for can be studied in about a minute.
 
-    That is estimated from a loose one: its start would not tell, for a whip is slow at first.
+    That is estimated from runs that are quick, of parts and the whole: a whip is slow at first.
+    Raises `ToleranceError` where a truth would take too long even of one.
     """
-    if closed_forms_of_all(scene):
-        return
-    first = duration / _PART
-    solve(scene, duration=first, method=Reference(_LOOSE), times=[first])  # code is loaded
+    exact = closed_forms_of_all(scene)
+    more = 0.0 if exact else (_LOOSE / _TIGHTEST) ** (1 / _ORDER)
+    method = ClosedForm() if exact else Reference(_LOOSE)
+    _seconds(scene, _PARTS[0] * duration, method)  # its code is loaded
+    for part in _PARTS:
+        until = part * duration
+        quick = _seconds(scene, until, method)
+        if (coming := 4 * more * quick) > _LONGEST:
+            raise _too_long(coming / part, duration, until * _LONGEST / coming)
+    usual = _USUAL * quick if exact else quick
+    for_truths = (_LONGEST / (more * quick) - 2) / 2 if more and quick else math.inf
+    for_points = LONGEST / (_RUNS * usual) if usual else math.inf
+    return max(1, int(min(asked, for_truths, for_points)))
+
+
+def _seconds(scene: Scene, duration: float, method: Method) -> float:
+    """Return what a run takes, s of the processor."""
     began = thread_time()
-    solve(scene, duration=duration, method=Reference(_LOOSE), times=[duration])
-    coming = (thread_time() - began) * (_LOOSE / _TIGHTEST) ** (1 / _ORDER) * runs
-    if coming <= _LONGEST:
-        return
-    until = float(f"{duration * _LONGEST / coming:.1e}")
-    raise ToleranceError(
-        f"tradeoff: what others are compared with would take about {coming:.2g} s, and may take "
-        f"{_LONGEST:g} s (R4).",
-        until=until,
+    solve(scene, duration=duration, method=method, times=[duration])
+    return thread_time() - began
+
+
+def _too_long(coming: float, duration: float, until: float) -> ToleranceError:
+    """Return the refusal of what would take so many s, and for which duration, s, it would not."""
+    return ToleranceError(
+        f"tradeoff: what others are compared with would take about {coming:.2g} s for "
+        f"{duration:g} s, and may take {_LONGEST:g} s (R4).",
+        until=sooner(until),
         otherwise="ask for a tolerance or a quality",
     )
 

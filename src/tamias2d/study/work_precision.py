@@ -16,21 +16,19 @@ from tamias2d.cost import Cost
 from tamias2d.errors import TamiasError
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
-from tamias2d.solve import Interrupted
 from tamias2d.study.candidates import Candidate, candidates
 from tamias2d.study.event_errors import NAMES, Errors, errors
 from tamias2d.study.front import front
 from tamias2d.study.phases import LEAST, phases
 from tamias2d.study.sampled import sampled
-from tamias2d.study.truth import Truth, common_times, floor_of, refuse_long, truth_of
+from tamias2d.study.schedule import Schedule
+from tamias2d.study.truth import Truth, affordable_phases, common_times, floor_of, truth_of
 
 _FIRST = 16  # steps
 _RUNGS, _RUNGS_OF_IMPACTS = 9, 7  # each of twice the steps of the one before
 _REPEATS = 5
 _LONG = 0.5  # s: what the timing of a point may take, but for its first run
 _ROUNDING = 1e-12  # relative: where errors get there, a finer setting can only cost more
-_DEAREST = 10.0
-"""s of the processor: what all runs of a point may take, by what one of half the cost took."""
 _LOST = 1.0  # relative: an error beyond it says only that the run is wrong
 
 
@@ -114,29 +112,33 @@ def study(
 ) -> Study:
     """Compare all methods and settings on a scene over a duration in s.
 
-    Ctrl-C ends it early; what is there by then is returned.
+    Fewer phases than are asked for are studied where these would take minutes. Ctrl-C ends it
+    early; the points that are there by then are returned, if there are any.
 
     Raises:
         InputError: the number of phases is not 1 or more.
         SceneError, SimulationError: nothing is known to compare with, and why.
         ToleranceError: to know it would take minutes; it says for how short a run it would not.
+        KeyboardInterrupt: it was stopped before its first point.
     """
     most = phases_asked if pairs_that_can_meet(scene, duration) else 1
-    refuse_long(scene, duration, 2 * most + 2)
+    most = affordable_phases(scene, duration, most)
     first = truth_of(scene, duration)
     impacts = first.history.run.impacts
     floor = floor_of(first)
-    count = phases_asked if len(impacts) else 1
+    count = most if len(impacts) else 1
     start = float(impacts.time[0]) if len(impacts) else 0.0
     scenes = phases(scene, duration, count, first_impact=start)
     truths = [first]
-    points: list[Point] = []
+    points: dict[int, Point] = {}
     complete = True
     try:
         truths += [truth_of(other, duration) for other in scenes[1:]]
-        for point in _points(scenes, truths, floor, told, timed):
-            points.append(point)
-    except (KeyboardInterrupt, Interrupted):
+        for place, point in _points(scenes, truths, floor, told, timed):
+            points[place] = point
+    except KeyboardInterrupt:
+        if not points:
+            raise
         complete = False
     return Study(
         scene=scene.name,
@@ -145,38 +147,34 @@ def study(
         floor=floor,
         phases=len(scenes),
         impacts=len(impacts),
-        points=tuple(points),
+        points=tuple(points[place] for place in sorted(points)),
         complete=complete,
     )
 
 
 def _points(
     scenes: Sequence[Scene], truths: Sequence[Truth], floor: float, told: ProgressHook, timed: bool
-) -> Iterator[Point]:
+) -> Iterator[tuple[int, Point]]:
+    """Yield points, and where they belong: in the order of the candidates."""
     rungs = _RUNGS_OF_IMPACTS if len(truths[0].history.run.impacts) else _RUNGS
     tried = list(candidates(scenes[0], rungs=[_FIRST * 2**k for k in range(rungs)]))
-    exact = set()
-    coming: dict[str, float] = {}  # s that the next point of a method will take
-    for done, candidate in enumerate(tried):
-        if candidate.name in exact:
-            continue
+    schedule = Schedule(tried)
+    for done, (place, refused) in enumerate(schedule):
+        candidate = tried[place]
         told(len(tried), done, f"{candidate.name} {candidate.setting}".strip())
-        if (long := coming.get(candidate.name, 0.0)) > _DEAREST:
-            yield _too_dear(candidate, long)
-            coming[candidate.name] = 2 * long
+        if refused is not None:
+            yield place, replace(_bare(candidate), failure=refused)
             continue
         began = thread_time()
         point = point_of(candidate, scenes, truths, timed=timed)
-        coming[candidate.name] = 2 * (thread_time() - began)
+        schedule.took(place, thread_time() - began, failed=point.failure is not None)
         if point.worst and point.worst.size <= max(10 * floor, _ROUNDING):
-            exact.add(candidate.name)
-        yield point
+            schedule.leave(place)
+        yield place, point
 
 
-def _too_dear(candidate: Candidate, seconds: float) -> Point:
-    """Return the point of a candidate that is not run."""
-    why = f"not run: it would take about {seconds:.2g} s, and a point at most {_DEAREST:g} s"
-    return Point(method=candidate.name, setting=candidate.setting, peer=candidate.peer, failure=why)
+def _bare(candidate: Candidate) -> Point:
+    return Point(method=candidate.name, setting=candidate.setting, peer=candidate.peer)
 
 
 def point_of(
@@ -184,15 +182,13 @@ def point_of(
 ) -> Point:
     """Run one candidate on all phases of a scene, and time it on the first."""
     duration = truths[0].history.run.duration
-    bare = Point(method=candidate.name, setting=candidate.setting, peer=candidate.peer)
+    bare = _bare(candidate)
     try:
         with np.errstate(all="ignore"):  # what leaves float64 is a failure with its reason
             looked = [
                 _look(candidate, scene, truth) for scene, truth in zip(scenes, truths, strict=True)
             ]
             seconds = _timed(candidate, scenes[0], duration) if timed else None
-    except Interrupted:
-        raise KeyboardInterrupt from None
     except (TamiasError, ArithmeticError) as fault:
         return replace(bare, failure=str(fault))
     found = [errors for errors, _ in looked]

@@ -4,22 +4,23 @@ from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.early import note_early_joined
 from tamias2d.engine.islands import join_islands
 from tamias2d.engine.joined import mark_joined, turned_or_joined, unless_joined
-from tamias2d.engine.joints.stages import (
+from tamias2d.engine.joints.activity import (
     activate_joined,
-    begin_joints,
     clear_of_joints,
-    end_joints,
-    fit_touched,
     hold_tied,
     join_slabs,
-    keep_joint_impulses,
-    look_at_touched,
     note_mechanisms,
-    note_places,
-    past_untouched,
+)
+from tamias2d.engine.joints.placement import note_places
+from tamias2d.engine.joints.stages import (
+    begin_joints,
+    end_joints,
+    fit_touched,
     relax_joints,
     solve_joints,
 )
+from tamias2d.engine.joints.step_impulses import keep_joint_impulses
+from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
 from tamias2d.engine.sleep import note_joined_support, wake_tied
 from tamias2d.engine.solver.angular_momentum import add_given_by_joints
 from tamias2d.engine.solver.joined_gains import joints_disagree, note_gains, noted_if_free

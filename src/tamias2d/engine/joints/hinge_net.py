@@ -41,7 +41,8 @@ REMOVED_BY_NET = 0.05  # of a gap, in a substep of a whole step: of one not look
 def begin_net(n: int, bodies: Bodies, joints: Joints) -> None:
     """Begin a part of a step: note how nodes yield, and the impulses of links to start from.
 
-    How far links may be apart is that of the one that may least; 0 if none is looked at.
+    How far links may be apart is that of the one that may least, and stands in the first; 0 if none
+    is looked at.
     """
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         node = joints.net_nodes[m]
@@ -54,8 +55,7 @@ def begin_net(n: int, bodies: Bodies, joints: Joints) -> None:
         link, numbers = joints.links[j], joints.numbers[j]
         link[tb.L_WARM], link[tb.L_WARM + 1] = numbers[tb.J_WARM], numbers[tb.J_WARM + 1]
         least = min(least, numbers[tb.J_SLIGHT])
-    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        joints.links[j, tb.L_SLIGHT] = least if least < inf else 0.0
+    joints.links[joints.mechanisms[n, tb.M_JOINT], tb.L_SLIGHT] = least if least < inf else 0.0
 
 
 def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -86,7 +86,7 @@ def arms_of_link(j: int, joints: Joints) -> tuple[Vector, Vector, Vector]:
 @inlined
 def write_link(j: int, joints: Joints) -> None:
     """Write a link where its bodies are placed, and note by how much it is apart."""
-    link, ends = joints.links[j], joints.joints[j]
+    link = joints.links[j]
     add_given(link)
     arm_a, arm_b, gap = arms_of_link(j, joints)
     arm_a = arm_met(arm_a, gap)
@@ -95,19 +95,6 @@ def write_link(j: int, joints: Joints) -> None:
     link[tb.L_GAP], link[tb.L_GAP + 1] = gap
     link[tb.L_APART] = max(link[tb.L_APART], abs(gap[0]))
     link[tb.L_APART + 1] = max(link[tb.L_APART + 1], abs(gap[1]))
-    a, b = joints.net_nodes[ends[tb.J_MEMBER]], joints.net_nodes[ends[tb.J_MEMBER + 1]]
-    ax = point_yield_x(a[tb.N_INVERSE_MASS], a[tb.N_INVERSE_INERTIA], arm_a)
-    ay = point_yield_y(a[tb.N_INVERSE_MASS], a[tb.N_INVERSE_INERTIA], arm_a)
-    bx = point_yield_x(b[tb.N_INVERSE_MASS], b[tb.N_INVERSE_INERTIA], arm_b)
-    by = point_yield_y(b[tb.N_INVERSE_MASS], b[tb.N_INVERSE_INERTIA], arm_b)
-    yield_x, yield_y = (ax[0] + bx[0], ax[1] + bx[1]), (ay[0] + by[0], ay[1] + by[1])
-    link[tb.L_YIELD], link[tb.L_YIELD + 1], link[tb.L_YIELD + 2] = (
-        yield_x[0],
-        yield_x[1],
-        yield_y[1],
-    )
-    mass_x, mass_y = link_mass_x(yield_x, yield_y), link_mass_y(yield_x, yield_y)
-    link[tb.L_MASS], link[tb.L_MASS + 1], link[tb.L_MASS + 2] = mass_x[0], mass_x[1], mass_y[1]
 
 
 def bring_net_to_aims(
@@ -175,12 +162,13 @@ def solve_net(n: int, kept: float, substep: float, bodies: Bodies, joints: Joint
     It is enough if what is left parts no link by much in a substep, s.
     """
     first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
-    whole, parting = 0.0, False
+    open_most = LEFT_OPEN * joints.links[first, tb.L_SLIGHT]
+    parting = False
     for j in range(first, last):
-        whole += note_what_is_left(j, joints)
-        parting |= parts_link(joints.links[j], tb.L_RATE, substep)
+        note_what_is_left(j, joints)
+        parting |= parts_link(joints.links[j], tb.L_RATE, substep, open_most)
     if parting:
-        iterate_net(n, whole, substep, joints)
+        iterate_net(n, substep, joints)
         push_links(n, joints)
     give_to_net(n, kept, bodies, joints)
 
@@ -192,9 +180,12 @@ def push_links(n: int, joints: Joints) -> None:
         push_link(j, (joints.links[j, tb.L_IMPULSE], joints.links[j, tb.L_IMPULSE + 1]), joints)
 
 
-def iterate_net(n: int, whole: float, substep: float, joints: Joints) -> None:
-    """Add to the impulses of a net what is left, nearly; the size of all its errors is `whole`."""
+def iterate_net(n: int, substep: float, joints: Joints) -> None:
+    """Add to the impulses of a net what is left, nearly, beside the size of all its errors."""
     first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
+    whole = 0.0
+    for j in range(first, last):
+        whole += weigh_link(j, joints)
     clear_net(n, joints)
     size, before = sweep_from_left(first, last, joints), 0.0
     for _ in range(MOST_ITERATIONS_OF_NET):
@@ -210,16 +201,17 @@ def iterate_net(n: int, whole: float, substep: float, joints: Joints) -> None:
 
 def parts_links(first: int, last: int, substep: float, joints: Joints) -> bool:
     """Return whether what is left of their errors parts links by much in a substep, s."""
+    open_most = LEFT_OPEN * joints.links[first, tb.L_SLIGHT]
     parting = False
     for j in range(first, last):
-        parting |= parts_link(joints.links[j], tb.L_MADE, substep)
+        parting |= parts_link(joints.links[j], tb.L_MADE, substep, open_most)
     return parting
 
 
 @inlined
-def parts_link(link: Array, rate: int, substep: float) -> bool:
-    """Return whether the rate of a link in a column parts it by much in a substep, s."""
-    return bool(substep * max(abs(link[rate]), abs(link[rate + 1])) > LEFT_OPEN * link[tb.L_SLIGHT])
+def parts_link(link: Array, rate: int, substep: float, most: float) -> bool:
+    """Return whether the rate of a link in a column parts it by more than so much in a substep."""
+    return bool(substep * max(abs(link[rate]), abs(link[rate + 1])) > most)
 
 
 def clear_net(n: int, joints: Joints) -> None:
@@ -281,12 +273,36 @@ def impulse_for(link: Array, rate: Vector) -> Vector:
 
 
 @inlined
-def note_what_is_left(j: int, joints: Joints) -> float:
-    """Write the rates that a link is yet to get; return the size of its error, J."""
+def note_what_is_left(j: int, joints: Joints) -> None:
+    """Write the rates that a link is yet to get."""
     link = joints.links[j]
     by = change_of_link(j, joints)
+    link[tb.L_RATE] = -link[tb.L_ERROR] - by[0]
+    link[tb.L_RATE + 1] = -link[tb.L_ERROR + 1] - by[1]
+
+
+@inlined
+def weigh_link(j: int, joints: Joints) -> float:
+    """Write how a link yields and its mass by itself; return the size of its error, J."""
+    link, ends = joints.links[j], joints.joints[j]
+    arm_a, arm_b = (
+        (link[tb.L_ARM_A], link[tb.L_ARM_A + 1]),
+        (link[tb.L_ARM_B], link[tb.L_ARM_B + 1]),
+    )
+    a, b = joints.net_nodes[ends[tb.J_MEMBER]], joints.net_nodes[ends[tb.J_MEMBER + 1]]
+    ax = point_yield_x(a[tb.N_INVERSE_MASS], a[tb.N_INVERSE_INERTIA], arm_a)
+    ay = point_yield_y(a[tb.N_INVERSE_MASS], a[tb.N_INVERSE_INERTIA], arm_a)
+    bx = point_yield_x(b[tb.N_INVERSE_MASS], b[tb.N_INVERSE_INERTIA], arm_b)
+    by = point_yield_y(b[tb.N_INVERSE_MASS], b[tb.N_INVERSE_INERTIA], arm_b)
+    yield_x, yield_y = (ax[0] + bx[0], ax[1] + bx[1]), (ay[0] + by[0], ay[1] + by[1])
+    link[tb.L_YIELD], link[tb.L_YIELD + 1], link[tb.L_YIELD + 2] = (
+        yield_x[0],
+        yield_x[1],
+        yield_y[1],
+    )
+    mass_x, mass_y = link_mass_x(yield_x, yield_y), link_mass_y(yield_x, yield_y)
+    link[tb.L_MASS], link[tb.L_MASS + 1], link[tb.L_MASS + 2] = mass_x[0], mass_x[1], mass_y[1]
     error = (link[tb.L_ERROR], link[tb.L_ERROR + 1])
-    link[tb.L_RATE], link[tb.L_RATE + 1] = -error[0] - by[0], -error[1] - by[1]
     impulse = impulse_for(link, error)
     return error[0] * impulse[0] + error[1] * impulse[1]
 
@@ -414,5 +430,5 @@ def store_links(n: int, joints: Joints) -> None:
             numbers[tb.J_WARM + k] = link[tb.L_WARM + k]
         numbers[tb.J_TOTAL + 2] += link[tb.L_TURN_A]
         numbers[tb.J_TOTAL + 5] += link[tb.L_TURN_B]
-        for k in range(tb.L_PULL, tb.L_TURN_B + 1):
+        for k in range(tb.L_PULL, tb.L_SLIGHT):
             link[k] = 0.0

@@ -10,6 +10,7 @@ import numpy as np
 
 from tamias2d.scene import Body, Scene
 from tamias2d.state import Array
+from tamias2d.study.engines.deferred import deferred_interrupts
 from tamias2d.study.engines.engine import Pair
 from tamias2d.study.engines.pieces import ConvexPart, pieces, reaches, size_of
 from tamias2d.study.engines.refusal import imported, refuse_untranslated
@@ -35,7 +36,7 @@ class Chipmunk:
         pymunk = imported(self.name, "pymunk")
         refuse_untranslated(scene, self.name)
         self._batch, self._time_step = imported(self.name, "pymunk.batch"), time_step
-        self._steps = 0
+        self._listens, self._steps = listens, 0
         self.met: dict[Pair, float] = {}
         self._space = pymunk.Space()
         self._space.gravity = scene.gravity
@@ -58,9 +59,15 @@ class Chipmunk:
 
     def step(self, count: int = 1) -> None:
         """Go so many time steps ahead, one by one."""
-        for _ in range(count):
-            self._steps += 1
-            self._space.step(self._time_step)
+        if not self._listens:
+            for _ in range(count):
+                self._space.step(self._time_step)
+            return
+        with deferred_interrupts() as raise_interrupt:
+            for _ in range(count):
+                self._steps += 1
+                self._space.step(self._time_step)
+                raise_interrupt()
 
     def drive(self, body: int, velocity: tuple[float, float]) -> None:
         """Give a kinematic body another velocity, m/s."""

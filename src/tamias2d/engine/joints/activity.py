@@ -1,0 +1,86 @@
+"""Which mechanisms take part in a step: those that are awake, and what touches these."""
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.placement import place_moved, pull_after_moved
+from tamias2d.engine.solver.slabs import list_all
+from tamias2d.engine.springs.substep import activate
+from tamias2d.engine.tables import Islands, Joints, World
+
+
+def clear_of_joints(clear: bool, world: World) -> bool:
+    """Return whether bodies that have no contacts may go ballistically: not with joints."""
+    return clear and world.joints.counts[tb.JOINTS] == 0
+
+
+def hold_tied(islands: Islands, joints: Joints) -> None:
+    """Mark the islands of mechanisms that are tied to what nothing pushes."""
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_TIED] == 1:
+            i = joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT]
+            islands.energy[islands.links[i, tb.ROOT], tb.IS_HELD] = 1.0
+
+
+def note_mechanisms(world: World) -> None:
+    """Place the members of mechanisms, and note which of these are awake, before arranging."""
+    joints = world.joints
+    if joints.counts[tb.JOINTS] == 0:
+        return
+    began = world.control.counts[tb.TICK] + world.control.counts[tb.RETAKEN] > 0
+    if joints.counts[tb.PLACED] == 1 and not began:
+        pull_after_moved(world.bodies, joints)
+    place_moved(joints.counts[tb.PLACED] == 0, world.bodies, joints)
+    joints.counts[tb.PLACED] = 1
+    for n in range(joints.counts[tb.MECHANISMS]):
+        asleep = is_asleep(n, world.islands, joints)
+        if asleep != (joints.mechanisms[n, tb.M_STATUS] == tb.ASLEEP):
+            joints.mechanisms[n, tb.M_STATUS] = tb.ASLEEP if asleep else tb.FREE_OF_CONTACTS
+            world.touching.counts[tb.ARRANGED] = 0
+
+
+def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
+    """Return whether a mechanism sleeps; its bodies do so together."""
+    first = joints.sparse[n, tb.I_NODE]
+    return bool(islands.links[joints.members[first + 1, tb.JOINED_SLOT], tb.SLEEP_ID] > 0)
+
+
+def activate_joined(world: World) -> None:
+    """Make the bodies of mechanisms active, and note which mechanisms contacts touch.
+
+    Those with springs are solved as those that are touched, but once only; limits and motors are
+    chosen twice, too.
+    """
+    joints, bodies = world.joints, world.bodies
+    awake = touched_ones = 0
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
+            touched = 0
+            for m in range(first + 1, last + 1):
+                touched += bodies.moved[joints.members[m, tb.JOINED_SLOT]]
+            touched += joints.mechanisms[n, tb.M_CHOOSING]
+            alone = (
+                tb.GOVERNED_ALONE
+                if joints.mechanisms[n, tb.M_GOVERNED] == 1
+                else tb.FREE_OF_CONTACTS
+            )
+            joints.mechanisms[n, tb.M_STATUS] = tb.IN_CONTACT if touched > 0 else alone
+            awake += 1
+            touched_ones += joints.mechanisms[n, tb.M_STATUS] != tb.FREE_OF_CONTACTS
+    joints.counts[tb.MECHANISMS_AWAKE], joints.counts[tb.MECHANISMS_TOUCHED] = awake, touched_ones
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+                activate(
+                    joints.members[m, tb.JOINED_SLOT], bodies, world.touching, world.constraints
+                )
+    for m in range(joints.counts[tb.FIRST_KINEMATIC], len(joints.members) if awake > 0 else 0):
+        activate(joints.members[m, tb.JOINED_SLOT], bodies, world.touching, world.constraints)
+
+
+def join_slabs(tree_count: int, world: World) -> None:
+    """Make one slab of all where mechanisms are awake: they reach from any slab to any other."""
+    constraints = world.constraints
+    if world.joints.counts[tb.MECHANISMS_AWAKE] > 0 and constraints.counts[tb.SLABS] > 1:
+        constraints.counts[tb.SLABS] = 1
+        constraints.slabs[1, tb.S_TREE] = tree_count
+        list_all(world.bodies, world.touching, constraints)

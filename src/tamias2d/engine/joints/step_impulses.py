@@ -1,0 +1,68 @@
+"""The impulses of joints over a part of a step and over all of it, and what is told of them."""
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Joints, World
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array
+
+
+def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
+    """Begin to add up the impulses of a part; those of a mesh count for a substep of this one."""
+    whole = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
+    whole[tb.J_MOMENT] = whole[tb.J_GAIN] = 0.0
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        for k in range(tb.J_TOTAL, tb.J_GIVEN + 3):
+            joints.numbers[j, k] = 0.0
+        if ratio != 1.0:
+            for k in range(tb.J_WARM, tb.J_WARM + 3):
+                joints.numbers[j, k] *= ratio
+        joints.numbers[j, tb.J_LEFT] = joints.numbers[j, tb.J_LEFT_BEFORE]
+
+
+def keep_joint_impulses(world: World) -> None:
+    """Add the impulses of a part that was taken to those of the step, and note the forces."""
+    joints = world.joints
+    known = found_to_tell(joints)
+    time = world.control.progress[tb.PART_TIME]
+    kept = 0.0 if world.control.counts[tb.TICK] == 0 else 1.0
+    substeps = world.control.counts[tb.PART_SUBSTEPS]
+    for n in range(joints.counts[tb.MECHANISMS]):
+        if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            keep_of_mechanism(n, substeps, joints)
+            for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+                keep_of_joint(kept, time, joints.numbers[j], joints)
+    if found_to_tell(joints) > known:
+        world.control.counts[tb.LIMITS] += 1
+
+
+@inlined
+def keep_of_mechanism(n: int, substeps: int, joints: Joints) -> None:
+    """Keep the energies of a mechanism, which stand in its first joint, and note what it gained."""
+    first = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
+    first[tb.J_PULLED] = max(first[tb.J_PULLED] - substeps, 0.0)
+    first[tb.J_RESERVE] = first[tb.J_RESERVE_LATER]
+    first[tb.J_MOTION] = first[tb.J_MOTION_LATER]
+    first[tb.J_SCALE] = first[tb.J_SCALE_LATER]
+    if first[tb.J_GAIN] > 0.0:
+        joints.counts[tb.JOINTS_GAINED] = 1
+        first[tb.J_GAINED] = 1.0
+
+
+@inlined
+def keep_of_joint(kept: float, time: float, numbers: Array, joints: Joints) -> None:
+    """Add the impulses of a joint in a part to so much of those before, and note its forces."""
+    for k in range(9):
+        numbers[tb.J_STEP_TOTAL + k] = kept * numbers[tb.J_STEP_TOTAL + k] + numbers[tb.J_TOTAL + k]
+    numbers[tb.J_LEFT_BEFORE] = numbers[tb.J_LEFT]
+    for k in range(3):
+        numbers[tb.J_FORCE + k] = numbers[tb.J_PULL + k] / time
+        if numbers[tb.J_APART + k] > numbers[tb.J_SLIGHT + k]:
+            joints.counts[tb.JOINTS_APART] = 1
+    if numbers[tb.J_TURNED] > 0.0:
+        joints.counts[tb.JOINTS_TURNED] = 1
+
+
+def found_to_tell(joints: Joints) -> int:
+    """Return how many kinds of things were found to tell of joints."""
+    counts = joints.counts
+    return int(counts[tb.JOINTS_APART] + counts[tb.JOINTS_TURNED] + counts[tb.JOINTS_GAINED])

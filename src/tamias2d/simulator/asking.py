@@ -1,0 +1,72 @@
+"""What happened in the last step, and what is where."""
+
+from tamias2d.engine.contact_report import Contacts
+from tamias2d.simulator.exclusive import exclusive
+from tamias2d.simulator.queries import Hits, bodies_at_point, bodies_in_box, cast_rays
+from tamias2d.simulator.stepping import Stepping
+from tamias2d.simulator.told_only import refuses_assignment
+from tamias2d.state import IntArray
+from tamias2d.suggestions import suggests
+
+
+@suggests
+@refuses_assignment
+class Asking(Stepping):
+    """Contacts that were, and queries about places."""
+
+    __slots__ = ()
+
+    @property
+    @exclusive
+    def contacts(self) -> Contacts:
+        """All points at which bodies pushed each other in the last step."""
+        return self._report().contacts
+
+    @property
+    @exclusive
+    def began(self) -> Contacts:
+        """The pairs that touched in the last step and not before, each with its strongest point.
+
+        Its impulse is that of all points of the pair over the step; that of a sensor is 0.
+        """
+        return self._report().began
+
+    @property
+    @exclusive
+    def ended(self) -> IntArray:
+        """The pairs (k, 2) that touched before the last step, and not in it.
+
+        What was removed is in none of them.
+        """
+        return self._report().ended
+
+    @exclusive
+    def ray_cast(self, start: object, end: object, *, mask: int | None = None) -> Hits:
+        """Return what rays meet first, from points to points, (2,) or (k, 2) each, m.
+
+        It meets no body in or on which it starts, no sensor, and, if a `mask` is given, none whose
+        category shares no bit with it. A line that it runs along is not met.
+
+        Raises:
+            InputError: a ray has no length, or a value breaks a rule (R4).
+        """
+        self._settle_between()
+        return cast_rays(self._engine, start, end, mask)
+
+    @exclusive
+    def at_point(self, point: object, *, mask: int | None = None) -> IntArray:
+        """Return the bodies (k,) at a point (2,), m, but for sensors; `mask` as in `ray_cast`."""
+        self._settle_between()
+        return bodies_at_point(self._engine, point, mask)
+
+    @exclusive
+    def in_box(self, low: object, high: object, *, mask: int | None = None) -> IntArray:
+        """Return the bodies (k,) that reach into a box between two corners (2,), m.
+
+        Sensors are not among them; `mask` is as in `ray_cast`.
+
+        Raises:
+            InputError: `low` is beyond `high`, or a value breaks a rule (R4).
+        """
+        self._settle_between()
+        return bodies_in_box(self._engine, low, high, mask)

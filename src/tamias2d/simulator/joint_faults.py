@@ -1,0 +1,75 @@
+"""What steps could not hold of joints: found where the engine noted something, each once."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.engine import Engine
+from tamias2d.generated.joint_rows import MOST_ROWS
+from tamias2d.scene.joints import Joint
+from tamias2d.simulator.joint_layout import APART, JointLayout
+from tamias2d.simulator.joint_rows import joint_rows, units_of_row
+
+STIFFEST = 2.0**29  # of a spring, times the squared step, over mass or inertia
+
+
+def too_stiff(
+    joints: Iterable[Joint], engine: Engine, time_step: float
+) -> tuple[Joint, float] | None:
+    """Return a joint whose spring is too stiff for a step, s, and its stiffness; or None.
+
+    Rounding, as many times as a step is long beside its swing, squared, is left of it.
+    """
+    for joint in joints:
+        bodies = list(joint.bodies)
+        for row in joint_rows(joint):
+            long = units_of_row(row)[0] == "m"
+            inverse = (engine.inverse_mass if long else engine.inverse_inertia)[bodies]
+            if row.law == tb.SPRING and row.numbers[2] * time_step**2 * inverse.max() > STIFFEST:
+                return joint, row.numbers[2]
+    return None
+
+
+def apart(layout: JointLayout) -> tuple[Joint, float, bool] | None:
+    """Return a joint that was far apart within the last steps, and by how much; or None.
+
+    It is said, too, whether what it holds was moved by hand.
+    """
+    counts, numbers = layout.counts, layout.numbers
+    if not counts[tb.JOINTS_APART]:
+        return None
+    counts[tb.JOINTS_APART] = 0
+    found = numbers[layout.places, tb.J_APART : tb.J_APART + MOST_ROWS]
+    numbers[:, tb.J_APART : tb.J_APART + MOST_ROWS] = 0.0
+    lengths = np.linalg.norm(np.where(layout.are_lengths, found, 0.0), axis=1)
+    angles = np.linalg.norm(np.where(layout.are_lengths, 0.0, found), axis=1)
+    shares = np.maximum(lengths / layout.sizes, angles)
+    worst = int(np.argmax(shares))
+    if not shares[worst] > APART:
+        return None
+    is_length = lengths[worst] / layout.sizes[worst] > angles[worst]
+    far = lengths[worst] if is_length else angles[worst]
+    pulled = bool(numbers[layout.first_rows[worst], tb.J_PULLED] > 0)
+    return layout.joints[layout.owner[worst]], float(far), pulled
+
+
+def turned(layout: JointLayout) -> Joint | None:
+    """Return a joint that turned too far in a substep of the last steps; or None."""
+    return _worst_lately(layout, tb.JOINTS_TURNED, tb.J_TURNED)
+
+
+def gained(layout: JointLayout) -> Joint | None:
+    """Return the first joint of what got energy, with what touches it, lately; or None."""
+    return _worst_lately(layout, tb.JOINTS_GAINED, tb.J_GAINED)
+
+
+def _worst_lately(layout: JointLayout, count: int, column: int) -> Joint | None:
+    """Return the joint with the largest number in a column since it was asked, if any has."""
+    counts, numbers = layout.counts, layout.numbers
+    if not counts[count]:
+        return None
+    counts[count] = 0
+    worst = int(layout.owner[np.argmax(numbers[layout.places, column])])
+    numbers[:, column] = 0.0
+    return layout.joints[worst]

@@ -1,0 +1,136 @@
+"""Where the rows of joints are in the arrays of an engine.
+
+Serves: the joints of a simulator. Hides: that the engine knows joints by their places, which change
+as joints come and go, and in which order it takes them: the same in whatever order they came.
+"""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.engine import Engine
+from tamias2d.engine.joints.joint_row import JointRow
+from tamias2d.engine.joints.placement import PULLED
+from tamias2d.engine.joints.rows import mechanism_of, move_anchor
+from tamias2d.generated.joint_rows import MOST_ROWS
+from tamias2d.scene.joints import Joint
+from tamias2d.scene.rules import Vector
+from tamias2d.simulator.joint_rows import joint_rows, place_of_row, units_of_row
+from tamias2d.simulator.joint_separations import separations, size_of_joint
+from tamias2d.spec.constraint import ENDS
+from tamias2d.state import Array, IntArray
+
+_KEPT = slice(tb.J_STEP_TOTAL, tb.J_SCALE + 1)  # numbers of a joint that a step leaves to the next
+KEPT_COUNT = _KEPT.stop - _KEPT.start
+_PULLED = tb.J_PULLED - tb.J_STEP_TOTAL
+APART = 1e-3
+"""Of the size of a joint, or rad: one that is farther apart is told."""
+
+
+class JointLayout:
+    """Joints (j,) of an engine, and their rows (r,) in its arrays."""
+
+    def __init__(self, engine: Engine, joints: Sequence[Joint], kept: Array | None) -> None:
+        """Tell the engine which joints there are, with what a step left of their rows, if known."""
+        self.joints = joints
+        self._engine = engine
+        rows = [(k, row) for k, joint in enumerate(joints) for row in joint_rows(joint)]
+        order = sorted(range(len(rows)), key=lambda n: place_of_row(rows[n][1], engine.rank))
+        places = engine.set_joints([rows[n][1] for n in order], restored=kept is not None)
+        self.owner = np.array([k for k, _ in rows], dtype=np.int64)
+        """(r,), of each row its joint"""
+        self.places = np.zeros(len(rows), dtype=np.int64)
+        """(r,), in the arrays, as joints were added"""
+        self.places[order] = places
+        self._rows_of: dict[str, list[tuple[int, JointRow]]] = {}
+        held: dict[tuple[Any, ...], set[str]] = {}
+        for (k, row), place in zip(rows, self.places.tolist(), strict=True):
+            self._rows_of.setdefault(joints[k].name, []).append((place, row))
+            held.setdefault((row.ends, row.law, row.kind), set()).add(joints[k].name)
+        self.alike = {name for own in held.values() if len(own) > 1 for name in own}
+        """The names of joints whose order their anchors decide."""
+        sizes = np.array([size_of_joint(joint, engine) for joint in joints])
+        units = np.array([units_of_row(row) for _, row in rows]).reshape(-1, MOST_ROWS)
+        self.are_lengths, self.sizes = units == "m", sizes[self.owner]
+        """(r, 3), which numbers of rows are lengths; (r,), the sizes of their joints, m"""
+        self._begin(kept)
+
+    def _begin(self, kept: Array | None) -> None:
+        """Give the rows what a step left of them, or begin to pull together what is apart."""
+        numbers = self.numbers
+        size = np.where(self.are_lengths, self.sizes[:, None], 1.0)
+        slight = slice(tb.J_SLIGHT, tb.J_SLIGHT + MOST_ROWS)
+        numbers[self.places, slight] = APART / math.sqrt(MOST_ROWS) * size
+        if kept is not None:
+            numbers[self.places, _KEPT] = kept
+        else:
+            pulled = pulled_apart(self.joints, self._engine)
+            numbers[self.places, tb.J_PULLED] = pulled[self.owner]
+        most = np.zeros(len(numbers))
+        np.maximum.at(most, self.first_rows, numbers[self.places, tb.J_PULLED])
+        numbers[:, tb.J_PULLED] = most
+
+    @property
+    def counts(self) -> IntArray:
+        """What the engine counts of joints."""
+        return self._engine.world.joints.counts
+
+    @property
+    def numbers(self) -> Array:
+        """The numbers of all rows, by their places."""
+        return self._engine.world.joints.numbers
+
+    @property
+    def first_rows(self) -> IntArray:
+        """(r,), the place of the first row of the mechanism of each row."""
+        joints = self._engine.world.joints
+        starts = joints.mechanisms[: joints.counts[tb.MECHANISMS], tb.M_JOINT]
+        return starts[np.searchsorted(starts, self.places, side="right") - 1]
+
+    def kept(self) -> Array:
+        """Return what the last step left of each row: first the impulses on A, B and C.
+
+        These are three numbers each, N s, N s and N m s.
+        """
+        kept = self.numbers[self.places, _KEPT]
+        kept[:, _PULLED] = np.maximum(kept[:, _PULLED], self._pulled_since())
+        return kept
+
+    def _pulled_since(self) -> Array:
+        """Return for how many substeps rows follow what nothing pushes, moved since the step."""
+        joints = self._engine.world.joints
+        places, body = joints.places[:, tb.PLACE_X : tb.PLACE_ANGLE + 1], joints.members
+        moved = (places != self._engine.pose[body[:, tb.JOINED_BODY]]).any(axis=1)
+        moved[0] = False  # the plane
+        ends = joints.joints[self.places]
+        tied = ends[:, tb.J_NODE : tb.J_NODE + len(ENDS)] == tb.NOT_PUSHED
+        members = ends[:, tb.J_MEMBER : tb.J_MEMBER + len(ENDS)]
+        placed = joints.counts[tb.PLACED] == 1
+        return np.where(placed & (tied & moved[members]).any(axis=1), PULLED, 0.0)
+
+    def move_anchor(self, name: str, end: str, point: Vector) -> None:
+        """Move the point of the plane, m, that a joint holds; what it ties follows."""
+        joints = self._engine.world.joints
+        for place, row in self._rows_of[name]:
+            move_anchor(self._engine, place, row.kind, end, point)
+            if row.law != tb.SPRING:
+                first = joints.mechanisms[mechanism_of(self._engine, place), tb.M_JOINT]
+                joints.numbers[first, tb.J_PULLED] = PULLED
+
+
+def kept_of_new(joints: Sequence[Joint], engine: Engine) -> Array:
+    """Return what `JointLayout.kept` would of joints of which the engine was not told yet."""
+    owner = [k for k, joint in enumerate(joints) for _ in joint_rows(joint)]
+    kept = np.zeros((len(owner), KEPT_COUNT))
+    kept[:, _PULLED] = pulled_apart(joints, engine)[owner]
+    return kept
+
+
+def pulled_apart(joints: Sequence[Joint], engine: Engine) -> Array:
+    """Return for how many substeps joints (j,) pull together what was moved since they came."""
+    lengths, angles = separations(joints, engine.pose)
+    sizes = np.array([size_of_joint(joint, engine) for joint in joints])
+    return np.where(np.maximum(lengths / sizes, angles) > APART, PULLED, 0.0)

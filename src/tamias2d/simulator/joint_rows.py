@@ -1,0 +1,72 @@
+"""Joints as rows for the engine (TM7), and what steps do not know of joints (R13)."""
+
+import math
+from collections.abc import Iterable
+from typing import Any, cast
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.joint_row import JointRow
+from tamias2d.generated.constraints import CONSTRAINTS
+from tamias2d.generated.joint_rows import MOST_ROWS
+from tamias2d.scene.freedoms import Freedom
+from tamias2d.scene.joints import Joint
+from tamias2d.scene.rules import RuleError
+from tamias2d.state import IntArray
+
+
+def refuse_unknown(joints: Iterable[Joint]) -> None:
+    """Raise `RuleError` where a joint has what steps do not know."""
+    for joint in joints:
+        if what := joint.beyond_steps:
+            raise beyond_steps(joint.name, joint.kind, what)
+
+
+def beyond_steps(name: str, kind: str, what: str) -> RuleError:
+    """Return the error of a joint that has what steps do not know."""
+    return RuleError(
+        f"joint '{name}' ({kind}): steps know no {what} (R13). Leave it out, or take "
+        "simulate(scene, ...) without Stepped(), which knows it.",
+        "joints",
+    )
+
+
+def joint_rows(joint: Joint) -> list[JointRow]:
+    """Return a joint as the engine takes it: what it keeps, then what governs its freedoms."""
+    kept = [_row(joint)] if joint.rigid else []
+    return [*kept, *(row for each in joint.freedoms for row in _governed(joint, each))]
+
+
+def _governed(joint: Joint, freedom: Freedom) -> Iterable[JointRow]:
+    limits, motor, spring = freedom.limits, freedom.motor, freedom.spring
+    if limits and limits.lower is not None:
+        yield _row(joint.measured(freedom, limits.lower), tb.LOWER_LIMIT)
+    if limits and limits.upper is not None:
+        yield _row(joint.measured(freedom, limits.upper), tb.UPPER_LIMIT)
+    if motor:
+        most = math.inf if motor.maximum is None else motor.maximum
+        yield _row(joint.measured(freedom, 0.0), tb.MOTOR, (motor.speed, most, 0.0, 0.0))
+    if spring:
+        rest = cast(float, spring.rest)
+        numbers = (0.0, 0.0, spring.stiffness, spring.damping)
+        yield _row(joint.measured(freedom, rest), tb.SPRING, numbers)
+
+
+def _row(
+    joint: Joint, law: int = tb.KEPT, numbers: tuple[float, float, float, float] = (0.0,) * 4
+) -> JointRow:
+    given = [joint.given[name] for name in joint.functions.parameters]
+    parts = [x for value in given for x in (value if isinstance(value, tuple) else (value,))]
+    apart = not joint.collide
+    return JointRow(joint.model, joint.ends, tuple(map(float, parts)), apart, law, numbers)
+
+
+def place_of_row(row: JointRow, rank: IntArray) -> tuple[Any, ...]:
+    """Return by what rows are ordered: their bodies in canonical order, then what they are."""
+    bodies = [-1 if body is None else int(rank[body]) for body in row.ends]
+    return bodies, row.law, row.kind, row.given, row.numbers, row.apart
+
+
+def units_of_row(row: JointRow) -> list[str]:
+    """Return the units of the rows of a joint, of as many as there may be."""
+    units = CONSTRAINTS[row.kind].units
+    return [*units, *["1"] * (MOST_ROWS - len(units))]

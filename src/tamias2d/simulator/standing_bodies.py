@@ -1,0 +1,55 @@
+"""The bodies of an engine as the checks of a joint look at them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.engine import Engine
+
+
+@dataclass(frozen=True)
+class _Shape:
+    bounding_radius: float
+
+
+@dataclass(frozen=True)
+class _Standing:
+    """A body as the checks of a joint look at it."""
+
+    name: str
+    position: tuple[float, float]
+    orientation: float
+    velocity: tuple[float, float]
+    angular_velocity: float
+    dynamic: bool
+    kinematic: bool
+    inertia: float
+    shape: _Shape
+
+
+class StandingBodies:
+    """The bodies of an engine, by their rows, as the checks of a joint look at them."""
+
+    def __init__(self, engine: Engine, names: Mapping[str, int]) -> None:
+        self._engine = engine
+        self._names = {row: name for name, row in names.items()}
+
+    def __getitem__(self, row: int) -> _Standing:
+        engine = self._engine
+        x, y, turn = engine.pose[row].tolist()
+        u, v, spin = engine.velocity[row].tolist()
+        inverse = float(engine.inverse_inertia[row])
+        radius = float(engine.world.state.properties[row, tb.BOUNDING_RADIUS])
+        return _Standing(
+            name=self._names.get(row, str(row)),
+            position=(x, y),
+            orientation=turn,
+            velocity=(u, v),
+            angular_velocity=spin,
+            dynamic=bool(engine.kind[row] == tb.DYNAMIC),
+            kinematic=bool(engine.kind[row] == tb.KINEMATIC),
+            inertia=1 / inverse if inverse > 0 else np.inf,
+            shape=_Shape(radius),
+        )

@@ -1,0 +1,227 @@
+"""Steps of the frame loop, and what they warn of."""
+
+from collections.abc import Iterable, Mapping
+from threading import Lock
+from warnings import warn
+
+from tamias2d.engine.contact_report import Touching
+from tamias2d.engine.engine import Engine
+from tamias2d.errors import StepWarning
+from tamias2d.scene import Scene
+from tamias2d.scene.rules import RuleError, shown
+from tamias2d.simulator.acting_scene import acting_scene
+from tamias2d.simulator.exclusive import busy
+from tamias2d.simulator.invalid_state import invalid_state
+from tamias2d.simulator.joint_set import JointSet
+from tamias2d.simulator.selection import Bodies, selected
+from tamias2d.simulator.settings import checked_count
+from tamias2d.simulator.spring_rows import spring_rows
+from tamias2d.simulator.step_warnings import (
+    SPRINGS,
+    Told,
+    too_long_for_contacts,
+    too_long_for_gravity,
+    too_long_for_joints,
+    too_long_for_springs,
+    too_stiff_for_steps,
+    too_thin_for_corners,
+)
+from tamias2d.simulator.told_only import refuses_assignment
+from tamias2d.simulator.varying_loads import VaryingLoads
+from tamias2d.simulator.views import Views
+from tamias2d.state import Array, IntArray
+
+_ENDLESS = 2**63  # steps
+
+
+@refuses_assignment
+class Stepping(Views):
+    """What is stepped: an engine, and what acts on its bodies besides."""
+
+    __slots__ = (
+        "_jointed",
+        "_joints",
+        "_limits",
+        "_names",
+        "_pushed",
+        "_scene",
+        "_sleeps",
+        "_staying",
+        "_substeps",
+        "_time_step",
+        "_touching",
+        "_unsettled",
+        "_varying",
+        "_warned",
+    )  # fmt: skip
+    _joints: JointSet
+    _names: dict[str, int]  # of the scene's bodies that are there, their rows
+    _staying: list[int]  # rows of the scene's bodies that are there
+    _scene: Scene | None  # whose loads vary
+    _substeps: int
+    _time_step: float
+
+    def _begin(self, engine: Engine) -> None:
+        self._lock = Lock()
+        self._engine, self._sleeps = engine, engine.sleeps
+        self._look()
+        self._forget()
+
+    def _forget(self) -> None:
+        """Forget what was asked for and told so far."""
+        self._varying: VaryingLoads | None = None
+        self._warned: dict[str, str] = {}
+        self._limits = 0  # of which was told
+        self._pushed: Array | None = None  # loads for the next step only
+        self._touching: Touching | None = None
+        self._unsettled = True
+
+    def step(self, count: int = 1) -> None:
+        """Take so many steps.
+
+        Raises:
+            InputError: a value that was set is not finite; the state is as it was before the step.
+            SimulationError: a force that varies has no finite value.
+
+        Warns:
+            StepWarning: the time step is too long for a force that varies or for a joint, once for
+                each; for springs, gravity, overlaps that grow, or masses, once. Thin walls only
+                just meet, where something thin moves, once.
+        """
+        if count.__class__ is not int or not 0 <= count < _ENDLESS:
+            count = checked_count(count, "count", 0)
+        if not self._lock.acquire(False):
+            raise busy("step")
+        try:
+            while count:
+                if self._unsettled:
+                    self._settle()
+                self._touching = None
+                if self._jointed:
+                    self._joints.forget_report()
+                if self._varying is None and self._pushed is None:
+                    self._advance(count)
+                    return
+                self._step_loaded()
+                count -= 1
+        finally:
+            self._lock.release()
+
+    def _advance(self, count: int) -> None:
+        """Take some steps, or raise `RuleError`."""
+        engine, step = self._engine, self._time_step
+        untouched = self._sleeps and self._untouched
+        if (invalid := engine.step(count, untouched=untouched)) is not None:
+            raise invalid_state(invalid, engine.kind, self._name_of)
+        self._seen = False
+        if (limits := engine.limits) > self._limits:
+            self._limits = limits
+            self._tell(
+                too_long_for_contacts(engine, self._name_of, self.time, step, self._substeps)
+            )
+            if engine.joints_fail:
+                self._tell(too_long_for_joints(self._joints.layout, self.time, step))
+        if self._scene is None or SPRINGS in self._warned:
+            return
+        if (row := engine.lossy_springs) >= 0:
+            self._tell([too_long_for_springs(self._name_of(row), self.time, step)])
+
+    def _tell(self, found: Iterable[Told]) -> None:
+        """Warn of what the step is too long for, each once."""
+        for name, text in found:
+            if name not in self._warned:
+                self._warned[name] = text
+                warn(text, StepWarning, stacklevel=4)
+
+    def _settle(self) -> None:
+        """Give what was added its place, and see which loads vary on what is left."""
+        self._engine.settle()
+        self._unsettled = False
+        self._jointed = len(self._joints) > 0
+        if self._joints.new:
+            self._joints.settle(self._engine)
+            self._tell(too_stiff_for_steps(self._joints, self._engine, self._time_step))
+        self._varying = None
+        if self._scene is not None:
+            staying = sorted(self._staying, key=self._engine.rank.__getitem__)
+            self._engine.set_springs(spring_rows(self._scene, staying))
+            scene, bodies = acting_scene(self._scene, staying, self._engine)
+            varying = VaryingLoads(scene, bodies, self._name_of, self._warned)
+            self._varying = None if varying.empty else varying
+            self._engine.put_loads_right(varying.put_right)
+        self._tell(too_long_for_gravity(self._engine, self._time_step))
+        self._tell(too_thin_for_corners(self._engine, self._name_of))
+
+    def _settle_between(self) -> None:
+        """Settle between steps: contacts are reported before removed bodies are forgotten."""
+        if self._unsettled:
+            self._report()
+            self._settle()
+
+    def _step_loaded(self) -> None:
+        """Take a step with loads that count for this one only."""
+        engine, varying = self._engine, self._varying
+        load, velocity, steps = engine.load.copy(), engine.velocity.copy(), engine.steps
+        try:
+            if varying is not None:
+                varying.begin(engine, self.time, self._time_step)
+            if self._pushed is not None:
+                engine.load[: len(self._pushed)] += self._pushed
+            self._seen = True
+            self._advance(1)
+        finally:  # a push that cannot be is forgotten, too
+            engine.load[:] = load
+            self._seen, self._pushed = True, None
+            if engine.steps == steps:
+                engine.velocity[:] = velocity
+        if varying is not None:
+            varying.end(engine, self.time, self._time_step)
+
+    def _report(self) -> Touching:
+        if self._touching is None:
+            self._touching = self._engine.contact_report()
+        return self._touching
+
+    @property
+    def time(self) -> float:
+        """Since the start, s."""
+        return self._engine.steps * self._time_step
+
+    @property
+    def time_step(self) -> float:
+        """s"""
+        return self._time_step
+
+    @property
+    def substeps(self) -> int:
+        """In how many parts a step solves contacts."""
+        return self._substeps
+
+    @property
+    def parts(self) -> int:
+        """In how many parts the last step was taken where it was finest: 1 unless crowds go far.
+
+        A step in which many bodies go farther than they are thick towards others is taken in parts,
+        so that none passes another or stands still; each costs about as much as a step (IM12).
+        """
+        return self._engine.parts
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What was warned of so far: all for which the step is too long, each once."""
+        return tuple(self._warned.values())
+
+    def index(self, name: str) -> int:
+        """Return the index of a body of the scene by its name; raise `InputError` if none."""
+        if not isinstance(name, str):
+            raise RuleError(f"name: found {shown(name)}: must be a name (R1). Give a text.", "name")
+        return int(self._rows(name)[0])
+
+    def _rows(self, bodies: Bodies) -> IntArray:
+        return selected(bodies, self._engine.kind, self._names)
+
+    def _name_of(self, row: int) -> str:
+        names: Mapping[int, str] = {k: name for name, k in self._names.items()}
+        if row >= self._engine.size:
+            return f"body {row - self._engine.size} of those added"
+        return f"body '{names[row]}'" if row in names else f"body {row}"
