@@ -1,7 +1,8 @@
 """What happens where two bodies meet in one point and touch nothing else: IM3, IM9 with friction.
 
 It is what `tamias2d.contact` does at such an instant, operation by operation. Whatever else
-happens at an instant, a contact that lasts above all, is not decided here.
+happens at an instant is not decided here, but for a disc that rests on a half-plane where it need
+not be told since when (`settling`).
 """
 
 from math import inf
