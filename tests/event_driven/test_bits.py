@@ -62,6 +62,31 @@ def test_a_body_may_come_before_what_it_meets(solving: Solving) -> None:
     assert found.digest() == wanted.digest()
 
 
+def test_what_rests_has_its_own_loads_when_it_leaves(
+    solving: Solving, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A disc slides down a slope, and is taken over there, before it strikes a wall and flies."""
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    for normal, offset in (((0.6, 0.8), 0.0), ((-0.8, 0.6), -1.0)):
+        plane = t2.HalfPlane(normal=normal, offset=offset)
+        scene.add_static(plane, restitution=1.0, friction=0.3)
+    disc = t2.Disc(radius=0.1)
+    scene.add_body(disc, mass=1.0, position=(-0.5, 0.7), restitution=0.6, friction=0.3)
+    wanted, _ = solving(scene, "general", 3.0)
+    rests = next(float(n.split()[-2]) for n in wanted.notes if n.startswith("rest"))
+    last = wanted.impacts.time[wanted.impacts.time <= rests].max()
+    assert (wanted.impacts.time > rests).sum() > 2  # it leaves the slope again
+
+    def pays(self: follower.EventDriven, time: float, until: float) -> bool:  # noqa: ARG001
+        self.code = follower.compiled_code()
+        return time >= last
+
+    monkeypatch.setattr(follower.EventDriven, "pays", pays)
+    found = t2.simulate(scene, duration=3.0, times=wanted.times, method=t2.ClosedForm())
+    assert found.digest() == wanted.digest()
+    assert found.notes == wanted.notes
+
+
 def test_a_search_that_is_not_decided_is_left_to_the_general_way(
     solving: Solving, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -11,6 +11,7 @@ from tamias2d.event_driven import tables
 from tamias2d.event_driven.instant import MOST_IMPULSES
 from tamias2d.event_driven.tables import Few, Hulls, World
 from tamias2d.generated import rotation, translation
+from tamias2d.motion.loads import Loads
 from tamias2d.path import Piece
 from tamias2d.scene import Body, Disc, HalfPlane, Scene
 from tamias2d.state import Array
@@ -30,9 +31,10 @@ def world_of(scene: Scene, paths: Sequence[Piece], times: Array, *, keeps_paths:
     hulls, departures = hulls_of(scene), 2 * _ROOM if keeps_paths else 0
     world = blank_world(kinds_of(scene), pairs, times, hulls, impacts=_ROOM, departures=departures)
     world.bodies[:], world.laws[:] = body_table(scene), laws
+    loads = Loads(scene)
     for k, path in enumerate(paths):
         set_path(world, k, path)
-        world.bodies[k, tables.AX : tables.TURNING + 1] = path.acceleration(path.start)
+        world.bodies[k, tables.AX : tables.TURNING + 1] = loads.steady(k)
     return world
 
 

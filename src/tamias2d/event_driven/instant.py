@@ -1,7 +1,8 @@
 """What happens where two bodies meet in one point and touch nothing else: IM3, IM9 with friction.
 
 It is what `tamias2d.contact` does at such an instant, operation by operation. Whatever else
-happens at an instant, a contact that lasts above all, is not decided here.
+happens at an instant is not decided here, but for a disc that rests on a half-plane where it need
+not be told since when (`settling`).
 """
 
 from math import inf
@@ -13,7 +14,7 @@ from tamias2d.event_driven.departure import MOST_REPEATS, depart, pull_of, pull_
 from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.laws import friction_of, restitution_of
 from tamias2d.event_driven.length import hypot
-from tamias2d.event_driven.settling import stay
+from tamias2d.event_driven.settling import stay, stay_on
 from tamias2d.event_driven.tables import Moving, Pair, Point, World
 from tamias2d.event_driven.touch import MOST_RESOLUTION, touch_of, touches_third
 from tamias2d.generated import friction, impact, rest
@@ -74,6 +75,10 @@ def collide(i: int, j: int, time: float, world: World) -> bool:
     forecast(i, j, time, rate, opening, restitution, tolerance, world)
     depart(i, time, after_a, world)
     depart(j, time, after_b, world)
+    if world.notes[i, tb.HELD_BY] > 0 or world.notes[j, tb.HELD_BY] > 0:
+        closing = abs(opening) + 2.0 * (pull_of(i, world) + pull_of(j, world))
+        clear = not staying and rest.bounce_height(rate, -closing) > tolerance
+        return clear and stay_on(i, a, time, world) and stay_on(j, b, time, world)
     return not staying or stay(i, j, a, b, arm_a, arm_b, normal, world)
 
 
@@ -87,12 +92,16 @@ def is_full(world: World) -> bool:
 
 @inlined
 def is_bound(k: int, time: float, world: World) -> bool:
-    """Return whether a body rests, bounces on several others, or does not get on in time."""
+    """Return whether a body rests, bounces on several others, or does not get on in time.
+
+    What rests may go on, where it need not be told when it does.
+    """
     note = world.notes[k]
+    rests = note[tb.HELD_BY] > 0 and world.counts[tb.SETTLES] == 0
     repeats = note[tb.STALLED] >= MOST_REPEATS and world.paths[k, tb.START] >= time * (
         1 - 4 * EPSILON
     )
-    return bool(note[tb.HELD_BY] > 0 or world.bounces[k, tb.WITH] == tb.SEVERAL or repeats)
+    return bool(rests or world.bounces[k, tb.WITH] == tb.SEVERAL or repeats)
 
 
 def reach(k: int, world: World) -> float:

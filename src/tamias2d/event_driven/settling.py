@@ -6,6 +6,7 @@ from tamias2d.contact.rolling_disc import (
     crept,
     held,
     is_pressed,
+    load_on,
     rate_of,
     sense_of,
     settled,
@@ -18,6 +19,7 @@ from tamias2d.event_driven.laws import friction_of, restitution_of
 from tamias2d.event_driven.length import hypot
 from tamias2d.event_driven.tables import Moving, Pair, World
 from tamias2d.event_driven.touch import MOST_RESOLUTION, touches_third
+from tamias2d.generated import rest
 from tamias2d.kernels.assembled import inlined
 
 
@@ -36,20 +38,61 @@ def stay(
 @inlined
 def end_sliding(k: int, time: float, world: World) -> bool:
     """Let a disc go on that does not slide any more; return whether that is all that happens."""
-    plane = world.notes[k, tb.HELD_BY] - 1
-    a, b = state_at(k, time, world.paths), state_at(plane, time, world.paths)
-    radius = world.bodies[k, tb.RADIUS]
-    ux, uy, _ = axis_of_plane(world.bodies[plane], a[0] - b[0], a[1] - b[1], radius)
-    arm, normal = (0.0 - radius * ux, 0.0 - radius * uy), (ux, uy)
+    plane, a = world.notes[k, tb.HELD_BY] - 1, state_at(k, time, world.paths)
+    arm, normal, tolerance = footing(k, plane, a, time, world)
     speed = speed_of_disc(a, arm)
-    tolerance = resolution(a, b, radius, size_of(plane, world), time)
-    unclear = tolerance > MOST_RESOLUTION * radius or world.notes[k, tb.STALLED] >= MOST_REPEATS
+    unclear = tolerance < 0.0 or world.notes[k, tb.STALLED] >= MOST_REPEATS
     unclear = unclear or speed <= 64 * EPSILON * time * pull_of(k, world)
     parts = abs(rate_of((a[3], a[4], a[5]), arm, normal)) > LASTING_NOISE * speed
     if unclear or parts or touches_third(k, k, time, world):
         return False
     depart(k, time, a, world)
     return settle(k, plane, a, arm, normal, 64 * EPSILON, world)
+
+
+@inlined
+def stay_on(k: int, before: Moving, time: float, world: World) -> bool:
+    """Let a disc that has just been struck stay where it rests, if it does, or leave it.
+
+    Return whether that is all that happens. `before` is its state before it was struck.
+    """
+    plane = world.notes[k, tb.HELD_BY] - 1
+    if plane < 0:
+        return True
+    path, body = world.paths[k], world.bodies[k]
+    arm, normal, tolerance = footing(k, plane, before, time, world)
+    speed, pull = speed_of_disc(before, arm), hypot(body[tb.AX], body[tb.AY])
+    noise = speed if speed <= 64 * EPSILON * time * pull else LASTING_NOISE * speed
+    motion = (path[tb.VX], path[tb.VY], path[tb.SPIN])
+    rate = rate_of(motion, arm, normal)
+    pressed = abs(rate_of((before[3], before[4], before[5]), arm, normal)) > noise
+    if tolerance < 0.0 or pressed or rate < -noise:
+        return False
+    loads = (body[tb.AX], body[tb.AY], body[tb.TURNING])
+    world.notes[k, tb.HELD_BY] = 0
+    if rate > noise and rest.bounce_height(rate, load_on(loads, arm, normal)) > tolerance:
+        return True
+    coefficient = friction_of(min(k, plane), max(k, plane), world)
+    if coefficient > 0.0:
+        inverses = (body[tb.INVERSE_MASS], body[tb.INVERSE_INERTIA])
+        low, high = 64 * EPSILON * speed, LASTING_NOISE * speed
+        least = sense_of(motion, loads, arm, normal, inverses, coefficient, low, time)
+        if least != sense_of(motion, loads, arm, normal, inverses, coefficient, high, time):
+            return False  # it depends on whether it has slid before
+    return settle(k, plane, before, arm, normal, 64 * EPSILON, world)
+
+
+@inlined
+def footing(k: int, plane: int, a: Moving, time: float, world: World) -> tuple[Pair, Pair, float]:
+    """Return the arm of a disc to the half-plane on which it rests, and the normal of that.
+
+    Last comes the largest gap that counts as none, m, or -1 where that is too large.
+    """
+    b, radius = state_at(plane, time, world.paths), world.bodies[k, tb.RADIUS]
+    ux, uy, _ = axis_of_plane(world.bodies[plane], a[0] - b[0], a[1] - b[1], radius)
+    tolerance = resolution(a, b, radius, size_of(plane, world), time)
+    known = tolerance <= MOST_RESOLUTION * radius
+    return (0.0 - radius * ux, 0.0 - radius * uy), (ux, uy), tolerance if known else -1.0
 
 
 @inlined
