@@ -6,6 +6,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.contact import Located
 from tamias2d.errors import InputError
+from tamias2d.event_driven import EventDriven
 from tamias2d.simulator import Stepper
 from tamias2d.solve import Interrupted
 
@@ -102,6 +103,7 @@ def test_interrupted_run_keeps_what_was_computed(monkeypatch):
         go(self, duration, told=told)
 
     go = Located.go
+    monkeypatch.setattr(EventDriven, "pays", lambda *_: False)  # which the clock decides
     monkeypatch.setattr(Located, "go", stop)
     with pytest.raises(Interrupted) as stopped:
         t2.simulate(falling(), duration=4.0)
