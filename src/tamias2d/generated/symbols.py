@@ -3016,6 +3016,14 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1815,
     ),
+    "root_change_y": Symbol(
+        "root_change_y",
+        "m/s",
+        "the second component of the change of a root that nothing ties",
+        tex="\\Delta u_{0y}",
+        file="srs/symbols.md",
+        line=1820,
+    ),
     "root_change": Symbol(
         "root_change",
         "m/s",
@@ -3023,7 +3031,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1820,
+        line=1824,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3031,7 +3039,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1825,
+        line=1829,
     ),
     "change": Symbol(
         "change",
@@ -3040,7 +3048,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1829,
+        line=1833,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3049,7 +3057,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1834,
+        line=1838,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3058,7 +3066,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1839,
+        line=1843,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3066,7 +3074,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1844,
+        line=1848,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3075,7 +3083,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1848,
+        line=1852,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3083,7 +3091,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1853,
+        line=1857,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3091,7 +3099,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1857,
+        line=1861,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3099,7 +3107,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1861,
+        line=1865,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3108,7 +3116,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1865,
+        line=1869,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3116,7 +3124,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1870,
+        line=1874,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3125,6 +3133,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1874,
+        line=1878,
     ),
 }
