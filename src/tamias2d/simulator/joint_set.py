@@ -179,6 +179,13 @@ class JointSet:
         self._change(self.layout.kept()[np.array(there)[self.layout.owner]])
         return {body for name in names for body in self._joints.pop(name).bodies}
 
+    def begin_anew_if_infinite(self) -> bool:
+        """Forget what a step left of joints if float64 could not hold that; return whether it is."""
+        infinite = not bool(np.isfinite(self.layout.kept()).all())
+        if infinite:
+            self._change()
+        return infinite
+
     def forget_report(self) -> None:
         """Note that a step is taken."""
         self._saved = None

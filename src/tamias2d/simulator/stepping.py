@@ -125,6 +125,8 @@ class Stepping(Views):
         engine, step = self._engine, self._time_step
         untouched = self._sleeps and self._untouched
         if (invalid := engine.step(count, untouched=untouched)) is not None:
+            if self._jointed and self._joints.begin_anew_if_infinite():
+                self._unsettled = True
             raise invalid_state(invalid, engine.kind, self._name_of)
         self._seen = False
         if (limits := engine.limits) > self._limits:
