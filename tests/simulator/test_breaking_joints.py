@@ -23,7 +23,7 @@ def swinging(force: float = 30.0) -> t2.Scene:
 
 @pytest.mark.parametrize("steps", [60, 240])
 def test_a_rod_breaks_in_the_step_in_which_statics_says_so(steps: int) -> None:
-    """At an angle a below the level the force is 3 m g sin a, and the energy m g sin a is motion."""
+    """At an angle a below the level it bears 3 m g sin a, as m g l sin a has become motion."""
     sim = plain(swinging(), time_step=1 / steps)
     while not sim.joint_events:
         before = np.arctan2(-sim.position[0, 1], sim.position[0, 0])
@@ -57,7 +57,7 @@ def test_what_a_rod_bears_is_smooth() -> None:
 
 
 def test_a_torque_breaks_a_weld() -> None:
-    """A beam of 1 kg and 1 m, held at its end, bears m g / 2; a load of 1 kg at its tip m g more."""
+    """A beam of 1 kg and 1 m, held at an end, bears m g / 2; 1 kg at its tip adds m g."""
     for load, breaks in ((0.0, False), (1.0, True)):
         scene = t2.Scene(gravity=(0.0, -G))
         scene.add_body(t2.Box(width=1.0, height=0.1), mass=1.0, position=(0.5, 0.0), name="beam")

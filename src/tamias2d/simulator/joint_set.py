@@ -180,7 +180,7 @@ class JointSet:
         return {body for name in names for body in self._joints.pop(name).bodies}
 
     def begin_anew_if_infinite(self) -> bool:
-        """Forget what a step left of joints if float64 could not hold that; return whether it is."""
+        """Forget what a step left of joints if float64 could not hold it; return whether so."""
         infinite = not bool(np.isfinite(self.layout.kept()).all())
         if infinite:
             self._change()
