@@ -311,6 +311,18 @@ class Engine(Store):
             raise
         return None
 
+    def step_worlds(
+        self,
+        memory: NDArray[np.int64],
+        start: NDArray[np.int64],
+        given: Array,
+        stops: NDArray[np.int64],
+        states: Array,
+    ) -> int:
+        """Step many worlds in the memory of this engine, as `world_batch` says; none has joints."""
+        done: int = self._entries.step_worlds(self.argument, memory, start, given, stops, states)
+        return done
+
     def _skipped(self, count: int) -> bool:
         """Count some steps as taken if all bodies sleep through them."""
         control, broad_phase = self.world.control.counts, self.world.broad_phase.counts

@@ -44,8 +44,6 @@ SLOWEST_IMPACT = 2.0  # velocities that gravity gives in a step: a slower impact
 def solve_contacts(world: World, contacts: Contacts) -> None:
     """Take the substeps of all bodies with contacts; then restitution, and the bound on energy."""
     control, constraints = world.control, world.constraints
-    if constraints.counts[tb.ACTIVE] == 0:
-        return
     substep = control.progress[tb.PART_TIME] / control.counts[tb.PART_SUBSTEPS]
     before = control.settings[tb.SUBSTEP]
     control.progress[tb.IMPULSE_RATIO] = substep / before if before > 0.0 else 1.0

@@ -226,6 +226,8 @@ class Bodies(NamedTuple):
     substep_state: Annotated[FloatRows, Sized("slots", 16)]  # two cache lines; read by the solver
     start: Annotated[FloatRows, Sized("slots", 6)]  # pose and velocity as a part of the step began
     flight: Annotated[FloatRows, Sized("slots", 8)]  # a cache line; read by continuous collision
+    # motion as the step ends if nothing is near
+    ahead: Annotated[FloatRows, Sized("slots", _motion.width)]
     moved: Annotated[Bytes, Sized("slots")]  # by the solver, or sleep, in this step: see above
     early: Annotated[FloatRows, Sized("slots", 2)]  # where loads vary: see above
 

@@ -102,7 +102,7 @@ def too_long_for_gravity(engine: Engine, time_step: float) -> Iterator[Told]:
     Then each step takes as many parts as there may be, and none of them is short enough.
     """
     size, pull = engine.largest_radius, math.hypot(*engine.gravity.tolist())
-    if size > 0.0 and pull * (_SHORTEST * time_step) * (_SHORTEST * time_step) > size:
+    if pull > strongest_gravity(engine, time_step):
         text = (
             f"gravity of {pull:.6g} m/s^2: in 1/1024 of a time step of {time_step:.6g} s, its "
             f"shortest part, it moves bodies farther than any is wide ({size:.6g} m): each step "
@@ -110,6 +110,12 @@ def too_long_for_gravity(engine: Engine, time_step: float) -> Iterator[Told]:
             f"at most {math.sqrt(size / pull):.3g} s."
         )
         yield "gravity", text
+
+
+def strongest_gravity(engine: Engine, time_step: float) -> float:
+    """Return the gravity, m/s^2, that moves the largest body by its radius in the shortest part."""
+    size, shortest = engine.largest_radius, _SHORTEST * time_step
+    return size / shortest / shortest if size > 0.0 else math.inf
 
 
 def too_thin_for_corners(engine: Engine, name_of: Callable[[int], str]) -> Iterator[Told]:
