@@ -59,9 +59,7 @@ def cached_sides(
     turn, other = (pose.cosine, pose.sine) if code % 2 == 1 else (pose.sine, pose.cosine)
     if code >= 2:
         other = -other
-    moved = abs(pose.along - cache[tb.CACHED_ALONG]) + abs(
-        pose.across - cache[tb.CACHED_ACROSS]
-    )
+    moved = abs(pose.along - cache[tb.CACHED_ALONG]) + abs(pose.across - cache[tb.CACHED_ACROSS])
     if state == SEPARATED:
         moved += cutoff
     holds = (
@@ -74,9 +72,7 @@ def cached_sides(
 
 def moved_too_far(cache: Array, flags: Integers, pose: RelativePose) -> bool:
     """Return whether a pair has moved so far since its last search that a cache is not worth it."""
-    moved = abs(pose.along - cache[tb.CACHED_ALONG]) + abs(
-        pose.across - cache[tb.CACHED_ACROSS]
-    )
+    moved = abs(pose.along - cache[tb.CACHED_ALONG]) + abs(pose.across - cache[tb.CACHED_ACROSS])
     turned = 0.0
     if int(flags[tb.CACHED_AXIS]) // STATES % TURNS % 2 == 0:
         turned = abs(pose.sine - cache[tb.CACHED_TURN])
