@@ -1,9 +1,9 @@
 """A lower bound of the gap between two cores that move on, and how far it stays positive.
 
 The bound (DD48), phi below, is concave in the fraction of the step, so that it is positive before
-its root, and secants find the root from below. A body that turns far is taken as a disc around its
-centre where that allows a longer advance, and so is its side for one at rest: the normal turns with
-it. Cost: linear in the vertices for each value.
+its root, and secants find the root from below. Where that allows a longer advance, a body that
+turns far is taken as a disc around its centre, or the normal turns with a body, whose side then
+rests. Cost: linear in the vertices for each value.
 """
 
 from math import sqrt
