@@ -46,6 +46,8 @@ def collide(
     manifold, cache = contacts.manifolds[contact], contacts.axes[contact]
     flags, vertices = contacts.flags[contact], shapes.world_vertices
     first, second = find_points(manifold, cache, flags, a, b, dx, dy, margin, vertices)
+    if first > 0:
+        manifold[tb.FORESEEN] = 0.0
     if second > 0:
         manifold[tb.KNOWN_WAY] = NEVER  # unless the pose is noted
     return match_impulses(manifold, flags, first, second)
@@ -68,6 +70,7 @@ def collide_piece(
     held = held_normal(manifold, flags)
     first, second = find_points(manifold, cache, flags, a, b, x, y, margin, vertices)
     if first > 0:
+        manifold[tb.FORESEEN] = 0.0
         verdict = judge(s, t, a, b, (x, y), margin, held, manifold, vertices, shapes)
         if not verdict.stays:
             first, second = verdict.first, verdict.second
