@@ -121,7 +121,7 @@ def advance_seen_from(
         ny,
         nx * at[0] + ny * at[1] - radii - reach_a,
         gap_change((path.dx, path.dy), normal, a.turn, at),
-        turning_curvature(a.turn, b, at[0], at[1], path, rest),
+        turning_curvature(a.turn, b, at[0], at[1], path, rest) + arc_bend(b.turn, b.lever),
         0.0,
         b.turn - a.turn,
         0,
