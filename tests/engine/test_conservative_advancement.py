@@ -136,6 +136,22 @@ def test_bodies_that_turn_together_do_not_meet_and_take_few_poses(
     assert 0 < len(looked) < 30  # of a search along axes that stay 65, or hundreds
 
 
+def test_boards_that_turn_beside_boxes_that_hardly_do_are_apart_until_they_meet() -> None:
+    """Without the arcs of corners in the bound along a normal that turns, 7 pairs go too far."""
+    rng, met = np.random.default_rng(1), 0
+    for _ in range(400):
+        a, b = (one.turned(rng.uniform(0, 6.3)) for one in (box(2.0, 1.0), box(1.0, 0.1)))
+        angle, far = rng.uniform(0, 6.3), rng.uniform(0.7, 1.7)
+        delta, move = far * np.array([np.cos(angle), np.sin(angle)]), 0.2 * rng.normal(size=2)
+        turns = rng.choice([-1, 1]) * 10 ** rng.uniform(-3, 0), rng.uniform(-3, 3)
+        if gap_at(a, b, delta, move, turns, 0.0) > 1e-3:
+            at = swept(a, b, delta, move, *turns)
+            until = np.linspace(0, min(at, 1.0), 40)
+            assert min(gap_at(a, b, delta, move, turns, f) for f in until) > 0
+            met += at != MISSED
+    assert met > 50
+
+
 def test_shapes_close_at_the_start_meet_when_closer_or_close_again() -> None:
     floor, ball = box(10.0, 1.0), disc(0.5)
     assert swept(floor, ball, (0.0, 1.0), (0.0, -3.0)) < 2 * NEAR  # deeper is met at once
