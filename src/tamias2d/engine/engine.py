@@ -399,7 +399,8 @@ class Engine(Store):
         broad_phase[tb.NEXT_LEVEL] = broad_phase[tb.CONTACTS] = broad_phase[tb.FIRST_RUN] = 0
         for values in (
             *(world.bodies.motion, world.bodies.moved, world.broad_phase.left),
-            *(world.buffers.flags, world.buffers.manifolds, world.touching.counts),
+            *(world.buffers.flags, world.buffers.manifolds, world.buffers.axes),
+            world.touching.counts,
             *(world.broad_phase.frame, world.broad_phase.fat_bounds),
             *(world.tree.boxes, world.tree.nodes, world.tree.centres),
         ):

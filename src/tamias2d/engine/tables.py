@@ -374,7 +374,7 @@ TANGENT_IMPULSE = _manifolds()  # N s
 PRELOAD = _manifolds()  # m
 TOTAL_IMPULSE = _manifolds()  # N s, of a point along the normal in the last step
 WORLD_POINT = _manifolds(2)  # m, where it was
-AXIS_CACHE = _manifolds(4)  # cached separating axis
+_manifolds(4)  # unused: each point has two cache lines
 FORESEEN = _manifolds()  # s, until shapes meet whose manifold is that of this instant; 0 else
 POINT = 16  # columns from a point to the next
 # of two points, where no shape is thin: where B was from A when gaps were found, m, angles of both,
@@ -387,6 +387,13 @@ IMPACT_NORMAL = 30  # of an impact in flight, two columns
 PART_PUSH_X, PART_PUSH_Y = TOTAL_IMPULSE, TOTAL_IMPULSE + POINT
 PUSH = WORLD_POINT + POINT
 MANIFOLD = 32
+
+# the cached separating axis stands apart: of most pairs on the list nothing else is read
+_axes = Columns()
+CACHED_ALONG = _axes()  # m, place of B in the axes of A as the axis was found
+CACHED_ACROSS = _axes()
+CACHED_TURN = _axes()  # sine or cosine of the turn of B
+CACHED_WAY = _axes()  # m, by which the place may change while the axis holds
 
 _flags = Columns()
 POINT_COUNT = _flags()
@@ -409,6 +416,7 @@ class ContactBuffers(NamedTuple):
 
     pairs: Annotated[PlaceBlocks, Sized(2, "contacts", 4)]
     manifolds: Annotated[FloatBlocks, Sized(2, "contacts", MANIFOLD)]
+    axes: Annotated[FloatBlocks, Sized(2, "contacts", _axes.width)]
     flags: Annotated[IndexBlocks, Sized(2, "contacts", _flags.width)]
 
 
@@ -419,6 +427,7 @@ class Contacts(NamedTuple):
         PlaceRows, Sized("contacts", 4), Saved({0: "shapes", 1: "shapes", 2: "slots", 3: "slots"})
     ]
     manifolds: Annotated[FloatRows, Sized("contacts", MANIFOLD), Saved()]
+    axes: Annotated[FloatRows, Sized("contacts", _axes.width), Saved()]
     flags: Annotated[
         IndexRows,
         Sized("contacts", _flags.width),

@@ -136,8 +136,6 @@ def find_manifold(
         return 0
     if count == 1 and further > far:
         count = collide(p, s, t, x, y, margin + further, shapes, contacts)
-    if contacts.manifolds[p, tb.FORESEEN] != 0.0:
-        contacts.manifolds[p, tb.FORESEEN] = 0.0
     if count == 2 and plain:  # which side of a thin shape the other one is on, is asked anew
         note_pose(x, y, angle_a, angle_b, 0.0, contacts.manifolds[p])
     return count
