@@ -9,7 +9,7 @@ from hypothesis import assume, given, settings, strategies as st
 import tamias2d as t2
 from tamias2d.contact import Refusal
 from tamias2d.contact.core import cores_of, place
-from tamias2d.contact.gap import resolution
+from tamias2d.contact.gap import axes, resolution
 from tamias2d.contact.manifold import manifold
 from tamias2d.state import State
 
@@ -84,3 +84,21 @@ def test_a_corner_that_has_lasted_on_a_side_keeps_it_at_its_end(tilt: float) -> 
         (contact,) = lasting
         assert contact.normal == (1.0, 0.0)
         assert contact.axis.side == left.sides[1]
+
+
+@pytest.mark.parametrize("tilt", [2e-9, 1e-8])
+def test_a_corner_lies_on_the_side_beside_it_where_sides_are_nearly_parallel(tilt: float) -> None:
+    """The other side touches as well as float64 can tell, but ends short of the other corner."""
+    scene = t2.Scene(gravity=(0, 0))
+    for x in (0.0, 1.0):
+        scene.add_body(BOX, mass=1, position=(x, 0))
+    left, right = cores_of(scene)
+    stands = place(left, State((0.0, 0.0), 0.0, (0.0, 0.0), 0.0))
+    x, y = place(right, State((0.0, 0.0), -tilt, (0.0, 0.0), 0.0)).corners[0]
+    for above in (1e-7, -1e-7):
+        leans = place(right, State((0.5 - x, above - 0.5 - y), -tilt, (0.0, 0.0), 0.0))
+        touching = [axis for axis in axes(stands, leans) if axis.gap > -1e-14]
+        assert len(touching) == 2
+        (contact,) = manifold(stands, leans, resolution(stands, leans, 1.0), 1.0)
+        side = (left.sides[1], False) if above > 0 else (right.sides[3], True)
+        assert (contact.axis.side, contact.axis.swapped) == side

@@ -11,6 +11,7 @@ from tamias2d.contact.core import Core, cores_of, place
 from tamias2d.contact.lemke import lemke
 from tamias2d.contact.manifold import manifold, normal_velocity
 from tamias2d.contact.simultaneous_impact import Meeting, apply, simultaneous_impulses
+from tamias2d.scene import Shape
 from tamias2d.state import State
 from tools.measurements.drops import drop
 from tools.measurements.located_drops import ROUNDING, laws
@@ -115,6 +116,108 @@ def test_ordinary_drops_are_located_to_the_end(seed: int):
 def test_drops_go_on_past_what_lasting_contacts_tremble(seed: int, duration: float):
     """Two jammed, hidden by what was left of bounces; three met again and again at one instant."""
     run = t2.simulate(drop(seed), duration=duration, method=t2.ClosedForm())
+    assert max(laws(run).values()) <= ROUNDING
+
+
+def jammed(friction: float, restitution: float, *bodies: tuple[Shape, float, State]) -> t2.Scene:
+    """Bodies of an ordinary drop on its floor, at an instant at which contacts jam."""
+    surface = {"friction": friction, "restitution": restitution}
+    scene = t2.Scene(gravity=(0, -G))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), **surface)
+    for shape, mass, state in bodies:
+        scene.add_body(
+            shape,
+            mass=mass,
+            position=state.position,
+            orientation=state.orientation,
+            velocity=state.velocity,
+            angular_velocity=state.angular_velocity,
+            **surface,
+        )
+    return scene
+
+
+def pentagon(radius: float) -> t2.Polygon:
+    turns = [0.4 * math.pi * k for k in range(5)]
+    return t2.Polygon(vertices=[(radius * math.cos(a), radius * math.sin(a)) for a in turns])
+
+
+JAMS = {
+    "a pentagon between discs: its turning presses": jammed(
+        0.7202108163216341,
+        0.2650537483644674,
+        (
+            t2.Disc(radius=0.18371014922241927),
+            0.5380459472555404,
+            State(
+                (-0.1823615212133085, 0.18371014922241927),
+                4.1621880590393925,
+                (0.21807574533547322, 0.0),
+                -1.1870642218653213,
+            ),
+        ),
+        (
+            t2.Disc(radius=0.15990302263822082),
+            0.9594800631695037,
+            State(
+                (0.17508605758857024, 0.15990302263822082),
+                1.002162104717317,
+                (0.18616927898513738, 1.5101331908458552e-26),
+                -1.164263663772909,
+            ),
+        ),
+        (
+            pentagon(0.1338338970019956),
+            2.824992856136071,
+            State(
+                (0.026732226165510437, 0.3881978630994321),
+                5.743488802105895,
+                (0.23413227561964545, -0.05714858707420818),
+                1.5187924180916335,
+            ),
+        ),
+    ),
+    "a heap: one contact sticks but for rounding": jammed(
+        0.7924472417262629,
+        0.2519474177039749,
+        (
+            t2.Box(width=0.4043394665482869, height=0.4043394665482869),
+            2.9670861059809726,
+            State(
+                (0.31980952245875144, 0.27068481174936687),
+                4.254817318345418,
+                (0.13993002546730665, 0.047589945545840576),
+                -0.5169481972888482,
+            ),
+        ),
+        (
+            t2.Box(width=0.3149255916025241, height=0.3149255916025241),
+            4.902668331855874,
+            State(
+                (0.7386684004163607, 0.5263664839439142),
+                6.3036386168767535,
+                (0.04441461157759694, 0.04962262213207564),
+                0.9003515770607828,
+            ),
+        ),
+        (
+            pentagon(0.24586800607529452),
+            4.0958936013048906,
+            State(
+                (0.7355801153100192, 0.8827520559786586),
+                2.847886697927981,
+                (-0.2764558172673752, 0.04684076969160462),
+                0.9003422473244087,
+            ),
+        ),
+    ),
+}
+
+
+@pytest.mark.parametrize("scene", JAMS.values(), ids=JAMS)
+def test_sliding_that_jams_is_ended_by_an_impulse(scene: t2.Scene):
+    """Those contacts are told that loads press, with what turning adds to them (DD68)."""
+    run = t2.simulate(scene, duration=0.01, method=t2.ClosedForm())
     assert max(laws(run).values()) <= ROUNDING
 
 

@@ -15,6 +15,7 @@ from tamias2d.motion.polynomial import Polynomial
 from tamias2d.motion.uniform import Uniform
 from tamias2d.state import State
 from tools.measurements.drops import drop
+from tools.measurements.located_drops import ROUNDING, laws
 
 
 @pytest.mark.parametrize("turning", [0.0, 1e-13])
@@ -58,6 +59,12 @@ def test_a_box_that_parts_at_one_corner_comes_down_on_the_next() -> None:
     assert len(touching) == 1
     met = Pair(floor, box, *paths).separation_time(0.0, 1e-8, pull - spin**2 * y, touching)
     assert met == pytest.approx(tilt / -spin, rel=1e-3)
+
+
+def test_what_was_found_of_a_pair_that_parts_holds_no_more_on_other_paths() -> None:
+    """A pentagon that rocks on its corners stops to slide soon after one of them has parted."""
+    run = t2.simulate(drop(9500070), duration=1.421, method=t2.ClosedForm())
+    assert laws(run)["overlap"] <= ROUNDING
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -1,6 +1,9 @@
 """Every measurement runs to its end, small; no time and no figure is looked at."""
 
 import json
+import subprocess
+import sys
+import time
 from argparse import ArgumentParser
 from functools import partial
 from pathlib import Path
@@ -74,6 +77,24 @@ def test_located_drops(tmp_path: Path) -> None:
     heads, rows = located_drops.table(found)
     assert {len(row) for row in rows} == {len(heads)}
     assert located_drops.notes(found) == []
+
+
+def test_a_measurement_that_is_ended_tells_what_it_has_found(tmp_path: Path) -> None:
+    store = tmp_path / "drops.jsonl"
+    command = [sys.executable, "-m", "tools.measure", "located_drops", "--json"]
+    running = subprocess.Popen(
+        [*command, "--first", "9000000", "--store", f"{store}"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    while running.poll() is None and not (store.exists() and store.read_text().endswith("\n")):
+        time.sleep(0.05)
+    running.terminate()
+    found, told = running.communicate(timeout=60)
+    assert running.returncode == 0, told
+    assert json.loads(found)["rows"] == [json.loads(line) for line in store.open()]
+    assert "Stopped" in told
 
 
 def test_energies(tmp_path: Path) -> None:

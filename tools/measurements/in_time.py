@@ -3,6 +3,7 @@
 import math
 import multiprocessing
 import resource
+import signal
 import time
 from collections.abc import Callable
 from multiprocessing.connection import Connection
@@ -25,6 +26,8 @@ def in_time(call: Callable[..., Any], given: tuple[Any, ...], limit: int) -> Any
 
 
 def _send(call: Callable[..., Any], given: tuple[Any, ...], limit: int, to: Connection) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # whoever waits for it ends it
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     limit += math.ceil(time.process_time())
     resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
     to.send(call(*given))

@@ -10,7 +10,7 @@ time. Of 720 instants of each run it is looked at:
   share of the weight of all bodies times the duration.
 
 With --store FILE each drop is written there as a line of JSON, and what is there is not run again.
-Stop it by Ctrl-C, and what was found is printed.
+Stop it by Ctrl-C or SIGTERM, and what was found is printed.
 """
 
 import json

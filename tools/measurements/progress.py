@@ -1,5 +1,6 @@
 """How far a measurement is, on standard error."""
 
+import signal
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import TypeVar
@@ -18,8 +19,11 @@ def each(items: Iterable[_Item], name: str = "", total: int | None = None) -> It
 
 @contextmanager
 def until_stopped() -> Iterator[None]:
-    """Let Ctrl-C end what is done within, and no more."""
+    """Let Ctrl-C, or SIGTERM, end what is done within, and no more."""
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         yield
     except KeyboardInterrupt:
         TOLD.print("Stopped; this is what was found until then.")
+    finally:
+        signal.signal(signal.SIGTERM, before)

@@ -185,7 +185,7 @@ class CoupledIsland(Island):
         found = self._forces()
         if found is None:
             names = named(*(self._cores[i].name for i in self.bodies))
-            raise JammedError(names, self._patches, self._free, time=self._time)
+            raise JammedError(names, self._patches, self._placed, self._free, time=self._time)
         mode = tuple(
             self._part(patch, pushes, drag)
             for patch, (pushes, drag) in zip(self._patches, found, strict=True)
@@ -240,13 +240,7 @@ class CoupledIsland(Island):
         Coulomb's bound with tangential ones, where a patch sticks or may begin to slide.
         """
         problem = ForceProblem(self._cores, self.bodies, self._patches)
-        contacts = [c for patch in self._patches for c in patch.contacts]
-        loads = [contact_acceleration(c, False, self._placed, self._free) for c in contacts]
-        loads += [
-            contact_acceleration(patch.contacts[0], True, self._placed, self._free)
-            for patch in problem.sticking
-        ]
-        found = problem.solved(np.array(loads))
+        found = problem.solved(problem.loads(self._placed, self._free))
         if found is None:
             return None
         pushes, drags = found

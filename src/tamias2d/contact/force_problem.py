@@ -1,14 +1,14 @@
 """The complementarity problem of the forces, or impulses, at contacts with friction (IM18)."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from tamias2d.contact.core import Core
-from tamias2d.contact.coupled_constraint import inverse_masses, rows_of
+from tamias2d.contact.core import Core, Placed
+from tamias2d.contact.coupled_constraint import contact_acceleration, inverse_masses, rows_of
 from tamias2d.contact.lemke import lemke
 from tamias2d.contact.modes import Part, Patch, closed_directions, force_directions
-from tamias2d.state import Array
+from tamias2d.state import Acceleration, Array
 
 
 class ForceProblem:
@@ -20,6 +20,7 @@ class ForceProblem:
         self.patches = patches
         self.sticking = [patch for patch in patches if patch.coefficient and not patch.sense]
         contacts = [contact for patch in patches for contact in patch.contacts]
+        self._contacts = contacts
         mode = tuple(Part(patch, patch.contacts, patch.sense) for patch in patches)
         inverse = inverse_masses(cores, bodies)
         tangents = closed_directions([(patch.contacts[0], True) for patch in self.sticking])
@@ -35,6 +36,12 @@ class ForceProblem:
         for k, patch in enumerate(self.sticking):
             for contact in patch.contacts:
                 self._bounds[k, place[id(contact)]] = patch.coefficient
+
+    def loads(self, placed: Mapping[int, Placed], free: Mapping[int, Acceleration]) -> Array:
+        """Return the accelerations of the rows, m/s^2, where loads alone accelerate the bodies."""
+        rows = [(contact, False) for contact in self._contacts]
+        rows += [(patch.contacts[0], True) for patch in self.sticking]
+        return np.array([contact_acceleration(c, along, placed, free) for c, along in rows])
 
     def solved(self, loads: Array) -> tuple[Array, Array] | None:
         """Return the pushes and the drags, N, for the accelerations without them."""

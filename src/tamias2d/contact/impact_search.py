@@ -66,12 +66,13 @@ class ImpactSearch:
         kept = self.separating_direction.keys() & pairs
         self.separating_direction = {pair: self.separating_direction[pair] for pair in kept}
 
-    def resume_after(self, instant: Instant, until: float) -> None:
-        """Find from when on pairs that separate without normal velocity are resolved as apart."""
-        struck = {i for c, *_ in instant.contact_impulses for i in (c.a, c.b)}
-        struck = {i for i in struck if self._cores[i].dynamic}
-        for pair in [pair for pair in self.resume if set(pair) & struck]:
-            del self.resume[pair]  # it was found on paths that are no more
+    def resume_after(self, instant: Instant, until: float, moved: Collection[int]) -> None:
+        """Find from when on pairs that separate without normal velocity are resolved as apart.
+
+        What was found for bodies that have `moved` to other paths holds no more.
+        """
+        for pair in [pair for pair in self.resume if not set(pair).isdisjoint(moved)]:
+            del self.resume[pair]
         for pair, acceleration in instant.separating.items():
             touch = instant.touching_pairs[pair]
             longest = 2.0**-20 * (until - instant.time)

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from tamias2d.contact.core import Core
+from tamias2d.contact.core import Core, Placed
 from tamias2d.contact.coupled_constraint import inverse_masses, least_forces, rows_of
 from tamias2d.contact.force_problem import ForceProblem
 from tamias2d.contact.manifold import Contact
@@ -31,11 +31,15 @@ class JammedError(LastingContactError):
         self,
         names: str,
         patches: Sequence[Patch],
+        placed: Mapping[int, Placed],
         free: Mapping[int, Acceleration],
         *,
         time: float,
     ) -> None:
-        """Take the patches of the island, and the accelerations of its bodies by loads alone."""
+        """Take the patches of the island, and the accelerations of its bodies by loads alone.
+
+        `placed` are its bodies, and those on which they lie.
+        """
         super().__init__(
             f"{names} at {time!r} s: no forces between them were found that obey Coulomb's law "
             "(IM18), as where friction presses what it brakes. End the run before, take "
@@ -43,25 +47,23 @@ class JammedError(LastingContactError):
             time=time,
         )
         self.patches = patches
+        self.placed = placed
         self.free = free
 
 
-def jam_impulses(
-    cores: Sequence[Core],
-    patches: Sequence[Patch],
-    states: Mapping[int, State],
-    free: Mapping[int, Acceleration],
-) -> list[tuple[Contact, float, float]]:
+def jam_impulses(cores: Sequence[Core], jam: JammedError) -> list[tuple[Contact, float, float]]:
     """Return contacts with the impulses along normal and tangent, N s, that end their sliding.
 
-    None are returned where nothing slides. A little of the loads tells which contacts they press,
-    which what is left of normal velocities, if more than that, would hide: it counts as none.
+    None are returned where nothing slides. A little of the loads tells which contacts they press.
+    What is left of velocities that count as none, if more than that, would hide it.
     """
-    bodies = sorted(free)
-    problem = ForceProblem(cores, bodies, _loose(patches))
-    rates = problem.rows @ _velocities(bodies, states).ravel()
-    rates[: problem.count] = 0.0
-    loads = problem.rows @ np.array([free[i] for i in bodies]).ravel()
+    bodies = sorted(jam.free)
+    states = {i: jam.placed[i].state for i in bodies}
+    problem = ForceProblem(cores, bodies, _loose(jam.patches))
+    slides = [bool(patch.sense) for patch in jam.patches if patch.coefficient]
+    seen = [False] * problem.count + slides
+    rates = np.where(seen, problem.rows @ _velocities(bodies, states).ravel(), 0.0)
+    loads = problem.loads(jam.placed, jam.free)
     sliding = np.abs(rates[problem.count :]).max(initial=0.0)
     pull = np.abs(loads).max()
     if not (sliding and pull):

@@ -233,13 +233,14 @@ class Instant:
         islands = self._islands(staying)
         while low := self._unresolved_bounces(islands, staying):
             refuse_jointed(self._world.cores, low, "they come to rest on each other", self.time)
+            self._refuse_corners(low)
             staying += low
             islands = self._islands(staying)
         return staying, islands
 
     def _resolve_jam(self, jam: JammedError) -> bool:
         """Apply the impulses that end the sliding of contacts that jam (DD68), if there are any."""
-        found = jam_impulses(self._world.cores, jam.patches, self.states, jam.free)
+        found = jam_impulses(self._world.cores, jam)
         quieten(self.touching_pairs.values())
         self.contact_impulses += [
             ContactImpulse(contact, push, self._rate(contact))

@@ -282,7 +282,7 @@ class Located:
                 self._chattering.count_path(body, self._paths.path(body).start, path.start)
             self._set_path(body, path)
         self._schedule_ends(paths, end)
-        self._search.resume_after(instant, self._until)
+        self._search.resume_after(instant, self._until, paths.keys())
         self._schedule_impacts(paths or bodies)
         if self._paths.follower:
             touched = {i for pair in instant.touching_pairs for i in pair}

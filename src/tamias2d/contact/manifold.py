@@ -56,6 +56,10 @@ def manifold(
     found = from_side(a, b, found, lasting[0].normal if lasting else separating_direction)
     axis = max(found, key=lambda each: each.gap)
     directions = _equal_directions(found, axis, tolerance)
+    if directions:
+        found = _facing(a, b, found, axis.gap - tolerance, tolerance)
+        axis = max(found, key=lambda each: each.gap)
+        directions = _equal_directions(found, axis, tolerance)
     if directions and (own := _own_axis(found, axis.gap - tolerance, lasting)):
         axis = own
     elif directions:
@@ -288,6 +292,25 @@ def _at_end(a: Placed, b: Placed, axis: Axis, gap: Gap, end: int) -> Contact:
 
 def _dot(normal: Vector, direction: Vector) -> float:
     return normal[0] * direction[0] + normal[1] * direction[1]
+
+
+def _facing(a: Placed, b: Placed, found: list[Axis], least: float, tolerance: float) -> list[Axis]:
+    """Return, of the axes whose gap is not less than the least one, those of sides at a corner.
+
+    Of sides that are nearly parallel both touch, wherever along them the corners are.
+    """
+    touching = [axis for axis in found if axis.gap >= least]
+    return [axis for axis in touching if _faces(a, b, axis, tolerance)] or touching
+
+
+def _faces(a: Placed, b: Placed, axis: Axis, tolerance: float) -> bool:
+    """Return whether corners that touch a side are not all beyond the same end of it."""
+    if axis.side is None:
+        return True
+    low, high = axis.side.ends
+    touching = [gap for gap in gaps(a, b, axis) if gap.value <= axis.gap + tolerance]
+    along = [_along(a, b, axis, gap) for gap in touching]
+    return max(along) >= low - tolerance and min(along) <= high + tolerance
 
 
 def _equal_directions(found: list[Axis], best: Axis, tolerance: float) -> list[Vector]:

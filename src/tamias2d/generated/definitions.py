@@ -460,7 +460,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:500.
+    Source: DD22, srs/definitions.md:502.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -477,7 +477,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:513.
+    Source: DD23, srs/definitions.md:515.
     """
     return sqrt(friction_a * friction_b)
 
@@ -495,7 +495,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:531.
+    Source: DD15, srs/definitions.md:533.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -514,7 +514,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:545.
+    Source: DD16, srs/definitions.md:547.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -533,7 +533,7 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:562.
+    Source: DD60, srs/definitions.md:564.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
 
