@@ -64,6 +64,8 @@ class JointLayout:
         size = np.where(self.are_lengths, self.sizes[:, None], 1.0)
         slight = slice(tb.J_SLIGHT, tb.J_SLIGHT + MOST_ROWS)
         numbers[self.places, slight] = APART / math.sqrt(MOST_ROWS) * size
+        arm = np.where(self.are_lengths, 1.0, self.sizes[:, None])
+        numbers[self.places, tb.J_ARM : tb.J_ARM + MOST_ROWS] = np.where(np.isfinite(arm), arm, 0.0)
         if kept is not None:
             numbers[self.places, _KEPT] = kept
         else:

@@ -17,10 +17,12 @@ from tamias2d.engine.joints.angle_laws import (
 from tamias2d.engine.joints.hinge_tree import (
     arms_of_hinge,
     first_besides,
+    hang_tree,
     place_tree,
     turn_tree,
 )
 from tamias2d.engine.joints.impulse import apply_joint_impulse
+from tamias2d.engine.joints.yielding import let_yield, throws_tree, yields
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
     REMOVED_BY_JOINTS,
@@ -95,7 +97,7 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
             turn_tree(n, substep, bodies, joints)
         before = size
         if (
-            not substep * substep * solve_hinges(n, bodies, joints)
+            not substep * substep * solve_tree(n, substep, substep, bodies, joints)
             > joints.hinges[root, tb.H_SLIGHT]
         ):
             return
@@ -115,7 +117,25 @@ def take_solution_back(n: int, bodies: Bodies, joints: Joints) -> None:
             apply_joint_impulse(j, r, -joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
 
 
-def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
+def solve_tree(
+    n: int, ahead: float, substep: float, bodies: Bodies, joints: Joints
+) -> float:
+    """Give a tree the impulses that take its errors away, or yield where it would be thrown."""
+    largest = solve_hinges(n, bodies, joints)
+    besides = first_besides(n, joints)
+    tied = besides < joints.mechanisms[n + 1, tb.M_JOINT]
+    if tied and not yields(n, joints) and throws_tree(n, besides, substep, bodies, joints):
+        take_solution_back(n, bodies, joints)
+        let_yield(n, joints)
+        hang_tree(n, ahead, bodies, joints)
+        for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+            row = joints.hinges[m]
+            begin_errors(row, row[tb.H_ERROR], row[tb.H_ERROR + 1])
+        return solve_hinges(n, bodies, joints)
+    return largest
+
+
+def fit_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of its rows from the velocities of a tree."""
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         rate_x, rate_y = rates_of_hinge(m, bodies, joints)
@@ -127,7 +147,7 @@ def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
                 if joints.joints[j, tb.J_LAW] == tb.MOTOR:
                     rate = drive_error(rate, joints.laws[j, tb.LAW_RATE])
                 joints.numbers[j, tb.J_ERROR + r] = rate
-    solve_hinges(n, bodies, joints)
+    solve_tree(n, 0.0, substep, bodies, joints)
 
 
 @inlined

@@ -108,7 +108,7 @@ def firmness_by_law(
 
     It is noted after which share a spring answers.
     """
-    firm = firmness_that_yields(yielding)
+    firm = firmness_that_yields(yielding, joints.numbers[j, tb.J_YIELDS])
     if joints.joints[j, tb.J_LAW] == tb.SPRING:
         stiffness, damping = joints.laws[j, tb.LAW_STIFFNESS], joints.laws[j, tb.LAW_DAMPING]
         share = implicit_share(stiffness, damping, hinged, substep)
@@ -205,9 +205,9 @@ def yield_of_row(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints:
 
 
 @inlined
-def firmness_that_yields(yielding: float) -> float:
-    """Return how firm a row is that yields so much, 1/kg."""
-    return firmness(FIRM, yielding) if yielding > 0.0 else 0.0
+def firmness_that_yields(yielding: float, soft: float) -> float:
+    """Return how firm a row is that yields so much, 1/kg; as firm as is said if it cannot hold."""
+    return firmness(soft if soft > 0.0 else FIRM, yielding) if yielding > 0.0 else 0.0
 
 
 @inlined

@@ -13,6 +13,7 @@ from tamias2d.engine.direct.cholesky import substitute
 from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
+from tamias2d.engine.joints.yielding import let_yield, throws_rows, yields
 from tamias2d.engine.joints.linearise import (
     factor_mechanism,
     place_members,
@@ -32,6 +33,7 @@ from tamias2d.generated.joint_step import (
 )
 
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
+REMOVED_YIELDING = 0.1  # of that, if joints yield
 MOST_ITERATIONS_OF_JOINTS = 12  # two to three are usual
 SLOWLY = 0.1  # by which share errors become less: else rows are found anew
 MOST_CHOICES = 4  # of the limits that hold, and of the motors that give the most
@@ -58,6 +60,8 @@ def aim_joint(j: int, length: float, joints: Joints) -> None:
         elif law == tb.UPPER_LIMIT:
             value = max(value, 0.0)
         removed = 0.0 if law == tb.SPRING else REMOVED_BY_JOINTS * length
+        if numbers[tb.J_YIELDS] > 0.0:
+            removed *= REMOVED_YIELDING
         numbers[tb.J_AIM + r] = row_aim(value, removed)
         numbers[tb.J_GIVEN + r] = -numbers[tb.J_LEFT] if law == tb.SPRING else 0.0
 
@@ -76,7 +80,7 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
         if not choose_rows(n, substep, bodies, joints):
             return
         factor_mechanism(n, substep, bodies, joints)
-        return_to_rates(n, bodies, joints)
+        return_to_rates(n, substep, bodies, joints)
         bring_to_aims(n, True, substep, bodies, joints)
 
 
@@ -87,7 +91,7 @@ def note_rates(n: int, bodies: Bodies, joints: Joints) -> None:
             joints.numbers[j, tb.J_RESIDUAL + r] = rate_of_row(j, r, bodies, joints)
 
 
-def return_to_rates(n: int, bodies: Bodies, joints: Joints) -> None:
+def return_to_rates(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Let the rows that hold have the rates again that they had before some changed their state.
 
     Else what changed would tear the joints, and positions would be looked for far away.
@@ -97,7 +101,7 @@ def return_to_rates(n: int, bodies: Bodies, joints: Joints) -> None:
         for r in range(joints.joints[j, tb.J_ROWS]):
             rate = rate_of_row(j, r, bodies, joints)
             joints.numbers[j, tb.J_ERROR + r] = rate - joints.numbers[j, tb.J_RESIDUAL + r]
-    solve_joint_errors(n, bodies, joints)
+    solve_joint_errors(n, substep, substep, bodies, joints)
 
 
 def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -109,7 +113,7 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         find_position_errors(n, substep, bodies, joints)
         share = 0.5 if joints.mechanisms[n, tb.M_HALF] == 1 else 1.0
         start_impulses(n, 0.0 if again else share, joints)
-        solve_joint_errors(n, bodies, joints)
+        solve_joint_errors(n, substep, substep, bodies, joints)
         if not again:
             keep_impulses(n, share, joints)
         return
@@ -127,7 +131,7 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         turned = turning and size > SLOWLY * before
         if turned:
             turn_rows(n, substep, bodies, joints)
-        solve_joint_errors(n, bodies, joints)
+        solve_joint_errors(n, substep, substep, bodies, joints)
         before = size
 
 
@@ -145,7 +149,7 @@ def turn_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     factor_mechanism(n, substep, bodies, joints)
 
 
-def keep_velocities(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
+def keep_velocities(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of its rows from the velocities of a mechanism.
 
     Of a mesh, the impulses are about so many times those of the last substep.
@@ -158,7 +162,7 @@ def keep_velocities(n: int, warm: float, bodies: Bodies, joints: Joints) -> None
                 if joints.joints[j, tb.J_LAW] == tb.MOTOR:
                     rate = drive_error(rate, joints.laws[j, tb.LAW_RATE])
                 joints.numbers[j, tb.J_ERROR + r] = rate
-        solve_joint_errors(n, bodies, joints)
+        solve_joint_errors(n, 0.0, substep, bodies, joints)
 
 
 def start_impulses(n: int, share: float, joints: Joints) -> None:
@@ -241,12 +245,16 @@ def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:
     return rate
 
 
-def solve_joint_errors(n: int, bodies: Bodies, joints: Joints) -> None:
+def solve_joint_errors(n: int, ahead: float, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Give a mechanism the impulses that take the errors of its rows away."""
     if joints.mechanisms[n, tb.M_MESHED] == 1:
         iterate_mesh(n, bodies, joints)
     else:
         solve_directly(n, joints)
+        if not yields(n, joints) and throws_rows(n, substep, bodies, joints):
+            let_yield(n, joints)
+            factor_mechanism(n, ahead, bodies, joints)
+            solve_directly(n, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         for r in range(joints.joints[j, tb.J_ROWS]):
             apply_joint_impulse(j, r, joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)

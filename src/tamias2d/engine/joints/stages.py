@@ -26,6 +26,7 @@ from tamias2d.engine.joints.mechanism import (
 from tamias2d.engine.joints.moments import note_after_joints, note_before_joints
 from tamias2d.engine.joints.step_impulses import begin_impulses
 from tamias2d.engine.joints.tree_blocks import write_blocks
+from tamias2d.engine.joints.yielding import hold_again, yields
 from tamias2d.engine.tables import Bodies, Joints, World
 
 
@@ -96,7 +97,12 @@ def relax_joints(world: World) -> None:
     for n in range(joints.counts[tb.MECHANISMS]):
         alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
         if alone and joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            yielded = yields(n, joints)
             write_mechanism(n, bodies, joints)
+            if yielded:
+                hold_again(n, joints)
+            if yielded and not yields(n, joints):
+                write_mechanism(n, bodies, joints)
             if joints.mechanisms[n, tb.M_GOVERNED] == 1:
                 note_left(n, joints)
 
