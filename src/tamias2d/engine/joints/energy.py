@@ -12,6 +12,7 @@ Cost: a visit to each body and spring, and two more where there is too much.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.yielding import energy_driven, yields
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
     add_to_island,
@@ -74,6 +75,10 @@ def bound_mechanism(
     numbers = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
     sprung, reserve = energy_of_springs(n, joints), numbers[tb.J_RESERVE]
     if (carried and is_changed(start, numbers)) or may_get_any(n, row, joints):
+        if yields(n, joints):
+            driven = energy_driven(n, base, control.settings[tb.SUBSTEP], bodies, joints)
+            most = max(start + given + numbers[tb.J_ENERGY] - sprung, driven)
+            now = damp_to(n, now, most, base, bodies, joints, row)
         note_balance(start, now, sprung, now, numbers)
         return
     if tied and not governed and start + given + reserve < 0.0:
@@ -82,13 +87,22 @@ def bound_mechanism(
         given *= share
     balance = mechanism_energy_balance(start, given, numbers[tb.J_ENERGY], sprung, reserve)
     most = max(balance, 0.0)
-    if now > most:
-        row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND] = now, most
-        damp_mechanism(first, last, row, bodies, joints)
-        damped = row[tb.DAMPED_SHARE] > 0.0
-        now = most if damped else energy_of_motion(first, last, base, bodies, joints)
+    now = damp_to(n, now, most, base, bodies, joints, row)
     energy[tb.TOTAL_ENERGY_START] += energy_regained(now, start, given)
     note_balance(start, now, sprung, balance, numbers)
+
+
+def damp_to(
+    n: int, now: float, most: float, base: Vector, bodies: Bodies, joints: Joints, row: Array
+) -> float:
+    """Let a mechanism have at most an energy, J; return that which it has then."""
+    if not now > most:
+        return now
+    first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
+    row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND] = now, most
+    damp_mechanism(first, last, row, bodies, joints)
+    damped = row[tb.DAMPED_SHARE] > 0.0
+    return most if damped else energy_of_motion(first, last, base, bodies, joints)
 
 
 def energies_of_part(

@@ -6,11 +6,12 @@ Cost: for each choice that changes, a visit more to each body, and a solution.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.hinge_solve import (
+    answer_tree,
     begin_errors,
     bring_tree_to_aims,
+    energy_asked_of_tree,
     find_gap_errors,
     rates_of_hinge,
-    solve_tree,
 )
 from tamias2d.engine.joints.hinge_tree import first_besides, hang_tree
 from tamias2d.engine.joints.solve import MOST_CHOICES, rate_of_row
@@ -58,4 +59,4 @@ def return_tree_to_rates(n: int, substep: float, bodies: Bodies, joints: Joints)
         for r in range(joints.joints[j, tb.J_ROWS]):
             rate = rate_of_row(j, r, bodies, joints)
             joints.numbers[j, tb.J_ERROR + r] = rate - joints.numbers[j, tb.J_RESIDUAL + r]
-    solve_tree(n, substep, substep, bodies, joints)
+    answer_tree(n, substep, energy_asked_of_tree(n, substep, bodies, joints), bodies, joints)

@@ -22,10 +22,16 @@ from tamias2d.engine.joints.hinge_tree import (
     turn_tree,
 )
 from tamias2d.engine.joints.impulse import apply_joint_impulse
-from tamias2d.engine.joints.yielding import let_yield, throws_tree, yields
+from tamias2d.engine.joints.yielding import (
+    REMOVED_BY_JOINTS,
+    energy_asked,
+    gain_of_node,
+    let_yield,
+    slight_rates,
+    yields,
+)
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
-    REMOVED_BY_JOINTS,
     SLOWLY,
     SOLVED_RATE,
     aim_joint,
@@ -80,26 +86,37 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
     Arms turn meanwhile; where that matters, it is done again, and with the arms of the end where
     errors do not become much less.
     """
-    turning = joints.mechanisms[n, tb.M_CHOOSING] == 0  # trial impulses of motors may go anywhere
-    first, before, turned = 0.0, inf, False
+    choosing = joints.mechanisms[n, tb.M_CHOOSING] == 1  # trial impulses may go anywhere
+    first, before, most, turned = 0.0, inf, 0.0, False
     root = joints.sparse[n, tb.I_NODE] + 1
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_gap_errors(n, substep, bodies, joints)
         if k == 0:
-            first = size
+            first, most = size, energy_asked_of_tree(n, substep, bodies, joints)
         if turned and not size < before:
             take_solution_back(n, bodies, joints)
             return
-        if size <= SOLVED_RATE * SOLVED_RATE * first or not (turning or size < before):
+        if size <= SOLVED_RATE * SOLVED_RATE * first:
             return
-        turned = turning and size > SLOWLY * before
+        if choosing and not size < before:
+            if size > slight_rates(first_besides(n, joints), n, substep, joints):
+                take_solution_back(n, bodies, joints)
+                if k == 1 and not yields(n, joints):
+                    let_yield(n, joints)
+                    hang_tree(n, substep, bodies, joints)
+                    find_gap_errors(n, substep, bodies, joints)
+                    solve_hinges(n, bodies, joints)
+            return
+        turned = not choosing and size > SLOWLY * before
         if turned:
             turn_tree(n, substep, bodies, joints)
         before = size
         if (
-            not substep * substep * solve_tree(n, substep, substep, bodies, joints)
+            not substep * substep * answer_tree(n, substep, most, bodies, joints)
             > joints.hinges[root, tb.H_SLIGHT]
         ):
+            return
+        if yields(n, joints):
             return
 
 
@@ -117,14 +134,14 @@ def take_solution_back(n: int, bodies: Bodies, joints: Joints) -> None:
             apply_joint_impulse(j, r, -joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
 
 
-def solve_tree(
-    n: int, ahead: float, substep: float, bodies: Bodies, joints: Joints
-) -> float:
-    """Give a tree the impulses that take its errors away, or yield where it would be thrown."""
+def answer_tree(n: int, ahead: float, most: float, bodies: Bodies, joints: Joints) -> float:
+    """Give a tree the impulses that take its errors away, or yield where it would be thrown.
+
+    It is if they give it more than an energy, J. Springs count as `hang_tree` says.
+    """
     largest = solve_hinges(n, bodies, joints)
-    besides = first_besides(n, joints)
-    tied = besides < joints.mechanisms[n + 1, tb.M_JOINT]
-    if tied and not yields(n, joints) and throws_tree(n, besides, substep, bodies, joints):
+    tied = first_besides(n, joints) < joints.mechanisms[n + 1, tb.M_JOINT]
+    if tied and not yields(n, joints) and not gain_of_tree(n, joints) <= most:
         take_solution_back(n, bodies, joints)
         let_yield(n, joints)
         hang_tree(n, ahead, bodies, joints)
@@ -133,6 +150,23 @@ def solve_tree(
             begin_errors(row, row[tb.H_ERROR], row[tb.H_ERROR + 1])
         return solve_hinges(n, bodies, joints)
     return largest
+
+
+def energy_asked_of_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Return the most energy that the errors of a tree may give it, J."""
+    rates = 0.0
+    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+        row = joints.hinges[m]
+        rates += row[tb.H_ERROR] * row[tb.H_ERROR] + row[tb.H_ERROR + 1] * row[tb.H_ERROR + 1]
+    return energy_asked(n, first_besides(n, joints), rates, substep, bodies, joints)
+
+
+def gain_of_tree(n: int, joints: Joints) -> float:
+    """Return the energy of what the last solution of a tree changes, J."""
+    gain = 0.0
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        gain += gain_of_node(joints.hinges[node + 1], tb.H_CHANGE, joints.factors[node])
+    return gain
 
 
 def fit_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -147,7 +181,7 @@ def fit_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
                 if joints.joints[j, tb.J_LAW] == tb.MOTOR:
                     rate = drive_error(rate, joints.laws[j, tb.LAW_RATE])
                 joints.numbers[j, tb.J_ERROR + r] = rate
-    solve_tree(n, 0.0, substep, bodies, joints)
+    answer_tree(n, 0.0, energy_asked_of_tree(n, substep, bodies, joints), bodies, joints)
 
 
 @inlined

@@ -13,7 +13,14 @@ from tamias2d.engine.direct.cholesky import substitute
 from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
-from tamias2d.engine.joints.yielding import let_yield, throws_rows, yields
+from tamias2d.engine.joints.yielding import (
+    REMOVED_BY_JOINTS,
+    REMOVED_YIELDING,
+    energy_asked,
+    gain_of_node,
+    let_yield,
+    yields,
+)
 from tamias2d.engine.joints.linearise import (
     factor_mechanism,
     place_members,
@@ -32,8 +39,6 @@ from tamias2d.generated.joint_step import (
     spring_error,
 )
 
-REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
-REMOVED_YIELDING = 0.1  # of that, if joints yield
 MOST_ITERATIONS_OF_JOINTS = 12  # two to three are usual
 SLOWLY = 0.1  # by which share errors become less: else rows are found anew
 MOST_CHOICES = 4  # of the limits that hold, and of the motors that give the most
@@ -101,7 +106,8 @@ def return_to_rates(n: int, substep: float, bodies: Bodies, joints: Joints) -> N
         for r in range(joints.joints[j, tb.J_ROWS]):
             rate = rate_of_row(j, r, bodies, joints)
             joints.numbers[j, tb.J_ERROR + r] = rate - joints.numbers[j, tb.J_RESIDUAL + r]
-    solve_joint_errors(n, substep, substep, bodies, joints)
+    most = energy_asked_of_rows(n, substep, bodies, joints)
+    solve_joint_errors(n, substep, most, bodies, joints)
 
 
 def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -113,26 +119,42 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         find_position_errors(n, substep, bodies, joints)
         share = 0.5 if joints.mechanisms[n, tb.M_HALF] == 1 else 1.0
         start_impulses(n, 0.0 if again else share, joints)
-        solve_joint_errors(n, substep, substep, bodies, joints)
+        solve_joint_errors(n, substep, inf, bodies, joints)
         if not again:
             keep_impulses(n, share, joints)
         return
-    turning = joints.mechanisms[n, tb.M_CHOOSING] == 0  # trial impulses of motors may go anywhere
-    first, before, turned = 0.0, inf, False
+    choosing = joints.mechanisms[n, tb.M_CHOOSING] == 1  # trial impulses may go anywhere
+    first, before, most, turned = 0.0, inf, 0.0, False
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_position_errors(n, substep, bodies, joints)
         if k == 0:
-            first = size
+            first, most = size, energy_asked_of_rows(n, substep, bodies, joints)
         if turned and not size < before:
             take_impulses_back(n, bodies, joints)
             return
-        if size <= SOLVED_RATE * SOLVED_RATE * first or not (turning or size < before):
+        if size <= SOLVED_RATE * SOLVED_RATE * first:
             return
-        turned = turning and size > SLOWLY * before
+        if choosing and not size < before:
+            if not most >= energy_asked_of_rows(n, substep, bodies, joints):
+                take_impulses_back(n, bodies, joints)
+                if k == 1 and not yields(n, joints):
+                    let_yield(n, joints)
+                    factor_mechanism(n, substep, bodies, joints)
+                    find_position_errors(n, substep, bodies, joints)
+                    solve_joint_errors(n, substep, most, bodies, joints)
+            return
+        turned = not choosing and size > SLOWLY * before
         if turned:
             turn_rows(n, substep, bodies, joints)
-        solve_joint_errors(n, substep, substep, bodies, joints)
+        solve_joint_errors(n, substep, most, bodies, joints)
+        if yields(n, joints):
+            return
         before = size
+
+
+def energy_asked_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Return the most energy that the errors of a mechanism may give it, J."""
+    return energy_asked(n, joints.mechanisms[n, tb.M_JOINT], 0.0, substep, bodies, joints)
 
 
 def take_impulses_back(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -162,7 +184,8 @@ def keep_velocities(n: int, warm: float, substep: float, bodies: Bodies, joints:
                 if joints.joints[j, tb.J_LAW] == tb.MOTOR:
                     rate = drive_error(rate, joints.laws[j, tb.LAW_RATE])
                 joints.numbers[j, tb.J_ERROR + r] = rate
-        solve_joint_errors(n, 0.0, substep, bodies, joints)
+        most = energy_asked_of_rows(n, substep, bodies, joints)
+        solve_joint_errors(n, 0.0, most, bodies, joints)
 
 
 def start_impulses(n: int, share: float, joints: Joints) -> None:
@@ -245,19 +268,27 @@ def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:
     return rate
 
 
-def solve_joint_errors(n: int, ahead: float, substep: float, bodies: Bodies, joints: Joints) -> None:
+def solve_joint_errors(n: int, ahead: float, most: float, bodies: Bodies, joints: Joints) -> None:
     """Give a mechanism the impulses that take the errors of its rows away."""
     if joints.mechanisms[n, tb.M_MESHED] == 1:
         iterate_mesh(n, bodies, joints)
     else:
         solve_directly(n, joints)
-        if not yields(n, joints) and throws_rows(n, substep, bodies, joints):
+        if not yields(n, joints) and not gain_of_rows(n, joints) <= most:
             let_yield(n, joints)
             factor_mechanism(n, ahead, bodies, joints)
             solve_directly(n, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         for r in range(joints.joints[j, tb.J_ROWS]):
             apply_joint_impulse(j, r, joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
+
+
+def gain_of_rows(n: int, joints: Joints) -> float:
+    """Return the energy of what the last solution of a mechanism changes, J."""
+    gain = 0.0
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        gain += gain_of_node(joints.factors[node], tb.CHANGE, joints.factors[node])
+    return gain
 
 
 def solve_directly(n: int, joints: Joints) -> None:

@@ -16,7 +16,12 @@ from tamias2d.engine.joints.linearise import yield_of_row
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.definitions import kinetic_energy
 from tamias2d.generated.joint_rows import ROW
+from tamias2d.generated.joint_step import row_rate
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array, Vector
 
+REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
+REMOVED_YIELDING = 0.1  # of that, while rows yield
 AMPLIFIED = 4.0  # times the rate that its rows have too much: the fastest that all may get
 
 
@@ -53,15 +58,19 @@ def hold_again(n: int, joints: Joints) -> None:
         joints.numbers[j, tb.J_YIELDS] = 0.0
 
 
-def energy_to_ask(
-    first: int, last: int, mass: float, rates: float, substep: float, bodies: Bodies, joints: Joints
+def energy_asked(
+    n: int, first: int, rates: float, substep: float, bodies: Bodies, joints: Joints
 ) -> float:
-    """Return the most energy, J, that a solution may give."""
-    slight, sprung = inf, 0.0
-    for j in range(first, last):
+    """Return the most energy, J, that the errors of a mechanism may give it.
+
+    Those of its joints from a first one on are looked at, and squared rates of others, m^2/s^2.
+    """
+    mass = sprung = 0.0
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        mass += joints.factors[node, tb.NODE_MASS]
+    for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS]):
-            slight = min(slight, numbers[tb.J_SLIGHT + r] * numbers[tb.J_ARM + r])
             if numbers[tb.J_FIRMNESS + r] > 0.0:
                 if ends[tb.J_LAW] == tb.SPRING:
                     impulse = numbers[tb.J_FIRMNESS + r] * numbers[tb.J_ERROR + r]
@@ -69,35 +78,51 @@ def energy_to_ask(
                 else:
                     rate = numbers[tb.J_ARM + r] * numbers[tb.J_ERROR + r]
                     rates += rate * rate
-    slight /= substep
-    return AMPLIFIED * AMPLIFIED * (mass * (rates + slight * slight) + sprung) / 2
+    rates += slight_rates(first, n, substep, joints)
+    return AMPLIFIED * AMPLIFIED * (mass * rates + sprung) / 2
 
 
-def mass_and_gain(first: int, last: int, column: int, of: object, joints: Joints) -> tuple[float, float]:
-    """Return the mass of some nodes, kg, and the energy of what a solution changes, J."""
-    mass = energy = 0.0
-    for node in range(first, last):
-        f, row, at = joints.factors[node], of, column
-        mass += f[tb.NODE_MASS]
-        energy += kinetic_energy(f[tb.NODE_MASS], (row[node, at], row[node, at + 1]), f[tb.NODE_INERTIA], row[node, at + 2])
-    return mass, energy
+def slight_rates(first: int, n: int, substep: float, joints: Joints) -> float:
+    """Return the square of the least rate, m/s, that parts rows far enough to be told."""
+    slight = inf
+    for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
+        numbers = joints.numbers[j]
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            slight = min(slight, numbers[tb.J_SLIGHT + r] * numbers[tb.J_ARM + r])
+    return (slight / substep) * (slight / substep)
 
 
-def throws_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
-    """Return whether the last solution of a mechanism throws it, which is found directly."""
-    mass, gain = mass_and_gain(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE], tb.CHANGE, joints.factors, joints)
-    most = energy_to_ask(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT], mass, 0.0, substep, bodies, joints)
-    return not gain <= most
+@inlined
+def gain_of_node(change: Array, column: int, node: Array) -> float:
+    """Return the energy of a change of the velocities of a node, J."""
+    by = (change[column], change[column + 1])
+    return kinetic_energy(node[tb.NODE_MASS], by, node[tb.NODE_INERTIA], change[column + 2])
 
 
-def throws_tree(n: int, besides: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
-    """Return whether the last solution of a tree throws it."""
-    first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
-    mass, gain = mass_and_gain(first, last, tb.H_CHANGE, joints.hinges[1:], joints)
-    rates = 0.0
-    for m in range(first + 1, last + 1):
-        row = joints.hinges[m]
-        if joints.members[m, tb.JOINED_HINGE] >= 0:
-            rates += row[tb.H_ERROR] * row[tb.H_ERROR] + row[tb.H_ERROR + 1] * row[tb.H_ERROR + 1]
-    most = energy_to_ask(besides, joints.mechanisms[n + 1, tb.M_JOINT], mass, rates, substep, bodies, joints)
-    return not gain <= most
+def energy_driven(n: int, base: Vector, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Return the most energy, J, that what ties a mechanism may give it while its rows yield.
+
+    It is seen from something that moves with a velocity, m/s.
+    """
+    mass = rates = 0.0
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        mass += joints.factors[node, tb.NODE_MASS]
+        if joints.mechanisms[n, tb.M_HINGED] == 1:
+            row = joints.hinges[node + 1]
+            gap = max(abs(row[tb.H_GAP]), abs(row[tb.H_GAP + 1]))
+            rate = REMOVED_BY_JOINTS * gap / substep
+            rates += rate * rate
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        ends, numbers = joints.joints[j], joints.numbers[j]
+        for r in range(ends[tb.J_ROWS] if ends[tb.J_LAW] < tb.MOTOR else 0):
+            rate = REMOVED_BY_JOINTS * REMOVED_YIELDING * abs(numbers[tb.J_ROW + ROW * r]) / substep
+            for end in range(tb.ENDS_OF_JOINT):
+                if ends[tb.J_NODE + end] == tb.NOT_PUSHED:
+                    at = tb.J_ROW + ROW * r + 1 + 3 * end
+                    now = bodies.motion[joints.members[ends[tb.J_MEMBER + end], tb.JOINED_SLOT]]
+                    seen = (now[tb.VX] - base[0], now[tb.VY] - base[1])
+                    slope = (numbers[at], numbers[at + 1])
+                    rate += abs(row_rate(slope, numbers[at + 2], seen, now[tb.SPIN]))
+            rates += numbers[tb.J_ARM + r] * numbers[tb.J_ARM + r] * rate * rate
+    rates += slight_rates(joints.mechanisms[n, tb.M_JOINT], n, substep, joints)
+    return AMPLIFIED * AMPLIFIED * mass * rates / 2

@@ -6,6 +6,7 @@ moved when the step began: there, gravity does no work that contacts could take 
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.yielding import energy_driven, yields
 from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import momentum, point_velocity
@@ -127,7 +128,14 @@ def charge_joined(
         row = islands.energy[root]
         bounded = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
         driven = joints.mechanisms[n, tb.M_DRIVEN] == 1 or may_get_any(n, row, joints)
-        if bounded or driven:
+        if not bounded and yields(n, joints):
+            base, substep = (row[tb.REFERENCE], row[tb.REFERENCE + 1]), control.settings[tb.SUBSTEP]
+            most = row[tb.ENERGY_START] + max(row[tb.WORK], 0.0)
+            row[tb.ENERGY_START] = max(most, energy_driven(n, base, substep, bodies, joints))
+            row[tb.WORK] = 0.0
+            if row[tb.SUPPORT] == SUPPORTED_BY_MORE:
+                row[tb.SUPPORT] = SUPPORTED_BY_ONE
+        elif bounded or driven:
             row[tb.WORK] = UNLIMITED
         elif row[tb.WORK] < 0.0:
             least = kept_way(row[tb.ENERGY_START], row[tb.LIFT_WORK], row[tb.WORK])
