@@ -624,6 +624,7 @@ DAMPED_SHARE = _energy()  # of the motion that differs from REFERENCE; 1 where n
 IS_HELD = _energy()  # 1 if the island touches something that does not move freely, or cannot turn
 GIVEN = _energy()  # kg m^2/s, what contacts have given an island that nothing holds
 ENERGY_PUSHED = _energy()  # J, of its bodies that contacts have pushed
+DRIVEN_RATE = _energy()  # m/s, at which its supports move against each other, at most
 KEPT_WAY = _energy()  # share of its way in this step that an island with joints keeps
 
 _islands = Columns()

@@ -64,19 +64,15 @@ def bound_mechanism(
     first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
     row = islands.energy[joints.sparse[first, tb.N_BODY]]
     tied, governed = joints.mechanisms[n, tb.M_TIED] == 1, joints.mechanisms[n, tb.M_GOVERNED] == 1
-    row[tb.SUPPORT] = SUPPORTED_BY_ONE if tied else FREE
-    row[tb.REFERENCE] = row[tb.REFERENCE + 1] = row[tb.REFERENCE + 2] = 0.0
     carried = joints.mechanisms[n, tb.M_CARRIED] == 1
-    if carried:
-        row[tb.SUPPORT] = FREE
-        support_mechanism(n, joints.sparse[first, tb.N_BODY], bodies, islands, joints)
+    see_from_support(n, bodies, joints, islands)
     base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
     start, given, now = energies_of_part(first, last, base, control, bodies, joints)
     numbers = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
     sprung, reserve = energy_of_springs(n, joints), numbers[tb.J_RESERVE]
     if (carried and is_changed(start, numbers)) or may_get_any(n, row, joints):
         if yields(n, joints):
-            driven = energy_driven(n, base, control.settings[tb.SUBSTEP], bodies, joints)
+            driven = energy_driven(n, row, control.settings[tb.SUBSTEP], bodies, joints)
             most = max(start + given + numbers[tb.J_ENERGY] - sprung, driven)
             now = damp_to(n, now, most, base, bodies, joints, row)
         note_balance(start, now, sprung, now, numbers)
@@ -103,6 +99,51 @@ def damp_to(
     damp_mechanism(first, last, row, bodies, joints)
     damped = row[tb.DAMPED_SHARE] > 0.0
     return most if damped else energy_of_motion(first, last, base, bodies, joints)
+
+
+def rise_of_yielding(
+    n: int, before: float, substep: float, bodies: Bodies, joints: Joints, islands: Islands
+) -> None:
+    """Let a mechanism that yields have no more energy than before, J, but what drives it gives."""
+    first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
+    row = islands.energy[joints.sparse[first, tb.N_BODY]]
+    see_from_support(n, bodies, joints, islands)
+    most = max(before, energy_driven(n, row, substep, bodies, joints))
+    base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
+    now = energy_of_motion(first, last, base, bodies, joints)
+    if now > most:
+        add_motions(n, -1.0, bodies, joints)
+        damp_to(n, now, most, base, bodies, joints, row)
+        add_motions(n, 1.0, bodies, joints)
+
+
+def add_motions(n: int, sign: float, bodies: Bodies, joints: Joints) -> None:
+    """Add the velocities of a mechanism, with a sign, to what contacts have not done."""
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        i = joints.sparse[node, tb.N_BODY]
+        for k in range(3):
+            bodies.substep_state[i, tb.SUBSTEP_START + k] += sign * bodies.motion[i, k]
+
+
+def energy_seen(n: int, bodies: Bodies, joints: Joints, islands: Islands) -> float:
+    """Return the kinetic energy of a mechanism, J, as seen from what ties it."""
+    first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
+    row = islands.energy[joints.sparse[first, tb.N_BODY]]
+    see_from_support(n, bodies, joints, islands)
+    base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
+    return energy_of_motion(first, last, base, bodies, joints)
+
+
+def see_from_support(n: int, bodies: Bodies, joints: Joints, islands: Islands) -> None:
+    """Write the motion from which a mechanism is seen: that of what ties it, if it moves."""
+    root = joints.sparse[joints.sparse[n, tb.I_NODE], tb.N_BODY]
+    row = islands.energy[root]
+    tied = joints.mechanisms[n, tb.M_TIED] == 1
+    row[tb.SUPPORT], row[tb.DRIVEN_RATE] = SUPPORTED_BY_ONE if tied else FREE, 0.0
+    row[tb.REFERENCE] = row[tb.REFERENCE + 1] = row[tb.REFERENCE + 2] = 0.0
+    if joints.mechanisms[n, tb.M_CARRIED] == 1:
+        row[tb.SUPPORT] = FREE
+        support_mechanism(n, root, bodies, islands, joints)
 
 
 def energies_of_part(

@@ -94,7 +94,8 @@ def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS]):
             yielding = yield_of_row(r, ends, numbers, bodies, joints)
-            numbers[tb.J_FIRMNESS + r] = firmness_by_law(yielding, yielding, j, substep, joints)
+            arm = numbers[tb.J_ARM + r]
+            numbers[tb.J_FIRMNESS + r] = firmness_by_law(yielding, yielding, arm, j, substep, joints)
             if not meshed:
                 add_joint_row(r, ends, numbers, joints)
     if not meshed:
@@ -102,19 +103,22 @@ def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
 
 
 def firmness_by_law(
-    yielding: float, hinged: float, j: int, substep: float, joints: Joints
+    yielding: float, hinged: float, arm: float, j: int, substep: float, joints: Joints
 ) -> float:
     """Return how firm a row is, kg, that yields so much, 1/kg, by itself, and so much with a hinge.
 
     It is noted after which share a spring answers.
     """
-    firm = firmness_that_yields(yielding, joints.numbers[j, tb.J_YIELDS])
+    firm = firmness_that_yields(yielding)
     if joints.joints[j, tb.J_LAW] == tb.SPRING:
         stiffness, damping = joints.laws[j, tb.LAW_STIFFNESS], joints.laws[j, tb.LAW_DAMPING]
         share = implicit_share(stiffness, damping, hinged, substep)
         joints.numbers[j, tb.J_SHARE] = share
         return min(firm, spring_firmness(stiffness, damping, share, substep))
-    return firm if joints.joints[j, tb.J_STATE] == tb.HOLDS else 0.0
+    if joints.joints[j, tb.J_STATE] != tb.HOLDS:
+        return 0.0
+    most = joints.numbers[j, tb.J_YIELDS] * arm * arm
+    return min(firm, most) if most > 0.0 else firm
 
 
 def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
@@ -205,9 +209,9 @@ def yield_of_row(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints:
 
 
 @inlined
-def firmness_that_yields(yielding: float, soft: float) -> float:
-    """Return how firm a row is that yields so much, 1/kg; as firm as is said if it cannot hold."""
-    return firmness(soft if soft > 0.0 else FIRM, yielding) if yielding > 0.0 else 0.0
+def firmness_that_yields(yielding: float) -> float:
+    """Return how firm a row is that yields so much, 1/kg."""
+    return firmness(FIRM, yielding) if yielding > 0.0 else 0.0
 
 
 @inlined

@@ -62,7 +62,7 @@ def firm_lanes(substep: float, lanes: Array, row: Array, above: Array) -> None:
         hinged = yield_with_hinge(yielding, (0.0, 0.0), spins, arm, far_arm, inverse, inverse_above)
         share = implicit_share(stiffness, damping, hinged, substep)
         firm = spring_firmness(stiffness, damping, share, substep)
-        firm = min(firmness_that_yields(yielding, 0.0), firm)
+        firm = min(firmness_that_yields(yielding), firm)
         row[tb.T_LAW_SHARE + m] = share
         slight = min(lanes[tb.T_SLIGHT + m], slight_turn(share))
         lanes[tb.T_SLIGHT + m] = slight if side != 0.0 else lanes[tb.T_SLIGHT + m]

@@ -10,7 +10,12 @@ from tamias2d.engine.joints.block_gather import begin_blocks
 from tamias2d.engine.joints.block_left import give_left_of_blocks, note_left_of_blocks
 from tamias2d.engine.joints.block_scatter import store_blocks
 from tamias2d.engine.joints.block_solve import aim_blocks, bring_blocks_to_aims, fit_blocks
-from tamias2d.engine.joints.energy import bound_mechanism, note_energy_of_springs
+from tamias2d.engine.joints.energy import (
+    bound_mechanism,
+    energy_seen,
+    note_energy_of_springs,
+    rise_of_yielding,
+)
 from tamias2d.engine.joints.governed import begin_motors, begin_rows
 from tamias2d.engine.joints.half_kick import kick_half
 from tamias2d.engine.joints.hinge_net import begin_net
@@ -82,7 +87,10 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
             if not again:
                 aim_mechanism(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
+            before = energy_seen(n, bodies, joints, world.islands) if yields(n, joints) else -1.0
             bring_to_end(n, again, length, substep, bodies, joints)
+            if before >= 0.0:
+                rise_of_yielding(n, before, substep, bodies, joints, world.islands)
             joints.mechanisms[n, tb.M_HALF] = 0
     note_after_joints(least, tb.IN_CONTACT, world)
 

@@ -18,7 +18,7 @@ from tamias2d.generated.definitions import kinetic_energy
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import row_rate
 from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Array, Vector
+from tamias2d.state import Array
 
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
 REMOVED_YIELDING = 0.1  # of that, while rows yield
@@ -32,13 +32,11 @@ def yields(n: int, joints: Joints) -> bool:
 
 def let_yield(n: int, joints: Joints) -> None:
     """Let the rows of a mechanism yield."""
-    whole = least = 0.0
-    least = inf
+    whole = 0.0
     for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
         whole += joints.factors[node, tb.NODE_MASS]
-        least = min(least, joints.factors[node, tb.NODE_MASS])
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        joints.numbers[j, tb.J_YIELDS] = AMPLIFIED * AMPLIFIED * whole / least
+        joints.numbers[j, tb.J_YIELDS] = AMPLIFIED * AMPLIFIED * whole
 
 
 def hold_again(n: int, joints: Joints) -> None:
@@ -79,7 +77,7 @@ def energy_asked(
                     rate = numbers[tb.J_ARM + r] * numbers[tb.J_ERROR + r]
                     rates += rate * rate
     rates += slight_rates(first, n, substep, joints)
-    return AMPLIFIED * AMPLIFIED * (mass * rates + sprung) / 2
+    return (AMPLIFIED * AMPLIFIED * mass * rates + sprung) / 2
 
 
 def slight_rates(first: int, n: int, substep: float, joints: Joints) -> float:
@@ -99,23 +97,26 @@ def gain_of_node(change: Array, column: int, node: Array) -> float:
     return kinetic_energy(node[tb.NODE_MASS], by, node[tb.NODE_INERTIA], change[column + 2])
 
 
-def energy_driven(n: int, base: Vector, substep: float, bodies: Bodies, joints: Joints) -> float:
+def energy_driven(n: int, seen_from: Array, substep: float, bodies: Bodies, joints: Joints) -> float:
     """Return the most energy, J, that what ties a mechanism may give it while its rows yield.
 
-    It is seen from something that moves with a velocity, m/s.
+    It is seen from the reference of the row of its island.
     """
-    mass = rates = 0.0
+    base = (seen_from[tb.REFERENCE], seen_from[tb.REFERENCE + 1])
+    mass, rates = 0.0, seen_from[tb.DRIVEN_RATE] * seen_from[tb.DRIVEN_RATE]
+    first = joints.mechanisms[n, tb.M_JOINT]
     for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
         mass += joints.factors[node, tb.NODE_MASS]
-        if joints.mechanisms[n, tb.M_HINGED] == 1:
-            row = joints.hinges[node + 1]
+        hinged = joints.mechanisms[n, tb.M_HINGED] == 1 and joints.mechanisms[n, tb.M_MESHED] == 0
+        if hinged and joints.members[node + 1, tb.JOINED_HINGE] >= 0:
+            row, first = joints.hinges[node + 1], first + 1
             gap = max(abs(row[tb.H_GAP]), abs(row[tb.H_GAP + 1]))
-            rate = REMOVED_BY_JOINTS * gap / substep
-            rates += rate * rate
-    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+            rates += (REMOVED_BY_JOINTS * gap / substep) * (REMOVED_BY_JOINTS * gap / substep)
+    for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS] if ends[tb.J_LAW] < tb.MOTOR else 0):
-            rate = REMOVED_BY_JOINTS * REMOVED_YIELDING * abs(numbers[tb.J_ROW + ROW * r]) / substep
+            removed = REMOVED_BY_JOINTS * REMOVED_YIELDING / substep
+            rate = removed * abs(numbers[tb.J_ROW + ROW * r])
             for end in range(tb.ENDS_OF_JOINT):
                 if ends[tb.J_NODE + end] == tb.NOT_PUSHED:
                     at = tb.J_ROW + ROW * r + 1 + 3 * end

@@ -27,7 +27,7 @@ def find_references(
         i = touching.active[k]
         if is_root(i, bodies, islands):
             row = islands.energy[i]
-            row[tb.SUPPORT] = FREE
+            row[tb.SUPPORT], row[tb.DRIVEN_RATE] = FREE, 0.0
             row[tb.ISLAND_MASS] = row[tb.MOMENTUM_X] = row[tb.MOMENTUM_Y] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
@@ -69,6 +69,9 @@ def support_island(j: int, root: int, bodies: Bodies, islands: Islands) -> None:
     if row[tb.SUPPORT] == FREE:
         row[tb.SUPPORT] = SUPPORTED_BY_ONE
         row[tb.REFERENCE], row[tb.REFERENCE + 1], row[tb.REFERENCE + 2] = by_x, by_y, spin
+    row[tb.DRIVEN_RATE] = max(
+        row[tb.DRIVEN_RATE], abs(row[tb.REFERENCE] - by_x) + abs(row[tb.REFERENCE + 1] - by_y)
+    )
     apart = abs(row[tb.REFERENCE] - by_x) + abs(row[tb.REFERENCE + 1] - by_y)
     speed = abs(by_x) + abs(by_y) + abs(motion[tb.VX]) + abs(motion[tb.VY])
     if apart > ALIKE * speed or abs(row[tb.REFERENCE + 2] - spin) > ALIKE * abs(spin):
@@ -128,10 +131,11 @@ def charge_joined(
         row = islands.energy[root]
         bounded = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
         driven = joints.mechanisms[n, tb.M_DRIVEN] == 1 or may_get_any(n, row, joints)
-        if not bounded and yields(n, joints):
-            base, substep = (row[tb.REFERENCE], row[tb.REFERENCE + 1]), control.settings[tb.SUBSTEP]
+        carried = joints.mechanisms[n, tb.M_CARRIED] == 1 and row[tb.SUPPORT] == SUPPORTED_BY_MORE
+        if not bounded and (carried or yields(n, joints)):
+            driven_energy = energy_driven(n, row, control.settings[tb.SUBSTEP], bodies, joints)
             most = row[tb.ENERGY_START] + max(row[tb.WORK], 0.0)
-            row[tb.ENERGY_START] = max(most, energy_driven(n, base, substep, bodies, joints))
+            row[tb.ENERGY_START] = max(most, driven_energy)
             row[tb.WORK] = 0.0
             if row[tb.SUPPORT] == SUPPORTED_BY_MORE:
                 row[tb.SUPPORT] = SUPPORTED_BY_ONE
