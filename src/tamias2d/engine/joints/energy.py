@@ -125,7 +125,7 @@ def add_motions(n: int, sign: float, bodies: Bodies, joints: Joints) -> None:
             bodies.substep_state[i, tb.SUBSTEP_START + k] += sign * bodies.motion[i, k]
 
 
-def energy_seen(n: int, bodies: Bodies, joints: Joints, islands: Islands) -> float:
+def energy_of_mechanism(n: int, bodies: Bodies, joints: Joints, islands: Islands) -> float:
     """Return the kinetic energy of a mechanism, J, as seen from what ties it."""
     first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
     row = islands.energy[joints.sparse[first, tb.N_BODY]]

@@ -12,7 +12,7 @@ from tamias2d.engine.joints.block_scatter import store_blocks
 from tamias2d.engine.joints.block_solve import aim_blocks, bring_blocks_to_aims, fit_blocks
 from tamias2d.engine.joints.energy import (
     bound_mechanism,
-    energy_seen,
+    energy_of_mechanism,
     note_energy_of_springs,
     rise_of_yielding,
 )
@@ -87,7 +87,7 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
             if not again:
                 aim_mechanism(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
-            before = energy_seen(n, bodies, joints, world.islands) if yields(n, joints) else -1.0
+            before = energy_of_mechanism(n, bodies, joints, world.islands) if yields(n, joints) else -1.0
             bring_to_end(n, again, length, substep, bodies, joints)
             if before >= 0.0:
                 rise_of_yielding(n, before, substep, bodies, joints, world.islands)
