@@ -61,11 +61,13 @@ class JointLayout:
     def _begin(self, kept: Array | None) -> None:
         """Give the rows what a step left of them, or begin to pull together what is apart."""
         numbers = self.numbers
-        size = np.where(self.are_lengths, self.sizes[:, None], 1.0)
+        size = np.broadcast_to(self.sizes[:, None], self.are_lengths.shape)
         slight = slice(tb.J_SLIGHT, tb.J_SLIGHT + MOST_ROWS)
-        numbers[self.places, slight] = APART / math.sqrt(MOST_ROWS) * size
-        arm = np.where(self.are_lengths, 1.0, self.sizes[:, None])
-        numbers[self.places, tb.J_ARM : tb.J_ARM + MOST_ROWS] = np.where(np.isfinite(arm), arm, 0.0)
+        numbers[self.places, slight] = (
+            APART / math.sqrt(MOST_ROWS) * np.where(self.are_lengths, size, 1.0)
+        )
+        arms = slice(tb.J_ARM, tb.J_ARM + MOST_ROWS)
+        numbers[self.places, arms] = np.where(self.are_lengths | np.isinf(size), 1.0, size)
         if kept is not None:
             numbers[self.places, _KEPT] = kept
         else:

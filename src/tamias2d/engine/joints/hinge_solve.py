@@ -22,14 +22,6 @@ from tamias2d.engine.joints.hinge_tree import (
     turn_tree,
 )
 from tamias2d.engine.joints.impulse import apply_joint_impulse
-from tamias2d.engine.joints.yielding import (
-    REMOVED_BY_JOINTS,
-    energy_asked,
-    gain_of_node,
-    let_yield,
-    slight_rates,
-    yields,
-)
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
     SLOWLY,
@@ -37,6 +29,15 @@ from tamias2d.engine.joints.solve import (
     aim_joint,
     errors_of_joint,
     rate_of_row,
+)
+from tamias2d.engine.joints.yielding import (
+    REMOVED_BY_JOINTS,
+    energy_asked,
+    gain_of_node,
+    let_yield,
+    may_yield,
+    slight_rates,
+    yields,
 )
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.definitions import point_velocity
@@ -99,13 +100,7 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
         if size <= SOLVED_RATE * SOLVED_RATE * first:
             return
         if choosing and not size < before:
-            if size > slight_rates(first_besides(n, joints), n, substep, joints):
-                take_solution_back(n, bodies, joints)
-                if k == 1 and not yields(n, joints):
-                    let_yield(n, joints)
-                    hang_tree(n, substep, bodies, joints)
-                    find_gap_errors(n, substep, bodies, joints)
-                    solve_hinges(n, bodies, joints)
+            reject_in_tree(n, k == 1, size, substep, bodies, joints)
             return
         turned = not choosing and size > SLOWLY * before
         if turned:
@@ -118,6 +113,23 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
             return
         if yields(n, joints):
             return
+
+
+def reject_in_tree(
+    n: int, first: bool, size: float, substep: float, bodies: Bodies, joints: Joints
+) -> None:
+    """Take back a solution after which the errors of a tree, whose size is m^2/s^2, are no less.
+
+    After the first one its rows yield. What parts none in a substep, s, by what is told, stays.
+    """
+    if not size > slight_rates(n, first_besides(n, joints), substep, joints):
+        return
+    take_solution_back(n, bodies, joints)
+    if first and not yields(n, joints):
+        let_yield(n, joints)
+        hang_tree(n, substep, bodies, joints)
+        find_gap_errors(n, substep, bodies, joints)
+        solve_hinges(n, bodies, joints)
 
 
 def take_solution_back(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -140,8 +152,7 @@ def answer_tree(n: int, ahead: float, most: float, bodies: Bodies, joints: Joint
     It is if they give it more than an energy, J. Springs count as `hang_tree` says.
     """
     largest = solve_hinges(n, bodies, joints)
-    tied = first_besides(n, joints) < joints.mechanisms[n + 1, tb.M_JOINT]
-    if tied and not yields(n, joints) and not gain_of_tree(n, joints) <= most:
+    if most < inf and not yields(n, joints) and not gain_of_tree(n, joints) <= most:
         take_solution_back(n, bodies, joints)
         let_yield(n, joints)
         hang_tree(n, ahead, bodies, joints)
@@ -153,12 +164,14 @@ def answer_tree(n: int, ahead: float, most: float, bodies: Bodies, joints: Joint
 
 
 def energy_asked_of_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
-    """Return the most energy that the errors of a tree may give it, J."""
-    rates = 0.0
+    """Return the most energy that the errors of a tree may give it, J: any where none is firm."""
+    besides, rates = first_besides(n, joints), 0.0
+    if not may_yield(n, besides, joints):
+        return inf
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         row = joints.hinges[m]
         rates += row[tb.H_ERROR] * row[tb.H_ERROR] + row[tb.H_ERROR + 1] * row[tb.H_ERROR + 1]
-    return energy_asked(n, first_besides(n, joints), rates, substep, bodies, joints)
+    return energy_asked(n, besides, rates, substep, bodies, joints)
 
 
 def gain_of_tree(n: int, joints: Joints) -> float:

@@ -94,8 +94,9 @@ def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS]):
             yielding = yield_of_row(r, ends, numbers, bodies, joints)
-            arm = numbers[tb.J_ARM + r]
-            numbers[tb.J_FIRMNESS + r] = firmness_by_law(yielding, yielding, arm, j, substep, joints)
+            most = numbers[tb.J_FIRMEST + r]
+            firm = firmness_by_law(yielding, yielding, most, j, substep, joints)
+            numbers[tb.J_FIRMNESS + r] = firm
             if not meshed:
                 add_joint_row(r, ends, numbers, joints)
     if not meshed:
@@ -103,11 +104,12 @@ def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
 
 
 def firmness_by_law(
-    yielding: float, hinged: float, arm: float, j: int, substep: float, joints: Joints
+    yielding: float, hinged: float, most: float, j: int, substep: float, joints: Joints
 ) -> float:
     """Return how firm a row is, kg, that yields so much, 1/kg, by itself, and so much with a hinge.
 
-    It is noted after which share a spring answers.
+    A row that yields is no firmer than so much; 0 for one that does not. It is noted after which
+    share a spring answers.
     """
     firm = firmness_that_yields(yielding)
     if joints.joints[j, tb.J_LAW] == tb.SPRING:
@@ -117,7 +119,6 @@ def firmness_by_law(
         return min(firm, spring_firmness(stiffness, damping, share, substep))
     if joints.joints[j, tb.J_STATE] != tb.HOLDS:
         return 0.0
-    most = joints.numbers[j, tb.J_YIELDS] * arm * arm
     return min(firm, most) if most > 0.0 else firm
 
 

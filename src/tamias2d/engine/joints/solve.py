@@ -13,6 +13,11 @@ from tamias2d.engine.direct.cholesky import substitute
 from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
+from tamias2d.engine.joints.linearise import (
+    factor_mechanism,
+    place_members,
+    rows_where_placed,
+)
 from tamias2d.engine.joints.yielding import (
     REMOVED_BY_JOINTS,
     REMOVED_YIELDING,
@@ -20,11 +25,6 @@ from tamias2d.engine.joints.yielding import (
     gain_of_node,
     let_yield,
     yields,
-)
-from tamias2d.engine.joints.linearise import (
-    factor_mechanism,
-    place_members,
-    rows_where_placed,
 )
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.joint_rows import ROW, joint_values
@@ -65,7 +65,7 @@ def aim_joint(j: int, length: float, joints: Joints) -> None:
         elif law == tb.UPPER_LIMIT:
             value = max(value, 0.0)
         removed = 0.0 if law == tb.SPRING else REMOVED_BY_JOINTS * length
-        if numbers[tb.J_YIELDS] > 0.0:
+        if numbers[tb.J_FIRMEST] > 0.0:
             removed *= REMOVED_YIELDING
         numbers[tb.J_AIM + r] = row_aim(value, removed)
         numbers[tb.J_GIVEN + r] = -numbers[tb.J_LEFT] if law == tb.SPRING else 0.0
@@ -135,13 +135,7 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         if size <= SOLVED_RATE * SOLVED_RATE * first:
             return
         if choosing and not size < before:
-            if not most >= energy_asked_of_rows(n, substep, bodies, joints):
-                take_impulses_back(n, bodies, joints)
-                if k == 1 and not yields(n, joints):
-                    let_yield(n, joints)
-                    factor_mechanism(n, substep, bodies, joints)
-                    find_position_errors(n, substep, bodies, joints)
-                    solve_joint_errors(n, substep, most, bodies, joints)
+            reject_impulses(n, k == 1, most, substep, bodies, joints)
             return
         turned = not choosing and size > SLOWLY * before
         if turned:
@@ -150,6 +144,23 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         if yields(n, joints):
             return
         before = size
+
+
+def reject_impulses(
+    n: int, first: bool, most: float, substep: float, bodies: Bodies, joints: Joints
+) -> None:
+    """Take back a solution after which errors ask for more than an energy, J, as they did at first.
+
+    After the first one the rows of the mechanism yield.
+    """
+    if most >= energy_asked_of_rows(n, substep, bodies, joints):
+        return
+    take_impulses_back(n, bodies, joints)
+    if first and not yields(n, joints):
+        let_yield(n, joints)
+        factor_mechanism(n, substep, bodies, joints)
+        find_position_errors(n, substep, bodies, joints)
+        solve_joint_errors(n, substep, most, bodies, joints)
 
 
 def energy_asked_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
@@ -269,7 +280,11 @@ def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:
 
 
 def solve_joint_errors(n: int, ahead: float, most: float, bodies: Bodies, joints: Joints) -> None:
-    """Give a mechanism the impulses that take the errors of its rows away."""
+    """Give a mechanism the impulses that take the errors of its rows away, or let these yield.
+
+    They do where these would give it more than an energy, J. Springs count as `factor_mechanism`
+    says.
+    """
     if joints.mechanisms[n, tb.M_MESHED] == 1:
         iterate_mesh(n, bodies, joints)
     else:

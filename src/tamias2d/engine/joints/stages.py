@@ -87,7 +87,9 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
             if not again:
                 aim_mechanism(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
-            before = energy_of_mechanism(n, bodies, joints, world.islands) if yields(n, joints) else -1.0
+            before = (
+                energy_of_mechanism(n, bodies, joints, world.islands) if yields(n, joints) else -1.0
+            )
             bring_to_end(n, again, length, substep, bodies, joints)
             if before >= 0.0:
                 rise_of_yielding(n, before, substep, bodies, joints, world.islands)

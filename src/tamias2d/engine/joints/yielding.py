@@ -1,11 +1,11 @@
-"""Joints that cannot hold yield: damped least squares where rows have no solution near (DD87).
+"""Joints that cannot hold yield: damped least squares where no solution is near (DD86).
 
 A chain that is pulled straight, or a mechanism in a dead centre, answers a small error with an
-immense motion, which leads nowhere. Where the motion that a solution gives has more energy than all
-of the mechanism at a few times the rates that its rows have too much, the rows yield: they share
-what they cannot remove, and stay apart by the rest until they hold again.
+immense motion, which does not lead there. Where a solution gives more energy than is likely, the
+rows of its mechanism are no firmer than makes it so, and stay apart by what they cannot remove,
+until none is far apart.
 
-Cost: a visit to each node and row of a mechanism with loops or limits, for each solution.
+Cost: for each solution of a mechanism with loops or limits, a visit to each of its nodes and rows.
 Source: Levenberg (1944); Nakamura and Hanafusa (1986), for mechanisms.
 """
 
@@ -13,75 +13,100 @@ from math import inf
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.linearise import yield_of_row
-from tamias2d.engine.tables import Bodies, Joints
+from tamias2d.engine.tables import Bodies, Integers, Joints
 from tamias2d.generated.definitions import kinetic_energy
 from tamias2d.generated.joint_rows import ROW
-from tamias2d.generated.joint_step import row_rate
+from tamias2d.generated.joint_step import (
+    change_most,
+    firmness_most,
+    row_impulse,
+    row_rate,
+    spring_change,
+)
 from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Array
+from tamias2d.state import Array, Vector
 
+AMPLIFICATION = 4.0  # of the rates that rows have too much; a crank of 1:4 is no dead centre
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
 REMOVED_YIELDING = 0.1  # of that, while rows yield
-AMPLIFIED = 4.0  # times the rate that its rows have too much: the fastest that all may get
 
 
 def yields(n: int, joints: Joints) -> bool:
     """Return whether the rows of a mechanism yield."""
-    return bool(joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_YIELDS] > 0.0)
+    return bool(joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_FIRMEST] > 0.0)
+
+
+def may_yield(n: int, first: int, joints: Joints) -> bool:
+    """Return whether some joint of a mechanism, from a first one on, is no spring."""
+    for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.joints[j, tb.J_LAW] != tb.SPRING:
+            return True
+    return False
 
 
 def let_yield(n: int, joints: Joints) -> None:
-    """Let the rows of a mechanism yield."""
-    whole = 0.0
-    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
-        whole += joints.factors[node, tb.NODE_MASS]
+    """Let the rows of a mechanism yield from now on."""
+    mass = mass_of_mechanism(n, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        joints.numbers[j, tb.J_YIELDS] = AMPLIFIED * AMPLIFIED * whole
+        numbers = joints.numbers[j]
+        for k in range(3):
+            numbers[tb.J_FIRMEST + k] = firmness_most(mass, numbers[tb.J_ARM + k], AMPLIFICATION)
+
+
+def mass_of_mechanism(n: int, joints: Joints) -> float:
+    """Return the mass of the bodies of a mechanism, kg."""
+    mass = 0.0
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        mass += joints.factors[node, tb.NODE_MASS]
+    return mass
 
 
 def hold_again(n: int, joints: Joints) -> None:
-    """Let the rows of a mechanism hold again if none that is to be kept is far apart."""
+    """Let the rows of a mechanism hold again if none is apart by as much as is told."""
     first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
     for j in range(first, last):
-        numbers = joints.numbers[j]
-        for r in range(joints.joints[j, tb.J_ROWS] if joints.joints[j, tb.J_LAW] == tb.KEPT else 0):
-            if abs(numbers[tb.J_ROW + ROW * r]) > numbers[tb.J_SLIGHT + r]:
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            if value_to_remove(j, r, joints) > joints.numbers[j, tb.J_SLIGHT + r]:
                 return
-        law, value = joints.joints[j, tb.J_LAW], numbers[tb.J_ROW]
-        if law == tb.LOWER_LIMIT and value < -numbers[tb.J_SLIGHT]:
-            return
-        if law == tb.UPPER_LIMIT and value > numbers[tb.J_SLIGHT]:
-            return
     for j in range(first, last):
-        joints.numbers[j, tb.J_YIELDS] = 0.0
+        for k in range(3):
+            joints.numbers[j, tb.J_FIRMEST + k] = 0.0
+
+
+def value_to_remove(j: int, r: int, joints: Joints) -> float:
+    """Return by how much a row of a joint is apart, m or rad; of a limit, how far it is passed."""
+    law, value = joints.joints[j, tb.J_LAW], joints.numbers[j, tb.J_ROW + ROW * r]
+    if law == tb.KEPT:
+        return abs(value)
+    if law == tb.LOWER_LIMIT:
+        return max(-value, 0.0)
+    return max(value, 0.0) if law == tb.UPPER_LIMIT else 0.0
 
 
 def energy_asked(
     n: int, first: int, rates: float, substep: float, bodies: Bodies, joints: Joints
 ) -> float:
-    """Return the most energy, J, that the errors of a mechanism may give it.
+    """Return the most energy, J, that the errors of a mechanism are likely to give it.
 
-    Those of its joints from a first one on are looked at, and squared rates of others, m^2/s^2.
+    Those of its joints from a first one on are looked at; the squares of others add up to so much,
+    m^2/s^2.
     """
-    mass = sprung = 0.0
-    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
-        mass += joints.factors[node, tb.NODE_MASS]
+    sprung = 0.0
     for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS]):
-            if numbers[tb.J_FIRMNESS + r] > 0.0:
-                if ends[tb.J_LAW] == tb.SPRING:
-                    impulse = numbers[tb.J_FIRMNESS + r] * numbers[tb.J_ERROR + r]
-                    sprung += impulse * impulse * yield_of_row(r, ends, numbers, bodies, joints)
-                else:
-                    rate = numbers[tb.J_ARM + r] * numbers[tb.J_ERROR + r]
-                    rates += rate * rate
-    rates += slight_rates(first, n, substep, joints)
-    return (AMPLIFIED * AMPLIFIED * mass * rates + sprung) / 2
+            firm, error = numbers[tb.J_FIRMNESS + r], numbers[tb.J_ERROR + r]
+            if firm > 0.0 and ends[tb.J_LAW] == tb.SPRING:
+                yielding = yield_of_row(r, ends, numbers, bodies, joints)
+                sprung += spring_change(row_impulse(error, firm), yielding)
+            elif firm > 0.0:
+                rates += numbers[tb.J_ARM + r] * error * (numbers[tb.J_ARM + r] * error)
+    rates += slight_rates(n, first, substep, joints)
+    return change_most(mass_of_mechanism(n, joints), rates, sprung, AMPLIFICATION)
 
 
-def slight_rates(first: int, n: int, substep: float, joints: Joints) -> float:
-    """Return the square of the least rate, m/s, that parts rows far enough to be told."""
+def slight_rates(n: int, first: int, substep: float, joints: Joints) -> float:
+    """Return the square of the least rate, m/s, that parts a row by as much as is told."""
     slight = inf
     for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         numbers = joints.numbers[j]
@@ -97,33 +122,39 @@ def gain_of_node(change: Array, column: int, node: Array) -> float:
     return kinetic_energy(node[tb.NODE_MASS], by, node[tb.NODE_INERTIA], change[column + 2])
 
 
-def energy_driven(n: int, seen_from: Array, substep: float, bodies: Bodies, joints: Joints) -> float:
-    """Return the most energy, J, that what ties a mechanism may give it while its rows yield.
+def energy_driven(n: int, seen: Array, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Return the most energy, J, that what ties a mechanism is likely to give it.
 
-    It is seen from the reference of the row of its island.
+    It is seen from the reference motion that stands in the row of an island.
     """
-    base = (seen_from[tb.REFERENCE], seen_from[tb.REFERENCE + 1])
-    mass, rates = 0.0, seen_from[tb.DRIVEN_RATE] * seen_from[tb.DRIVEN_RATE]
-    first = joints.mechanisms[n, tb.M_JOINT]
-    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
-        mass += joints.factors[node, tb.NODE_MASS]
-        hinged = joints.mechanisms[n, tb.M_HINGED] == 1 and joints.mechanisms[n, tb.M_MESHED] == 0
-        if hinged and joints.members[node + 1, tb.JOINED_HINGE] >= 0:
-            row, first = joints.hinges[node + 1], first + 1
-            gap = max(abs(row[tb.H_GAP]), abs(row[tb.H_GAP + 1]))
-            rates += (REMOVED_BY_JOINTS * gap / substep) * (REMOVED_BY_JOINTS * gap / substep)
+    rates, first = seen[tb.DRIVEN_RATE] * seen[tb.DRIVEN_RATE], joints.mechanisms[n, tb.M_JOINT]
+    if joints.mechanisms[n, tb.M_HINGED] == 1 and joints.mechanisms[n, tb.M_MESHED] == 0:
+        for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+            if joints.members[m, tb.JOINED_HINGE] >= 0:
+                row, first = joints.hinges[m], first + 1
+                gap = max(abs(row[tb.H_GAP]), abs(row[tb.H_GAP + 1]))
+                rates += (REMOVED_BY_JOINTS * gap / substep) * (REMOVED_BY_JOINTS * gap / substep)
+    base = (seen[tb.REFERENCE], seen[tb.REFERENCE + 1])
     for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS] if ends[tb.J_LAW] < tb.MOTOR else 0):
-            removed = REMOVED_BY_JOINTS * REMOVED_YIELDING / substep
-            rate = removed * abs(numbers[tb.J_ROW + ROW * r])
-            for end in range(tb.ENDS_OF_JOINT):
-                if ends[tb.J_NODE + end] == tb.NOT_PUSHED:
-                    at = tb.J_ROW + ROW * r + 1 + 3 * end
-                    now = bodies.motion[joints.members[ends[tb.J_MEMBER + end], tb.JOINED_SLOT]]
-                    seen = (now[tb.VX] - base[0], now[tb.VY] - base[1])
-                    slope = (numbers[at], numbers[at + 1])
-                    rate += abs(row_rate(slope, numbers[at + 2], seen, now[tb.SPIN]))
-            rates += numbers[tb.J_ARM + r] * numbers[tb.J_ARM + r] * rate * rate
-    rates += slight_rates(joints.mechanisms[n, tb.M_JOINT], n, substep, joints)
-    return AMPLIFIED * AMPLIFIED * mass * rates / 2
+            removed = REMOVED_BY_JOINTS * REMOVED_YIELDING * value_to_remove(j, r, joints)
+            rate = removed / substep + rate_of_supports(r, ends, numbers, base, bodies, joints)
+            rates += numbers[tb.J_ARM + r] * rate * (numbers[tb.J_ARM + r] * rate)
+    rates += slight_rates(n, joints.mechanisms[n, tb.M_JOINT], substep, joints)
+    return change_most(mass_of_mechanism(n, joints), rates, 0.0, AMPLIFICATION)
+
+
+def rate_of_supports(
+    r: int, ends: Integers, numbers: Array, base: Vector, bodies: Bodies, joints: Joints
+) -> float:
+    """Return the rate that what nothing pushes gives a row, m/s, as seen from a velocity."""
+    rate = 0.0
+    for end in range(tb.ENDS_OF_JOINT):
+        if ends[tb.J_NODE + end] == tb.NOT_PUSHED:
+            at = tb.J_ROW + ROW * r + 1 + 3 * end
+            now = bodies.motion[joints.members[ends[tb.J_MEMBER + end], tb.JOINED_SLOT]]
+            velocity = (now[tb.VX] - base[0], now[tb.VY] - base[1])
+            slope = (numbers[at], numbers[at + 1])
+            rate += abs(row_rate(slope, numbers[at + 2], velocity, now[tb.SPIN]))
+    return rate
