@@ -24,6 +24,7 @@ from tamias2d.engine.joints.yielding import (
     energy_asked,
     gain_of_node,
     let_yield,
+    may_yield,
     yields,
 )
 from tamias2d.engine.tables import Bodies, Joints
@@ -164,8 +165,11 @@ def reject_impulses(
 
 
 def energy_asked_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
-    """Return the most energy that the errors of a mechanism may give it, J."""
-    return energy_asked(n, joints.mechanisms[n, tb.M_JOINT], 0.0, substep, bodies, joints)
+    """Return the most energy that the errors of a mechanism may give it, J: any, of a mesh."""
+    first = joints.mechanisms[n, tb.M_JOINT]
+    if joints.mechanisms[n, tb.M_MESHED] == 1 or not may_yield(n, first, joints):
+        return inf
+    return energy_asked(n, first, 0.0, substep, bodies, joints)
 
 
 def take_impulses_back(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -289,7 +293,7 @@ def solve_joint_errors(n: int, ahead: float, most: float, bodies: Bodies, joints
         iterate_mesh(n, bodies, joints)
     else:
         solve_directly(n, joints)
-        if not yields(n, joints) and not gain_of_rows(n, joints) <= most:
+        if most < inf and not yields(n, joints) and not gain_of_rows(n, joints) <= most:
             let_yield(n, joints)
             factor_mechanism(n, ahead, bodies, joints)
             solve_directly(n, joints)
