@@ -72,7 +72,7 @@ def bound_mechanism(
     sprung, reserve = energy_of_springs(n, joints), numbers[tb.J_RESERVE]
     if (carried and is_changed(start, numbers)) or may_get_any(n, row, joints):
         if yields(n, joints):
-            driven = energy_driven(n, row, control.settings[tb.SUBSTEP], bodies, joints)
+            driven = energy_driven(n, row, control, bodies, joints)
             most = max(start + given + numbers[tb.J_ENERGY] - sprung, driven)
             now = damp_to(n, now, most, base, bodies, joints, row)
         note_balance(start, now, sprung, now, numbers)
@@ -102,13 +102,13 @@ def damp_to(
 
 
 def rise_of_yielding(
-    n: int, before: float, substep: float, bodies: Bodies, joints: Joints, islands: Islands
+    n: int, before: float, control: Control, bodies: Bodies, joints: Joints, islands: Islands
 ) -> None:
     """Let a mechanism that yields have no more energy than before, J, but what drives it gives."""
     first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
     row = islands.energy[joints.sparse[first, tb.N_BODY]]
     see_from_support(n, bodies, joints, islands)
-    most = max(before, energy_driven(n, row, substep, bodies, joints))
+    most = max(before, energy_driven(n, row, control, bodies, joints))
     base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
     now = energy_of_motion(first, last, base, bodies, joints)
     if now > most:

@@ -92,7 +92,7 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
             )
             bring_to_end(n, again, length, substep, bodies, joints)
             if before >= 0.0:
-                rise_of_yielding(n, before, substep, bodies, joints, world.islands)
+                rise_of_yielding(n, before, control, bodies, joints, world.islands)
             joints.mechanisms[n, tb.M_HALF] = 0
     note_after_joints(least, tb.IN_CONTACT, world)
 

@@ -12,8 +12,9 @@ Source: Levenberg (1944); Nakamura and Hanafusa (1986), for mechanisms.
 from math import inf
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.hinge_tree import first_besides
 from tamias2d.engine.joints.linearise import yield_of_row
-from tamias2d.engine.tables import Bodies, Integers, Joints
+from tamias2d.engine.tables import Bodies, Control, Integers, Joints
 from tamias2d.generated.definitions import kinetic_energy
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import (
@@ -122,18 +123,19 @@ def gain_of_node(change: Array, column: int, node: Array) -> float:
     return kinetic_energy(node[tb.NODE_MASS], by, node[tb.NODE_INERTIA], change[column + 2])
 
 
-def energy_driven(n: int, seen: Array, substep: float, bodies: Bodies, joints: Joints) -> float:
+def energy_driven(n: int, seen: Array, control: Control, bodies: Bodies, joints: Joints) -> float:
     """Return the most energy, J, that what ties a mechanism is likely to give it.
 
     It is seen from the reference motion that stands in the row of an island.
     """
+    substep = control.settings[tb.TIME_STEP] / control.counts[tb.SUBSTEPS]  # of a whole step
     rates, first = seen[tb.DRIVEN_RATE] * seen[tb.DRIVEN_RATE], joints.mechanisms[n, tb.M_JOINT]
     if joints.mechanisms[n, tb.M_HINGED] == 1 and joints.mechanisms[n, tb.M_MESHED] == 0:
+        first = first_besides(n, joints)
         for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
-            if joints.members[m, tb.JOINED_HINGE] >= 0:
-                row, first = joints.hinges[m], first + 1
-                gap = max(abs(row[tb.H_GAP]), abs(row[tb.H_GAP + 1]))
-                rates += (REMOVED_BY_JOINTS * gap / substep) * (REMOVED_BY_JOINTS * gap / substep)
+            row, hinged = joints.hinges[m], joints.members[m, tb.JOINED_HINGE] >= 0
+            gap = max(abs(row[tb.H_GAP]), abs(row[tb.H_GAP + 1])) if hinged else 0.0
+            rates += (REMOVED_BY_JOINTS * gap / substep) * (REMOVED_BY_JOINTS * gap / substep)
     base = (seen[tb.REFERENCE], seen[tb.REFERENCE + 1])
     for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]

@@ -133,7 +133,7 @@ def charge_joined(
         driven = joints.mechanisms[n, tb.M_DRIVEN] == 1 or may_get_any(n, row, joints)
         carried = joints.mechanisms[n, tb.M_CARRIED] == 1 and row[tb.SUPPORT] == SUPPORTED_BY_MORE
         if not bounded and (carried or yields(n, joints)):
-            driven_energy = energy_driven(n, row, control.settings[tb.SUBSTEP], bodies, joints)
+            driven_energy = energy_driven(n, row, control, bodies, joints)
             most = row[tb.ENERGY_START] + max(row[tb.WORK], 0.0)
             row[tb.ENERGY_START] = max(most, driven_energy)
             row[tb.WORK] = 0.0
