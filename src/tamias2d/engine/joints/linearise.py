@@ -76,9 +76,23 @@ def has_turned(before: tuple[float, float], now: tuple[float, float]) -> bool:
 
 
 def note_apart(ends: Integers, numbers: Array) -> None:
-    """Note by how much the rows of a joint are apart, if that is more than before."""
-    for r in range(ends[tb.J_ROWS] if ends[tb.J_LAW] == tb.KEPT else 0):
-        numbers[tb.J_APART + r] = max(numbers[tb.J_APART + r], abs(numbers[tb.J_ROW + ROW * r]))
+    """Note by how much the rows of a joint are apart, if that is more than before.
+
+    Limits that bodies pass in a step are not told, but those that yield.
+    """
+    told = ends[tb.J_LAW] == tb.KEPT or numbers[tb.J_FIRMEST] > 0.0
+    for r in range(ends[tb.J_ROWS] if told else 0):
+        numbers[tb.J_APART + r] = max(numbers[tb.J_APART + r], apart_by_law(r, ends, numbers))
+
+
+def apart_by_law(r: int, ends: Integers, numbers: Array) -> float:
+    """Return by how much a row of a joint is apart, m or rad; of a limit, how far it is passed."""
+    law, value = ends[tb.J_LAW], numbers[tb.J_ROW + ROW * r]
+    if law == tb.KEPT:
+        return abs(value)
+    if law == tb.LOWER_LIMIT:
+        return max(-value, 0.0)
+    return max(value, 0.0) if law == tb.UPPER_LIMIT else 0.0
 
 
 def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:

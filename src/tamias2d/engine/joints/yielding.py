@@ -13,7 +13,7 @@ from math import inf
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.hinge_tree import first_besides
-from tamias2d.engine.joints.linearise import yield_of_row
+from tamias2d.engine.joints.linearise import apart_by_law, yield_of_row
 from tamias2d.engine.tables import Bodies, Control, Integers, Joints
 from tamias2d.generated.definitions import kinetic_energy
 from tamias2d.generated.joint_rows import ROW
@@ -67,21 +67,12 @@ def hold_again(n: int, joints: Joints) -> None:
     first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
     for j in range(first, last):
         for r in range(joints.joints[j, tb.J_ROWS]):
-            if value_to_remove(j, r, joints) > joints.numbers[j, tb.J_SLIGHT + r]:
+            apart = apart_by_law(r, joints.joints[j], joints.numbers[j])
+            if apart > joints.numbers[j, tb.J_SLIGHT + r]:
                 return
     for j in range(first, last):
         for k in range(3):
             joints.numbers[j, tb.J_FIRMEST + k] = 0.0
-
-
-def value_to_remove(j: int, r: int, joints: Joints) -> float:
-    """Return by how much a row of a joint is apart, m or rad; of a limit, how far it is passed."""
-    law, value = joints.joints[j, tb.J_LAW], joints.numbers[j, tb.J_ROW + ROW * r]
-    if law == tb.KEPT:
-        return abs(value)
-    if law == tb.LOWER_LIMIT:
-        return max(-value, 0.0)
-    return max(value, 0.0) if law == tb.UPPER_LIMIT else 0.0
 
 
 def energy_asked(
@@ -140,7 +131,7 @@ def energy_driven(n: int, seen: Array, control: Control, bodies: Bodies, joints:
     for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS] if ends[tb.J_LAW] < tb.MOTOR else 0):
-            removed = REMOVED_BY_JOINTS * REMOVED_YIELDING * value_to_remove(j, r, joints)
+            removed = REMOVED_BY_JOINTS * REMOVED_YIELDING * apart_by_law(r, ends, numbers)
             rate = removed / substep + rate_of_supports(r, ends, numbers, base, bodies, joints)
             rates += numbers[tb.J_ARM + r] * rate * (numbers[tb.J_ARM + r] * rate)
     rates += slight_rates(n, joints.mechanisms[n, tb.M_JOINT], substep, joints)
