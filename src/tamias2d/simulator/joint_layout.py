@@ -76,6 +76,10 @@ class JointLayout:
         most = np.zeros(len(numbers))
         np.maximum.at(most, self.first_rows, numbers[self.places, tb.J_PULLED])
         numbers[:, tb.J_PULLED] = most
+        firmest = slice(tb.J_FIRMEST, tb.J_FIRMEST + MOST_ROWS)
+        least = np.full(len(numbers), np.inf)
+        np.minimum.at(least, self.first_rows, numbers[self.places, tb.J_FIRMEST])
+        numbers[self.places[least[self.first_rows] == 0.0], firmest] = 0.0  # a joint has come
 
     @property
     def counts(self) -> IntArray:

@@ -51,8 +51,8 @@ def too_long_for_contacts(
 
 
 _REMEDIES = {
-    "yields": "It cannot hold, and yields (DD86): bring what drives it back into its reach, or drive "
-    "it by a Target.",
+    "yields": "It cannot hold, and yields (DD86): bring what drives it back into its reach, or "
+    "drive it by a Target.",
     "by hand": "It follows what was moved by hand within some steps: move that in smaller ones, or "
     "give a kinematic body a velocity.",
     "": "Give a shorter step or more substeps.",
