@@ -54,7 +54,8 @@ def chain(links: int, hinge: Revolute, step: float = 1 / 60, *, compiled: bool =
 
 def drive(sim: Simulator, driver: str, last: int, end: tuple[float, float]) -> int:
     """Hinge the end of the last link to what drives it; return that, or -1 for a point."""
-    disc, kept = Disc(radius=0.1), {"restitution": 0.0, "mask": 0}
+    disc = Disc(radius=0.1)
+    kept: dict[str, Any] = {"restitution": 0.0, "mask": 0}
     hook = -1
     if driver == "kinematic":
         hook = sim.add_kinematic(disc, position=end, **kept)
@@ -143,7 +144,7 @@ def test_a_rope_that_is_taken_beyond_its_reach_is_told(sign: float) -> None:
 def test_what_hangs_on_a_body_that_is_pressed_into_the_floor_is_not_thrown(
     friction: float, slide: float
 ) -> None:
-    rough = {"restitution": 0.0, "friction": friction}
+    rough: dict[str, Any] = {"restitution": 0.0, "friction": friction}
     scene = Scene(gravity=(0.0, -10.0))
     scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0), **rough)
     scene.add_body(Box(width=0.5, height=0.5), mass=1.0, position=(0.0, 0.3), **rough)
