@@ -46,7 +46,7 @@ def chain(links: int, hinge: Revolute, step: float = 1 / 60, *, compiled: bool =
     for k in range(links):
         at = (k + 0.5, 0.0)
         scene.add_body(Capsule(length=0.8, radius=0.1), mass=1.0, position=at, **SURFACE)
-        anchor = {"anchor": (0.5, 0.0)} if k else {}
+        anchor: dict[str, Any] = {"anchor": (0.5, 0.0)} if k else {}
         upper: Any = k - 1 if k else (0.0, 0.0)
         scene.add_joint(hinge, upper, k, other_anchor=(-0.5, 0.0), **anchor)
     return Simulator(scene, time_step=step, compiled=compiled)

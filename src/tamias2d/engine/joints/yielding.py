@@ -27,7 +27,8 @@ from tamias2d.generated.joint_step import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-AMPLIFICATION = 4.0  # of the rates that rows have too much; a crank of 1:4 is no dead centre
+AMPLIFICATION = 4.0  # of the rates that rows have too much: a lever of 1:4 is no dead centre
+YIELDING = 1.0  # of them, by rows that yield: a mass is moved by half of what is asked for
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
 REMOVED_YIELDING = 0.1  # of that, while rows yield
 
@@ -51,7 +52,7 @@ def let_yield(n: int, joints: Joints) -> None:
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         numbers = joints.numbers[j]
         for k in range(3):
-            numbers[tb.J_FIRMEST + k] = firmness_most(mass, numbers[tb.J_ARM + k], AMPLIFICATION)
+            numbers[tb.J_FIRMEST + k] = firmness_most(mass, numbers[tb.J_ARM + k], YIELDING)
 
 
 def mass_of_mechanism(n: int, joints: Joints) -> float:
