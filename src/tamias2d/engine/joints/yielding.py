@@ -30,7 +30,7 @@ from tamias2d.state import Array, Vector
 AMPLIFICATION = 4.0  # of the rates that rows have too much: a lever of 1:4 is no dead centre
 YIELDING = 1.0  # of them, by rows that yield: a mass is moved by half of what is asked for
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
-REMOVED_YIELDING = 0.1  # of that, while rows yield
+REMOVED_YIELDING = 0.2  # of that, while rows yield: some tenths of a second, and no burst
 
 
 def yields(n: int, joints: Joints) -> bool:
@@ -121,19 +121,20 @@ def energy_driven(n: int, seen: Array, control: Control, bodies: Bodies, joints:
     It is seen from the reference motion that stands in the row of an island.
     """
     substep = control.settings[tb.TIME_STEP] / control.counts[tb.SUBSTEPS]  # of a whole step
+    removed = REMOVED_BY_JOINTS * REMOVED_YIELDING / substep
     rates, first = seen[tb.DRIVEN_RATE] * seen[tb.DRIVEN_RATE], joints.mechanisms[n, tb.M_JOINT]
     if joints.mechanisms[n, tb.M_HINGED] == 1 and joints.mechanisms[n, tb.M_MESHED] == 0:
         first = first_besides(n, joints)
         for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
             row, hinged = joints.hinges[m], joints.members[m, tb.JOINED_HINGE] >= 0
             gap = max(abs(row[tb.H_GAP]), abs(row[tb.H_GAP + 1])) if hinged else 0.0
-            rates += (REMOVED_BY_JOINTS * gap / substep) * (REMOVED_BY_JOINTS * gap / substep)
+            rates += removed * gap * (removed * gap)
     base = (seen[tb.REFERENCE], seen[tb.REFERENCE + 1])
     for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS] if ends[tb.J_LAW] < tb.MOTOR else 0):
-            removed = REMOVED_BY_JOINTS * REMOVED_YIELDING * apart_by_law(r, ends, numbers)
-            rate = removed / substep + rate_of_supports(r, ends, numbers, base, bodies, joints)
+            rate = removed * apart_by_law(r, ends, numbers)
+            rate += rate_of_supports(r, ends, numbers, base, bodies, joints)
             rates += numbers[tb.J_ARM + r] * rate * (numbers[tb.J_ARM + r] * rate)
     rates += slight_rates(n, joints.mechanisms[n, tb.M_JOINT], substep, joints)
     return change_most(mass_of_mechanism(n, joints), rates, 0.0, AMPLIFICATION)
