@@ -3070,6 +3070,14 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1845,
     ),
+    "root_change_y": Symbol(
+        "root_change_y",
+        "m/s",
+        "the second component of the change of a root that nothing ties",
+        tex="\\Delta u_{0y}",
+        file="srs/symbols.md",
+        line=1850,
+    ),
     "root_change": Symbol(
         "root_change",
         "m/s",
@@ -3077,7 +3085,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1850,
+        line=1854,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3085,7 +3093,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1855,
+        line=1859,
     ),
     "change": Symbol(
         "change",
@@ -3094,7 +3102,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1859,
+        line=1863,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3103,7 +3111,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1864,
+        line=1868,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3112,7 +3120,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1869,
+        line=1873,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3120,7 +3128,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1874,
+        line=1878,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3129,7 +3137,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1878,
+        line=1882,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3137,7 +3145,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1883,
+        line=1887,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3145,7 +3153,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1887,
+        line=1891,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3153,7 +3161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1891,
+        line=1895,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3162,7 +3170,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1895,
+        line=1899,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3170,7 +3178,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1900,
+        line=1904,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3179,6 +3187,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1904,
+        line=1908,
     ),
 }

@@ -42,8 +42,8 @@ def apart(layout: JointLayout) -> tuple[Joint, float, str] | None:
     counts[tb.JOINTS_APART] = 0
     found = numbers[layout.places, tb.J_APART : tb.J_APART + MOST_ROWS]
     numbers[:, tb.J_APART : tb.J_APART + MOST_ROWS] = 0.0
-    lengths = np.linalg.norm(np.where(layout.are_lengths, found, 0.0), axis=1)
-    angles = np.linalg.norm(np.where(layout.are_lengths, 0.0, found), axis=1)
+    lengths = np.hypot.reduce(np.where(layout.are_lengths, found, 0.0), axis=1)
+    angles = np.hypot.reduce(np.where(layout.are_lengths, 0.0, found), axis=1)
     shares = np.maximum(lengths / layout.sizes, angles)
     worst = int(np.argmax(shares))
     if not shares[worst] > APART:

@@ -9,6 +9,7 @@ import numpy as np
 from tamias2d.engine.contact_report import Contacts
 from tamias2d.generated import impact
 from tamias2d.scene import Scene
+from tamias2d.simulator.joint_events import JointEvent
 from tamias2d.simulator.simulator import Simulator
 from tamias2d.state import Array, History, place_between
 
@@ -56,6 +57,7 @@ class Stepper:
         self.contacts = 0
         """Points of contact that were solved, summed over all steps."""
         self.met: list[Met] = []
+        self.joint_events: list[JointEvent] = []
         self.deepest: Overlap | None = None
         """The deepest overlap of all steps."""
         self.split, self.most_parts = 0, 1
@@ -75,6 +77,7 @@ class Stepper:
             before = self._state()
             self._sim.step()
             self.steps += 1
+            self.joint_events += self._sim.joint_events
             self.split += self._sim.parts > 1
             self.most_parts = max(self.most_parts, self._sim.parts)
             self._tell(before, self._state(), self._sim.time)
