@@ -3,7 +3,7 @@
 What is too much is taken from the motion of all bodies in proportion: relative to what the
 mechanism is tied to, or else to its motion as one. Energies are those seen from there; what turns
 a mechanism, moves against another thing to which it is tied, or has another velocity than before,
-may give it any. Rows that have no rate have none afterwards.
+may give it any, unless its rows yield (DD86). Rows that have no rate have none afterwards.
 One that is tied and has not the energy for its way keeps a part of it.
 What was lost may be gained again (DD79): a scheme of order two goes to and fro about the right
 energy, and would lose by a bound that is blind to it. Springs have energies, too.

@@ -119,7 +119,7 @@ def charge_joined(
     Joints and contacts that are solved in turns would otherwise lift them for nothing, again and
     again. One that has not the energy for its way, with what overlaps may give back, keeps a part
     of it. One that is driven may give any energy, and one that no contact touches has its own
-    bound.
+    bound; what carries one that yields, or that contacts hold, gives what is likely (DD86).
     """
     if joints.counts[tb.MECHANISMS] == 0:
         return
@@ -130,9 +130,10 @@ def charge_joined(
         ]
         row = islands.energy[root]
         bounded = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
-        driven = joints.mechanisms[n, tb.M_DRIVEN] == 1 or may_get_any(n, row, joints)
+        powered = joints.mechanisms[n, tb.M_DRIVEN] == 1
+        driven = powered or may_get_any(n, row, joints)
         carried = joints.mechanisms[n, tb.M_CARRIED] == 1 and row[tb.SUPPORT] == SUPPORTED_BY_MORE
-        if not bounded and (carried or yields(n, joints)):
+        if not bounded and ((carried and not powered) or yields(n, joints)):
             driven_energy = energy_driven(n, row, control, bodies, joints)
             most = row[tb.ENERGY_START] + max(row[tb.WORK], 0.0)
             row[tb.ENERGY_START] = max(most, driven_energy)
