@@ -121,7 +121,7 @@ def energy_driven(n: int, seen: Array, control: Control, bodies: Bodies, joints:
     It is seen from the reference motion that stands in the row of an island.
     """
     substep = control.settings[tb.TIME_STEP] / control.counts[tb.SUBSTEPS]  # of a whole step
-    removed = REMOVED_BY_JOINTS * REMOVED_YIELDING / substep
+    removed = REMOVED_BY_JOINTS * REMOVED_YIELDING / substep if yields(n, joints) else 0.0
     rates, first = seen[tb.DRIVEN_RATE] * seen[tb.DRIVEN_RATE], joints.mechanisms[n, tb.M_JOINT]
     if joints.mechanisms[n, tb.M_HINGED] == 1 and joints.mechanisms[n, tb.M_MESHED] == 0:
         first = first_besides(n, joints)
