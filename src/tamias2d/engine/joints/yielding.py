@@ -89,7 +89,7 @@ def energy_asked(
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS]):
             firm, error = numbers[tb.J_FIRMNESS + r], numbers[tb.J_ERROR + r]
-            if firm > 0.0 and ends[tb.J_LAW] == tb.SPRING:
+            if firm > 0.0 and ends[tb.J_LAW] >= tb.MOTOR:  # a motor may ask for any as it starts
                 yielding = yield_of_row(r, ends, numbers, bodies, joints)
                 sprung += spring_change(row_impulse(error, firm), yielding)
             elif firm > 0.0:
