@@ -34,6 +34,7 @@ from tamias2d.engine.joints.yielding import (
     REMOVED_BY_JOINTS,
     energy_asked,
     gain_of_node,
+    has_motor,
     let_yield,
     may_yield,
     slight_rates,
@@ -122,7 +123,8 @@ def reject_in_tree(
 
     After the first one its rows yield. What parts none in a substep, s, by what is told, stays.
     """
-    if not size > slight_rates(n, first_besides(n, joints), substep, joints):
+    slight = slight_rates(n, first_besides(n, joints), substep, joints)
+    if has_motor(n, joints) or not size > slight:
         return
     take_solution_back(n, bodies, joints)
     if first and not yields(n, joints):

@@ -23,6 +23,7 @@ from tamias2d.engine.joints.yielding import (
     REMOVED_YIELDING,
     energy_asked,
     gain_of_node,
+    has_motor,
     let_yield,
     may_yield,
     yields,
@@ -154,7 +155,7 @@ def reject_impulses(
 
     After the first one the rows of the mechanism yield.
     """
-    if most >= energy_asked_of_rows(n, substep, bodies, joints):
+    if has_motor(n, joints) or most >= energy_asked_of_rows(n, substep, bodies, joints):
         return
     take_impulses_back(n, bodies, joints)
     if first and not yields(n, joints):
