@@ -86,7 +86,8 @@ def speeds_out_and_back(
     along = np.array([math.cos(0.3), math.sin(0.3)])
     steps = round(1.5 / speed / sim.time_step)
     fastest, at = 0.0, end
-    for by in (along,) * steps + (0.0 * along,) * 30 + (-along,) * steps:
+    back = steps + steps // 10  # within its reach: what is straight closes to the last bit slowly
+    for by in (along,) * steps + (0.0 * along,) * 30 + (-along,) * back:
         move(sim, driver, hook, at, by * speed * sim.time_step)
         at = at + by * speed * sim.time_step
         sim.step()
