@@ -29,7 +29,7 @@ from tamias2d.state import Array, Vector
 
 AMPLIFICATION = 4.0  # of the rates that rows have too much: a lever of 1:4 is no dead centre
 YIELDING = 1.0  # of them, by rows that yield: a mass is moved by half of what is asked for
-FIRMER = 1.05  # in each substep that rows yield: loads are to be carried
+FIRMER_AGAIN = 1.05  # in each substep that rows yield: loads are to be carried
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
 REMOVED_YIELDING = 0.2  # of that, while rows yield: some tenths of a second, and no burst
 
@@ -90,7 +90,7 @@ def firm_up(n: int, joints: Joints) -> None:
     """Let the rows of a mechanism that yield be firmer: where they throw it they begin anew."""
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         for k in range(3):
-            joints.numbers[j, tb.J_FIRMEST + k] *= FIRMER
+            joints.numbers[j, tb.J_FIRMEST + k] *= FIRMER_AGAIN
 
 
 def energy_asked(
