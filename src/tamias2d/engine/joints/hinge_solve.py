@@ -154,7 +154,7 @@ def answer_tree(n: int, ahead: float, most: float, bodies: Bodies, joints: Joint
     It is if they give it more than an energy, J. Springs count as `hang_tree` says.
     """
     largest = solve_hinges(n, bodies, joints)
-    if most < inf and not gain_of_tree(n, joints) <= most:
+    if most < inf and not yields(n, joints) and not gain_of_tree(n, joints) <= most:
         take_solution_back(n, bodies, joints)
         let_yield(n, joints)
         hang_tree(n, ahead, bodies, joints)

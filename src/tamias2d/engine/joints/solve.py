@@ -294,7 +294,7 @@ def solve_joint_errors(n: int, ahead: float, most: float, bodies: Bodies, joints
         iterate_mesh(n, bodies, joints)
     else:
         solve_directly(n, joints)
-        if most < inf and not gain_of_rows(n, joints) <= most:
+        if most < inf and not yields(n, joints) and not gain_of_rows(n, joints) <= most:
             let_yield(n, joints)
             factor_mechanism(n, ahead, bodies, joints)
             solve_directly(n, joints)

@@ -111,7 +111,7 @@ def relax_joints(world: World) -> None:
             write_mechanism(n, bodies, joints)
             if yielded:
                 hold_again(n, joints)
-            if yielded:
+            if yielded and not yields(n, joints):
                 write_mechanism(n, bodies, joints)
             if joints.mechanisms[n, tb.M_GOVERNED] == 1:
                 note_left(n, joints)

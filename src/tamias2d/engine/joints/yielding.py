@@ -29,7 +29,7 @@ from tamias2d.state import Array, Vector
 
 AMPLIFICATION = 4.0  # of the rates that rows have too much: a lever of 1:4 is no dead centre
 YIELDING = 1.0  # of them, by rows that yield: a mass is moved by half of what is asked for
-FIRMER_AGAIN = 1.05  # in each substep that rows yield: loads are to be carried
+NEAR = 64.0  # times as far apart as is told: rows hold again, for they are to carry loads
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
 REMOVED_YIELDING = 0.2  # of that, while rows yield: some tenths of a second, and no burst
 
@@ -73,24 +73,16 @@ def mass_of_mechanism(n: int, joints: Joints) -> float:
 
 
 def hold_again(n: int, joints: Joints) -> None:
-    """Let the rows of a mechanism hold again, or be firmer if one is apart by what is told."""
+    """Let the rows of a mechanism hold again if none is far apart."""
     first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
     for j in range(first, last):
         for r in range(joints.joints[j, tb.J_ROWS]):
             apart = apart_by_law(r, joints.joints[j], joints.numbers[j])
-            if apart > joints.numbers[j, tb.J_SLIGHT + r]:
-                firm_up(n, joints)
+            if apart > NEAR * joints.numbers[j, tb.J_SLIGHT + r]:
                 return
     for j in range(first, last):
         for k in range(3):
             joints.numbers[j, tb.J_FIRMEST + k] = 0.0
-
-
-def firm_up(n: int, joints: Joints) -> None:
-    """Let the rows of a mechanism that yield be firmer: where they throw it they begin anew."""
-    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        for k in range(3):
-            joints.numbers[j, tb.J_FIRMEST + k] *= FIRMER_AGAIN
 
 
 def energy_asked(
