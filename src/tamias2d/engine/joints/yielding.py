@@ -29,7 +29,7 @@ from tamias2d.state import Array, Vector
 
 AMPLIFICATION = 4.0  # of the rates that rows have too much: a lever of 1:4 is no dead centre
 YIELDING = 1.0  # of them, by rows that yield: a mass is moved by half of what is asked for
-NEAR = 64.0  # times as far apart as is told: rows hold again, for they are to carry loads
+NEAR_ENOUGH = 64.0  # times as far apart as is told: rows hold again, for they are to carry loads
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
 REMOVED_YIELDING = 0.2  # of that, while rows yield: some tenths of a second, and no burst
 
@@ -78,7 +78,7 @@ def hold_again(n: int, joints: Joints) -> None:
     for j in range(first, last):
         for r in range(joints.joints[j, tb.J_ROWS]):
             apart = apart_by_law(r, joints.joints[j], joints.numbers[j])
-            if apart > NEAR * joints.numbers[j, tb.J_SLIGHT + r]:
+            if apart > NEAR_ENOUGH * joints.numbers[j, tb.J_SLIGHT + r]:
                 return
     for j in range(first, last):
         for k in range(3):
