@@ -8,7 +8,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.engine.joints import hinge_net, net_gradients, rows as engine_rows
-from tamias2d.engine.joints.solve import REMOVED_BY_JOINTS
+from tamias2d.engine.joints.yielding import REMOVED_BY_JOINTS
 from tamias2d.scene import JointSpring, Limits, Motor, Revolute, Scene
 from tamias2d.simulator import Simulator
 from tests.engine.scenes import plain

@@ -66,9 +66,13 @@ class JointLayout:
     def _begin(self, kept: Array | None) -> None:
         """Give the rows what a step left of them, or begin to pull together what is apart."""
         numbers = self.numbers
-        size = np.where(self.are_lengths, self.sizes[:, None], 1.0)
+        size = np.broadcast_to(self.sizes[:, None], self.are_lengths.shape)
         slight = slice(tb.J_SLIGHT, tb.J_SLIGHT + MOST_ROWS)
-        numbers[self.places, slight] = APART / math.sqrt(MOST_ROWS) * size
+        numbers[self.places, slight] = (
+            APART / math.sqrt(MOST_ROWS) * np.where(self.are_lengths, size, 1.0)
+        )
+        arms = slice(tb.J_ARM, tb.J_ARM + MOST_ROWS)
+        numbers[self.places, arms] = np.where(self.are_lengths | np.isinf(size), 1.0, size)
         if kept is not None:
             numbers[self.places, _KEPT] = kept
         else:
@@ -77,6 +81,10 @@ class JointLayout:
         most = np.zeros(len(numbers))
         np.maximum.at(most, self.first_rows, numbers[self.places, tb.J_PULLED])
         numbers[:, tb.J_PULLED] = most
+        firmest = slice(tb.J_FIRMEST, tb.J_FIRMEST + MOST_ROWS)
+        least = np.full(len(numbers), np.inf)
+        np.minimum.at(least, self.first_rows, numbers[self.places, tb.J_FIRMEST])
+        numbers[self.places[least[self.first_rows] == 0.0], firmest] = 0.0  # a joint has come
 
     @property
     def counts(self) -> IntArray:

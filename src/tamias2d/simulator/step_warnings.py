@@ -50,22 +50,26 @@ def too_long_for_contacts(
         yield "masses", text
 
 
+_REMEDIES = {
+    "yields": "It cannot hold, and yields (DD86): bring what drives it back into its reach, or "
+    "drive it by a Target.",
+    "by hand": "It follows what was moved by hand within some steps: move that in smaller ones, or "
+    "give a kinematic body a velocity.",
+    "": "Give a shorter step or more substeps.",
+}
+
+
 def too_long_for_joints(layout: JointLayout, time: float, time_step: float) -> Iterator[Told]:
     """Yield joints that were apart before a time, s (R13), turned far, or made energy (IM15)."""
     if (found := apart(layout)) is not None:
-        joint, much, moved = found
-        remedy = (
-            "It follows what was moved by hand within some steps: move that in smaller ones, or "
-            "give a kinematic body a velocity."
-            if moved
-            else "Give a shorter step or more substeps."
-        )
+        joint, much, why = found
+        remedy = _REMEDIES[why]
         text = (
             f"joint '{joint.name}' ({joint.kind}), before {time:.6g} s: it was {much:.2g} "
             f"apart (m or rad) in a step of {time_step:.6g} s, more than {APART:g} of "
             f"its size (R13). {remedy}"
         )
-        yield f"joint {joint.name}{' by hand' * moved}", text
+        yield f"joint {joint.name} {why}", text
     if (whirled := turned(layout)) is not None:
         text = (
             f"joint '{whirled.name}' ({whirled.kind}), before {time:.6g} s: what it holds turned "

@@ -6,6 +6,7 @@ moved when the step began: there, gravity does no work that contacts could take 
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.yielding import energy_driven, yields
 from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import momentum, point_velocity
@@ -26,7 +27,7 @@ def find_references(
         i = touching.active[k]
         if is_root(i, bodies, islands):
             row = islands.energy[i]
-            row[tb.SUPPORT] = FREE
+            row[tb.SUPPORT], row[tb.DRIVEN_RATE] = FREE, 0.0
             row[tb.ISLAND_MASS] = row[tb.MOMENTUM_X] = row[tb.MOMENTUM_Y] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
@@ -68,6 +69,9 @@ def support_island(j: int, root: int, bodies: Bodies, islands: Islands) -> None:
     if row[tb.SUPPORT] == FREE:
         row[tb.SUPPORT] = SUPPORTED_BY_ONE
         row[tb.REFERENCE], row[tb.REFERENCE + 1], row[tb.REFERENCE + 2] = by_x, by_y, spin
+    row[tb.DRIVEN_RATE] = max(
+        row[tb.DRIVEN_RATE], abs(row[tb.REFERENCE] - by_x) + abs(row[tb.REFERENCE + 1] - by_y)
+    )
     apart = abs(row[tb.REFERENCE] - by_x) + abs(row[tb.REFERENCE + 1] - by_y)
     speed = abs(by_x) + abs(by_y) + abs(motion[tb.VX]) + abs(motion[tb.VY])
     if apart > ALIKE * speed or abs(row[tb.REFERENCE + 2] - spin) > ALIKE * abs(spin):
@@ -115,7 +119,7 @@ def charge_joined(
     Joints and contacts that are solved in turns would otherwise lift them for nothing, again and
     again. One that has not the energy for its way, with what overlaps may give back, keeps a part
     of it. One that is driven may give any energy, and one that no contact touches has its own
-    bound.
+    bound; what carries one that yields, or that contacts hold, gives what is likely (DD86).
     """
     if joints.counts[tb.MECHANISMS] == 0:
         return
@@ -126,8 +130,17 @@ def charge_joined(
         ]
         row = islands.energy[root]
         bounded = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
-        driven = joints.mechanisms[n, tb.M_DRIVEN] == 1 or may_get_any(n, row, joints)
-        if bounded or driven:
+        powered = joints.mechanisms[n, tb.M_DRIVEN] == 1
+        driven = powered or may_get_any(n, row, joints)
+        carried = joints.mechanisms[n, tb.M_CARRIED] == 1 and row[tb.SUPPORT] == SUPPORTED_BY_MORE
+        if not bounded and ((carried and not powered) or yields(n, joints)):
+            driven_energy = energy_driven(n, row, control, bodies, joints)
+            most = row[tb.ENERGY_START] + max(row[tb.WORK], 0.0)
+            row[tb.ENERGY_START] = max(most, driven_energy)
+            row[tb.WORK] = 0.0
+            if row[tb.SUPPORT] == SUPPORTED_BY_MORE:
+                row[tb.SUPPORT] = SUPPORTED_BY_ONE
+        elif bounded or driven:
             row[tb.WORK] = UNLIMITED
         elif row[tb.WORK] < 0.0:
             least = kept_way(row[tb.ENERGY_START], row[tb.LIFT_WORK], row[tb.WORK])
