@@ -12,6 +12,7 @@ Cost: a visit to each body and spring, and two more where there is too much.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.island_charge import may_get_any, support_mechanism
 from tamias2d.engine.joints.yielding import energy_driven, yields
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
@@ -19,12 +20,7 @@ from tamias2d.engine.solver.island_damping import (
     find_rigid_motion,
     place_from,
 )
-from tamias2d.engine.solver.support import (
-    FREE,
-    SUPPORTED_BY_ONE,
-    may_get_any,
-    support_mechanism,
-)
+from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_ONE
 from tamias2d.engine.tables import Bodies, Control, Islands, Joints
 from tamias2d.generated.definitions import (
     kinetic_energy,
