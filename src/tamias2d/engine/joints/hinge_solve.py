@@ -248,11 +248,10 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
     """Give a tree the impulses that take its errors away.
 
     Returns the largest product of what they change the spin of a body by and what it then is, at
-    most, 1/s^2; where rows tie bodies whose slopes turn by shifting, too, more than any.
+    most, 1/s^2.
     """
     first, last = joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1
     besides, end = first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]
-    largest = 0.0
     for j in range(besides, end):
         for r in range(joints.joints[j, tb.J_ROWS]):
             if joints.numbers[j, tb.J_FIRMNESS + r] == 0.0:  # it does not hold
@@ -261,7 +260,6 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
                 owe_law(j, joints)
             else:
                 owe_tie(j, r, joints)
-                largest = inf
     hinges, members = joints.hinges, joints.members
     for m in range(last - 1, first, -1):
         owe_at_hinge(hinges[m])
@@ -269,6 +267,7 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
     owe_at_hinge(hinges[first])
     if members[first, tb.JOINED_HINGE] < 0:
         let_go(hinges[first])
+    largest = 0.0
     for m in range(first, last):
         impulse = pass_down(m, hinges[members[m, tb.JOINED_ABOVE]], joints)
         row, spin = hinges[m], bodies.motion[members[m, tb.JOINED_SLOT], tb.SPIN]

@@ -40,11 +40,20 @@ def yields(n: int, joints: Joints) -> bool:
 
 
 def may_yield(n: int, first: int, joints: Joints) -> bool:
-    """Return whether some joint of a mechanism, from a first one on, is no spring."""
+    """Return whether some joint of a mechanism, from a first one on, holds, and is no spring."""
     for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
-        if joints.joints[j, tb.J_LAW] != tb.SPRING:
+        if joints.joints[j, tb.J_LAW] != tb.SPRING and is_firm(j, joints):
             return True
     return False
+
+
+@inlined
+def is_firm(j: int, joints: Joints) -> bool:
+    """Return whether a row of a joint is firm: one of a limit is not where that does not hold."""
+    firm = 0.0
+    for r in range(joints.joints[j, tb.J_ROWS]):
+        firm = max(firm, joints.numbers[j, tb.J_FIRMNESS + r])
+    return firm > 0.0
 
 
 def has_motor(n: int, joints: Joints) -> bool:
