@@ -66,10 +66,8 @@ def support_island(j: int, root: int, bodies: Bodies, islands: Islands) -> None:
     if row[tb.SUPPORT] == FREE:
         row[tb.SUPPORT] = SUPPORTED_BY_ONE
         row[tb.REFERENCE], row[tb.REFERENCE + 1], row[tb.REFERENCE + 2] = by_x, by_y, spin
-    row[tb.DRIVEN_RATE] = max(
-        row[tb.DRIVEN_RATE], abs(row[tb.REFERENCE] - by_x) + abs(row[tb.REFERENCE + 1] - by_y)
-    )
     apart = abs(row[tb.REFERENCE] - by_x) + abs(row[tb.REFERENCE + 1] - by_y)
+    row[tb.DRIVEN_RATE] = max(row[tb.DRIVEN_RATE], apart)
     speed = abs(by_x) + abs(by_y) + abs(motion[tb.VX]) + abs(motion[tb.VY])
     if apart > ALIKE * speed or abs(row[tb.REFERENCE + 2] - spin) > ALIKE * abs(spin):
         row[tb.SUPPORT] = SUPPORTED_BY_MORE
