@@ -12,7 +12,6 @@ from tamias2d.errors import InputError
 from tamias2d.motion import Stepped
 from tamias2d.scene import (
     Distance,
-    Equation,
     Gear,
     Groove,
     Limits,
@@ -200,18 +199,6 @@ def test_scenes_without_joints_do_without_all_of_it() -> None:
 
 
 # -- refusals
-
-
-def test_a_joint_of_its_own_equation_is_refused_by_name() -> None:
-    scene = Scene(gravity=(0.0, 0.0))
-    scene.add_body(None, mass=1.0, inertia=1.0, position=(1.0, 0.0))
-    scene.add_joint(Equation("norm(position_a) - 1[m]"), 0, name="own")
-    with pytest.raises(InputError, match=r"'own' \(equation\): steps know no equation.*\(R13\)"):
-        plain(scene)
-    free = Scene(gravity=(0.0, 0.0))
-    free.add_body(None, mass=1.0, inertia=1.0, position=(1.0, 0.0))
-    with pytest.raises(InputError, match=r"'joint0' \(equation\): steps know no equation"):
-        plain(free).add_joint(Equation("norm(position_a) - 1[m]"), 0)
 
 
 @pytest.mark.parametrize(

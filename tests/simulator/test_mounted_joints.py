@@ -19,7 +19,6 @@ from tamias2d import (
     Box,
     Disc,
     Distance,
-    Equation,
     Gear,
     InputError,
     JointSpring,
@@ -430,8 +429,6 @@ def test_what_steps_do_not_know_is_refused_on_a_kinematic_body() -> None:
         InputError, match=r"'hook' is kinematic, which only steps know.*no restitution"
     ):
         scene.add_joint(Distance(limits=bounces), hook, bob)
-    with pytest.raises(InputError, match=r"'hook' is kinematic.*no equation"):
-        scene.add_joint(Equation("y(point_b - point_a) + 1[m]"), hook, bob)
     with pytest.raises(InputError, match="holds no body that moves"):
         Simulator(scene, compiled=False).add_joint(Revolute(), hook, (0.0, 0.0))
 

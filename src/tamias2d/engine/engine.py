@@ -132,6 +132,11 @@ class Engine(Store):
         return int(self.world.control.counts[tb.STEPS_TAKEN])
 
     @property
+    def time(self) -> float:
+        """How long that was, s."""
+        return self.steps * float(self.world.control.settings[tb.TIME_STEP])
+
+    @property
     def parts(self) -> int:
         """In how many parts the last step was taken where it was finest."""
         return 1 << int(self.world.control.counts[tb.FINEST])

@@ -165,7 +165,8 @@ def note_support_kinds(
 def note_joined_support(islands: Islands, joints: Joints) -> None:
     """Note that bodies which joints hold are supported by what these hold besides."""
     for n in range(joints.counts[tb.MECHANISMS]):
-        support = SUPPORTED_AT_REST
+        timed = joints.mechanisms[n, tb.M_TIMED] == 1
+        support = SUPPORTED_IN_MOTION if timed else SUPPORTED_AT_REST
         for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
             for end in range(tb.ENDS_OF_JOINT):
                 by = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]

@@ -28,6 +28,7 @@ from tamias2d.kernels.arrays import (
     Ranks,
 )
 from tamias2d.kernels.lanes import LANES
+from tamias2d.spec.row_program import OUTPUTS
 
 Integers: TypeAlias = NDArray[Any]
 """An array of whole numbers of any width."""
@@ -817,6 +818,7 @@ M_STATUS = _mechanisms()  # one of those below
 M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by iteration; with the last
 # column it is a net of hinges
 M_TIED = _mechanisms()  # 1 if a joint ties it to what nothing pushes
+M_TIMED = _mechanisms()  # 1 if an equation that changes with time drives it
 M_CARRIED = _mechanisms()  # 1 if that, or some of it, moves as it is told
 M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
@@ -837,15 +839,25 @@ J_NODE = _joint(3)  # their nodes, or one of those below
 J_EDGE = _joint(3)  # of the pairs AB, AC and BC, or -1 where one does not move
 J_LAW = _joint()  # what governs its row, one of those below
 J_STATE = _joint()  # whether a limit or a motor holds, one of those below
+J_EQUATION = _joint()  # its equation, or -1 where it is one of a kind
 
 KEPT, LOWER_LIMIT, UPPER_LIMIT, MOTOR, SPRING = range(5)  # at zero; one row if not KEPT
 HOLDS, FREE_ROW, AT_MOST, AT_LEAST = range(4)  # a motor gives the most forwards, or backwards
 
 _laws = Columns()  # numbers of a law
-LAW_RATE = _laws()  # m/s or rad/s, of a motor
+LAW_RATE = _laws()  # m/s or rad/s, of a motor, or of what an equation keeps
 LAW_MOST = _laws()  # N or N m, of a motor
 LAW_STIFFNESS = _laws()  # N/m or N m/rad
 LAW_DAMPING = _laws()  # kg/s or N m s
+
+_equations = Columns()  # of a joint, as a program (`spec.row_program`)
+Q_INPUT = _equations()  # the first of its scalars: inputs, then what its operations yield
+Q_OPERATION = _equations()  # the first of these
+Q_COUNT = _equations(3)  # how many find its value; that and its slopes; these and its bends
+Q_OUTPUT = _equations(OUTPUTS)  # the scalars that are these
+
+CLOCK_NOW, CLOCK_AHEAD = range(2)  # s: the instant where bodies are, and how far ahead of it they
+# are placed
 
 ENDS_OF_JOINT = 3
 NOT_PUSHED, UNUSED = -1, -2  # instead of a node: nothing pushes what is there, or none is asked for
@@ -1087,6 +1099,10 @@ class Joints(NamedTuple):
     links: Annotated[FloatRows, Sized("joints", _links.width)]
     net_nodes: Annotated[FloatRows, Sized("joined", 8)]
     bends: Annotated[Floats, Sized(9)]  # m, second derivatives of the rows of a joint
+    equations: Annotated[RankRows, Sized("equations", _equations.width)]
+    operations: Annotated[RankRows, Sized("operations", 3)]  # what is done to which scalars
+    scalars: Annotated[Floats, Sized("scalars")]
+    clock: Annotated[Floats, Sized(2)]
     # as those of the direct solver, a node for each body that moves
     sparse: Annotated[RankRows, Sized("joint_sparse", _sparse.width)]
     factors: Annotated[FloatRows, Sized("joint_sparse", _factors.width)]

@@ -40,6 +40,9 @@ class Capacities:
     tree_rows: int = 0
     apart_bodies: int = 1  # one more than rows that joints keep apart from others
     apart: int = 0
+    equations: int = 0  # joints that a scene states by equations of its own
+    operations: int = 0
+    scalars: int = 0
     clip: int = 9  # vertices of two shapes, and one
 
     def lengths(self) -> dict[str, int]:

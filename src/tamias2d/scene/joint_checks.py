@@ -32,10 +32,11 @@ def checked_joint(
     bears: tuple[object, object] = (None, None),
     *,
     at_rest: bool = False,
+    time: float = 0.0,
 ) -> Joint:
     """Return a joint that ties bodies and holds at the start, or raise `RuleError`.
 
-    If it is only asked `at_rest`, the velocities may be such as to tear it.
+    That is at a time, s. If it is only asked `at_rest`, the velocities may be such as to tear it.
     """
     of = f"joint '{name}'"
     if not isinstance(kind, Kind):
@@ -77,22 +78,26 @@ def checked_joint(
             "break_force",
         )
     _refuse_idle(joint, bodies, of)
-    return _fitted(joint, kind, bodies, of, at_rest=at_rest)
+    return _fitted(joint, kind, bodies, of, time, at_rest=at_rest)
 
 
 def checked_again(joint: Joint, bodies: Sequence[Body]) -> Joint:
     """Return a joint that holds at the start of other bodies, too, or raise `RuleError`."""
     of = f"joint '{joint.name}'"
-    _checked_start(joint, bodies, of)
+    joint = _checked_start(joint, bodies, of)
     refuse_crossed(joint.freedoms, _values(joint, bodies), of)
     return joint
 
 
-def _checked_start(joint: Joint, bodies: Sequence[Body], of: str, *, at_rest: bool = False) -> None:
-    start = Start(joint, bodies)
+def _checked_start(
+    joint: Joint, bodies: Sequence[Body], of: str, time: float = 0.0, *, at_rest: bool = False
+) -> Joint:
+    """Return a joint with what it takes from the start, which it has to fit."""
+    start = Start(joint, bodies, time)
     _refuse_singular(start, bodies, of)
     if joint.rigid:
         _refuse_unfit(start, of, at_rest=at_rest)
+    return replace(joint, steepness=start.steepness) if joint.equations else joint
 
 
 def _bears(value: object, symbol: str, of: str, key: str, unit: str) -> float | None:
@@ -141,7 +146,9 @@ def _refuse_idle(joint: Joint, bodies: Sequence[Body], of: str) -> None:
         raise RuleError(f"{of}: it holds no body that moves (TM7). Name one that does.", "between")
 
 
-def _fitted(joint: Joint, kind: Kind, bodies: Sequence[Body], of: str, *, at_rest: bool) -> Joint:
+def _fitted(
+    joint: Joint, kind: Kind, bodies: Sequence[Body], of: str, time: float, *, at_rest: bool
+) -> Joint:
     """Return the joint with all its parameters; what is not given is as at the start."""
     known = {name: value for name, value in kind.given.items() if value is not None}
     joint = _with(joint, known)
@@ -150,7 +157,7 @@ def _fitted(joint: Joint, kind: Kind, bodies: Sequence[Body], of: str, *, at_res
         start = Start(_with(joint, {**known, name: 0.0}), bodies)
         known[name] = float(start.rows[-1]) + 0.0
         joint = _with(joint, known)
-    _checked_start(joint, bodies, of, at_rest=at_rest)
+    joint = _checked_start(joint, bodies, of, time, at_rest=at_rest)
     return _governed(joint, bodies, of)
 
 

@@ -4,7 +4,7 @@ Serves: joints that a scene states by an equation. Hides: what such an equation 
 """
 
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError
@@ -14,6 +14,7 @@ from tamias2d.spec.constraint_functions import ConstraintFunctions, Formula, Val
 from tamias2d.spec.evaluate import Program
 from tamias2d.spec.expression import Node, names, parse, substituted
 from tamias2d.spec.messages import SpecFault
+from tamias2d.spec.row_program import RowProgram, row_programs
 from tamias2d.spec.symbols import Index, SymbolTable
 
 _PLACES = tuple(f"{name}_{end}" for end in ENDS for name in (*COORDINATES, "point"))
@@ -26,6 +27,28 @@ def read_equations(texts: Sequence[str], of: str) -> ConstraintFunctions:
     Raises:
         RuleError: one is not in the language, uses what is not there, or has no derivative.
     """
+    constraint = _constraint(tuple(texts), of)
+    try:
+        return _functions(constraint)
+    except ValueError as error:
+        raise RuleError(
+            f"equations of {of}: {error} (TM7). Write it without min, max and abs.", "equations"
+        ) from None
+
+
+@lru_cache(256)
+def equation_rows(texts: tuple[str, ...]) -> tuple[RowProgram, ...] | None:
+    """Return the rows of equations that were read as programs, or None if they have none.
+
+    They have none where a function has no operation (`spec.straight_line`).
+    """
+    try:
+        return row_programs(_constraint(texts, "a joint"))
+    except KeyError:
+        return None
+
+
+def _constraint(texts: tuple[str, ...], of: str) -> Constraint:
     trees = tuple(_read(text, of, k) for k, text in enumerate(texts))
     used = {name for tree in trees for name in names(tree)}
     where = tuple(
@@ -33,13 +56,7 @@ def read_equations(texts: Sequence[str], of: str) -> ConstraintFunctions:
         for end in ENDS
         if f"point_{end}" in used
     )
-    constraint = Constraint(trees, where, _table())
-    try:
-        return _functions(constraint)
-    except ValueError as error:
-        raise RuleError(
-            f"equations of {of}: {error} (TM7). Write it without min, max and abs.", "equations"
-        ) from None
+    return Constraint(trees, where, _table())
 
 
 def _read(text: str, of: str, k: int) -> Node:

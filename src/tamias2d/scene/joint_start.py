@@ -18,9 +18,10 @@ _SMALLEST = 1e-150  # m: float64 cannot square what is shorter
 class Start:
     """A joint as it is at the start: its rows, their slopes and rates."""
 
-    def __init__(self, joint: Joint, bodies: Sequence[Body]) -> None:
+    def __init__(self, joint: Joint, bodies: Sequence[Body], time: float = 0.0) -> None:
+        """Look at a joint at a time, s."""
         self.joint = joint
-        values: dict[str, Any] = {"time": 0.0, **joint.given}
+        values: dict[str, Any] = {"time": time, **joint.given}
         held = [None if k is None else bodies[k] for k in joint.ends]
         for end, body in zip(ENDS, held, strict=True):
             values[f"position_{end}"] = body.position if body else (0.0, 0.0)
@@ -44,6 +45,12 @@ class Start:
             for end, slopes in self.slopes.items()
             if end in self._held and np.any(slopes[:, 2])
         ]
+
+    @property
+    def steepness(self) -> tuple[tuple[float, float], ...]:
+        """By how much each row changes for each m, and for each rad, of the bodies it holds."""
+        moved, turned = steepness([self.slopes[end] for end in self._held if end in self.slopes])
+        return tuple(zip(moved.tolist(), turned.tolist(), strict=True))
 
     @property
     def size(self) -> float:
@@ -86,6 +93,15 @@ class Start:
         unit = self.joint.functions.units[k]
         unit = {"1": "rad"}.get(unit, unit)
         return f"{rows[k]:g} {unit}{per}"
+
+
+def steepness(slopes: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
+    """Return by how much rows (r,) change for each m, and for each rad: (2, r).
+
+    The slopes of each body are (r, 3), by x, y and orientation.
+    """
+    squares = np.square(np.stack(slopes))
+    return np.sqrt([squares[:, :, :2].sum(axis=(0, 2)), squares[:, :, 2].sum(axis=0)])
 
 
 def _numbers(formula: Formula, values: Mapping[str, Any]) -> NDArray[np.float64]:

@@ -8,7 +8,7 @@ from typing import TypeAlias, cast
 
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.scene.freedoms import VALUE_OF, Freedom
-from tamias2d.scene.joint_equation import read_equations
+from tamias2d.scene.joint_equation import equation_rows, read_equations
 from tamias2d.scene.rules import RuleError, Vector
 from tamias2d.spec.constraint import ENDS, TIME
 from tamias2d.spec.constraint_functions import ConstraintFunctions
@@ -16,8 +16,6 @@ from tamias2d.suggestions import suggests
 
 End: TypeAlias = int | Vector
 """A body, by its index, or a point of the plane, m."""
-OWN_EQUATION = "equation of one's own"
-"""What steps do not know of a joint that is stated by its equation."""
 
 
 @suggests
@@ -36,6 +34,8 @@ class Joint:
     """What else it is given, by symbol, SI units."""
     equations: tuple[str, ...] = ()
     """Its own, if it has any."""
+    steepness: tuple[tuple[float, float], ...] = ()
+    """By how much each row of these changes for each m, and for each rad, where it was added."""
     collide: bool = False
     """Whether the bodies that it holds may touch."""
     rigid: bool = True
@@ -94,8 +94,8 @@ class Joint:
     @property
     def beyond_steps(self) -> str | None:
         """What the frame loop does not know of it, or None (R13)."""
-        if self.equations:
-            return OWN_EQUATION
+        if self.equations and equation_rows(self.equations) is None:
+            return "phi1 and phi2 in an equation of one's own"
         if any(each.limits and each.limits.restitution > 0 for each in self.freedoms):
             return "restitution of limits but 0"
         return None

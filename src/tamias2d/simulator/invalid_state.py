@@ -24,14 +24,27 @@ _RULES = {
 
 
 def invalid_state(
-    invalid: Invalid, kind: NDArray[np.int8], name_of: Callable[[int], str]
+    invalid: Invalid,
+    kind: NDArray[np.int8],
+    name_of: Callable[[int], str],
+    equation: str | None = None,
 ) -> RuleError:
-    """Return the error of a value that keeps a step from being taken; bodies have kinds (n,)."""
+    """Return the error of a value that keeps a step from being taken; bodies have kinds (n,).
+
+    An `equation` is the name of a joint that has one of its own, and holds the body.
+    """
     quantity, row, found, reason = invalid
     value = found[0] if len(found) == 1 else found
     if row < 0:
         return RuleError(f"gravity: found {value}: {_RULES[reason]}", quantity)
     what = name_of(row) if kind[row] != ABSENT else f"row {row}, which has no body"
+    if reason == OVERFLOWED and equation is not None:
+        return RuleError(
+            f"{quantity}[{row}] of {what}: found {value}: the equation of joint '{equation}' has "
+            "no value where a step leads (TM7), or float64 cannot hold what a step makes of the "
+            "body (R4): it stays as it was. Let the equation have a value wherever the body goes.",
+            *(quantity, row),
+        )
     separator = "," if reason == MOVES else ":"
     return RuleError(
         f"{quantity}[{row}] of {what}: found {value}{separator} {_RULES[reason]}", quantity, row

@@ -40,7 +40,7 @@ def apart(layout: JointLayout) -> tuple[Joint, float, str] | None:
     if not counts[tb.JOINTS_APART]:
         return None
     counts[tb.JOINTS_APART] = 0
-    found = numbers[layout.places, tb.J_APART : tb.J_APART + MOST_ROWS]
+    found = numbers[layout.places, tb.J_APART : tb.J_APART + MOST_ROWS] / layout.per_unit
     numbers[:, tb.J_APART : tb.J_APART + MOST_ROWS] = 0.0
     lengths = np.hypot.reduce(np.where(layout.are_lengths, found, 0.0), axis=1)
     angles = np.hypot.reduce(np.where(layout.are_lengths, 0.0, found), axis=1)

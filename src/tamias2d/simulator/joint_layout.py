@@ -61,6 +61,8 @@ class JointLayout:
         units = np.array([units_of_row(row) for _, row in rows]).reshape(-1, MOST_ROWS)
         self.are_lengths, self.sizes = units == "m", sizes[self.owner]
         """(r, 3), which numbers of rows are lengths; (r,), the sizes of their joints, m"""
+        self.per_unit = np.array([[row.per_unit] for _, row in rows]).reshape(-1, 1)
+        """(r, 1), by how much a value changes for a m, or for a rad"""
         self._begin(kept)
 
     def _begin(self, kept: Array | None) -> None:
@@ -69,10 +71,12 @@ class JointLayout:
         size = np.broadcast_to(self.sizes[:, None], self.are_lengths.shape)
         slight = slice(tb.J_SLIGHT, tb.J_SLIGHT + MOST_ROWS)
         numbers[self.places, slight] = (
-            APART / math.sqrt(MOST_ROWS) * np.where(self.are_lengths, size, 1.0)
+            APART / math.sqrt(MOST_ROWS) * np.where(self.are_lengths, size, 1.0) * self.per_unit
         )
         arms = slice(tb.J_ARM, tb.J_ARM + MOST_ROWS)
-        numbers[self.places, arms] = np.where(self.are_lengths | np.isinf(size), 1.0, size)
+        numbers[self.places, arms] = (
+            np.where(self.are_lengths | np.isinf(size), 1.0, size) / self.per_unit
+        )
         if kept is not None:
             numbers[self.places, _KEPT] = kept
         else:
@@ -150,6 +154,6 @@ def kept_of_new(joints: Sequence[Joint], engine: Engine) -> Array:
 
 def pulled_apart(joints: Sequence[Joint], engine: Engine) -> Array:
     """Return for how many substeps joints (j,) pull together what was moved since they came."""
-    lengths, angles = separations(joints, engine.pose)
+    lengths, angles = separations(joints, engine.pose, engine.time)
     sizes = np.array([size_of_joint(joint, engine) for joint in joints])
     return np.where(np.maximum(lengths / sizes, angles) > APART, PULLED, 0.0)

@@ -76,14 +76,17 @@ def forces_and_torques(
 
 
 def reactions_of(
-    joints: Sequence[Joint], totals: Array, pose: Array, time_step: float
+    joints: Sequence[Joint], totals: Array, pose: Array, time: float, time_step: float
 ) -> Reactions:
-    """Return what joints (j,) exerted, from what a step of so many s left of each of their rows."""
+    """Return what joints (j,) exerted, from what a step of so many s left of each of their rows.
+
+    It ended at a time, s, with bodies at poses (n, 3).
+    """
     owner = [k for k, joint in enumerate(joints) for _ in joint_rows(joint)]
     impulses = np.zeros((len(joints), len(ENDS), 3))
     np.add.at(impulses, owner, totals[:, : 3 * len(ENDS)].reshape(-1, len(ENDS), 3))
     force, torque = forces_and_torques(Held.by(joints), impulses, pose, time_step)
-    lengths, angles = separations(joints, pose)
+    lengths, angles = separations(joints, pose, time)
     told = {
         "impulse": impulses[:, :, :2].copy(),
         "force": force,

@@ -6,11 +6,12 @@ from typing import Any, cast
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.joint_row import JointRow
-from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import MOST_ROWS
 from tamias2d.scene.freedoms import Freedom
+from tamias2d.scene.joint_equation import equation_rows
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import RuleError
+from tamias2d.spec.row_program import RowProgram
 from tamias2d.state import IntArray
 
 
@@ -18,20 +19,18 @@ def refuse_unknown(joints: Iterable[Joint]) -> None:
     """Raise `RuleError` where a joint has what steps do not know."""
     for joint in joints:
         if what := joint.beyond_steps:
-            raise beyond_steps(joint.name, joint.kind, what)
-
-
-def beyond_steps(name: str, kind: str, what: str) -> RuleError:
-    """Return the error of a joint that has what steps do not know."""
-    return RuleError(
-        f"joint '{name}' ({kind}): steps know no {what} (R13). Leave it out, or take "
-        "simulate(scene, ...) without Stepped(), which knows it.",
-        "joints",
-    )
+            raise RuleError(
+                f"joint '{joint.name}' ({joint.kind}): steps know no {what} (R13). Leave it out, "
+                "or take simulate(scene, ...) without Stepped(), which knows it.",
+                "joints",
+            )
 
 
 def joint_rows(joint: Joint) -> list[JointRow]:
     """Return a joint as the engine takes it: what it keeps, then what governs its freedoms."""
+    if programs := equation_rows(joint.equations) if joint.equations else None:
+        steepness = joint.steepness
+        return [_own(joint, *each) for each in zip(programs, steepness, strict=True)]
     kept = [_row(joint)] if joint.rigid else []
     return [*kept, *(row for each in joint.freedoms for row in _governed(joint, each))]
 
@@ -60,13 +59,21 @@ def _row(
     return JointRow(joint.model, joint.ends, tuple(map(float, parts)), apart, law, numbers)
 
 
+def _own(joint: Joint, program: RowProgram, steepness: tuple[float, float]) -> JointRow:
+    """Return a row of a joint's own equation."""
+    anchors = tuple(float(x) for anchor in joint.anchors for x in anchor)
+    apart = not joint.collide
+    return JointRow(
+        joint.model, joint.ends, anchors, apart, tb.KEPT, (0.0,) * 4, program, steepness
+    )
+
+
 def place_of_row(row: JointRow, rank: IntArray) -> tuple[Any, ...]:
     """Return by what rows are ordered: their bodies in canonical order, then what they are."""
     bodies = [-1 if body is None else int(rank[body]) for body in row.ends]
-    return bodies, row.law, row.kind, row.given, row.numbers, row.apart
+    return bodies, row.law, row.kind, row.given, row.numbers, row.apart, row.program
 
 
 def units_of_row(row: JointRow) -> list[str]:
     """Return the units of the rows of a joint, of as many as there may be."""
-    units = CONSTRAINTS[row.kind].units
-    return [*units, *["1"] * (MOST_ROWS - len(units))]
+    return [*row.units, *["1"] * (MOST_ROWS - len(row.units))]

@@ -9,6 +9,7 @@ import numpy as np
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.generated.constraints import CONSTRAINTS
+from tamias2d.scene.joint_start import steepness
 from tamias2d.scene.joints import Joint
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
@@ -23,14 +24,20 @@ def size_of_joint(joint: Joint, engine: Engine) -> float:
     return max(lengths) or math.inf
 
 
-def separations(joints: Sequence[Joint], pose: Array) -> tuple[Array, Array]:
-    """Return by how much joints (j,) are apart, m, and turned, rad, at poses (n, 3)."""
+def separations(joints: Sequence[Joint], pose: Array, time: float) -> tuple[Array, Array]:
+    """Return by how much joints (j,) are apart, m, and turned, rad, at poses (n, 3) and a time, s.
+
+    An equation of its own is apart by the way, or the turn, on which its value would change by
+    what it is.
+    """
     lengths, angles = np.zeros(len(joints)), np.zeros(len(joints))
     of_model: dict[str, list[int]] = {}
-    for k, joint in enumerate(joints):
-        if joint.rigid:
-            of_model.setdefault(joint.model, []).append(k)
     poses = np.vstack((pose, np.zeros((1, 3))))  # the last one is the plane's
+    for k, joint in enumerate(joints):
+        if joint.equations:
+            lengths[k], angles[k] = _way_and_turn(joint, poses, time)
+        elif joint.rigid:
+            of_model.setdefault(joint.model, []).append(k)
     for model, own in of_model.items():
         values: dict[str, Any] = {}
         for name in CONSTRAINTS[model].parameters:
@@ -46,3 +53,23 @@ def separations(joints: Sequence[Joint], pose: Array) -> tuple[Array, Array]:
         lengths[own] = np.hypot.reduce(rows[kinds == "m"], axis=0)
         angles[own] = np.hypot.reduce(rows[kinds == "1"], axis=0)
     return lengths, angles
+
+
+def _way_and_turn(joint: Joint, poses: Array, time: float) -> tuple[float, float]:
+    """Return by how much a joint with equations of its own is apart, m, and turned, rad."""
+    functions = joint.functions
+    values: dict[str, Any] = {"time": time, **joint.given}
+    for end, body in zip(ENDS, joint.ends, strict=True):
+        x, y, turn = poses[-1 if body is None else body].tolist()
+        values[f"position_{end}"], values[f"orientation_{end}"] = (x, y), turn
+    held = [end for end, body in zip(ENDS, joint.ends, strict=True) if body is not None]
+    with np.errstate(all="ignore"):
+        rows = np.array(functions.constraint(values))
+        slopes = [
+            np.reshape(functions.slopes[end](values), (-1, 3))
+            for end in held
+            if end in functions.bodies
+        ]
+        moved, turned = steepness(slopes)
+        ways, turns = rows / np.where(moved > 0, moved, np.inf), rows / turned
+    return math.hypot(*ways), math.hypot(*turns[moved == 0])

@@ -10,8 +10,7 @@ from tamias2d.engine.engine import Engine
 from tamias2d.motion.joint_events import BREAKS, CLICKS
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.joint_checks import checked_joint
-from tamias2d.scene.joint_kinds import Equation
-from tamias2d.scene.joints import OWN_EQUATION, End, Joint
+from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, Vector, shown
 from tamias2d.simulator.joint_events import (
     JointEvent,
@@ -22,7 +21,7 @@ from tamias2d.simulator.joint_events import (
 )
 from tamias2d.simulator.joint_layout import JointLayout, kept_of_new
 from tamias2d.simulator.joint_reactions import Reactions, reactions_of
-from tamias2d.simulator.joint_rows import beyond_steps, refuse_unknown
+from tamias2d.simulator.joint_rows import refuse_unknown
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
 
@@ -62,18 +61,19 @@ class JointSet:
         collide: object,
         bodies: Sequence[Body],
         bears: tuple[object, object],
+        time: float,
     ) -> Joint:
         """Add a joint that fits the places of its bodies; what moves is made to fit by a step.
 
-        It `bears` a force, N, and a torque, N m, or None for any.
+        It `bears` a force, N, and a torque, N m, or None for any, and is added at a time, s.
 
         Raises:
             RuleError: it breaks a rule, or its name is taken.
         """
         name = self._free_name(name)
-        if isinstance(kind, Equation):
-            raise beyond_steps(name, "equation", OWN_EQUATION)
-        joint = checked_joint(kind, name, ends, anchors, collide, bodies, bears, at_rest=True)
+        joint = checked_joint(
+            kind, name, ends, anchors, collide, bodies, bears, at_rest=True, time=time
+        )
         refuse_unknown([joint])
         self._joints[name] = joint
         self._change()
@@ -186,6 +186,11 @@ class JointSet:
             self._change()
         return infinite
 
+    def equation_of(self, body: int) -> str | None:
+        """Return the name of a joint that holds a body by an equation of its own, or None."""
+        held = (joint.name for joint in self if joint.equations and body in joint.bodies)
+        return next(held, None)
+
     def forget_report(self) -> None:
         """Note that a step is taken."""
         self._saved = None
@@ -199,7 +204,7 @@ class JointSet:
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
         """Return what joints exerted in the last step, and how well they hold now."""
-        return reactions_of(list(self), self.kept(engine), engine.pose, time_step)
+        return reactions_of(list(self), self.kept(engine), engine.pose, engine.time, time_step)
 
     def _change(self, kept: Array | None = None) -> None:
         """Note that the engine has to be told of joints, with what a step left of their rows."""

@@ -47,7 +47,7 @@ class Jointing(Stepping):
 
         Raises:
             InputError: a body is not there, a value breaks a rule (R4), the joint moves nothing or
-                does not hold where the bodies are, or it is one of its own equation.
+                does not hold where the bodies are, or steps do not know it.
         """
         ends = (
             self._end(first),
@@ -57,7 +57,9 @@ class Jointing(Stepping):
         anchors = (anchor, other_anchor, third_anchor)
         standing: Any = StandingBodies(self._engine, self._names)
         joint = self._joints.add(
-            kind, ends, anchors, name, collide, standing, (break_force, break_torque)
+            *(kind, ends, anchors, name, collide, standing),
+            bears=(break_force, break_torque),
+            time=self.time,
         )
         self._engine.wake(np.array(joint.bodies, dtype=np.int64))
         self._unsettled = True

@@ -61,11 +61,20 @@ def _joint_of(data: Mapping[str, Any]) -> Joint:
         for name, value in data["parameters"]
     )
     freedoms = tuple(_freedom_of(each) for each in data["freedoms"])
-    joint = Joint(**{**data, "parameters": parameters, "equations": (), "freedoms": freedoms})
+    equations = tuple(map(str, data["equations"]))
+    steepness = tuple((float(moved), float(turned)) for moved, turned in data["steepness"])
+    read: dict[str, Any] = {"parameters": parameters, "freedoms": freedoms}
+    joint = Joint(**{**data, **read, "equations": equations, "steepness": steepness})
     anchors = tuple((float(x), float(y)) for x, y in joint.anchors)
     ends = tuple(None if body is None else int(body) for body in joint.ends)
-    if len(anchors) != len(ENDS) or len(ends) != len(ENDS) or joint.model not in KINDS:
+    if (
+        len(anchors) != len(ENDS)
+        or len(ends) != len(ENDS)
+        or joint.model not in (*KINDS, "equation")
+    ):
         raise ValueError(joint.model)
+    if (joint.model == "equation") != bool(equations):
+        raise ValueError(equations)
     if not isinstance(joint.name, str) or not isinstance(joint.collide, bool):
         raise TypeError(joint.name)
     ratchets = [each.pitch for each in freedoms]

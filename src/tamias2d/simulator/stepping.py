@@ -127,7 +127,8 @@ class Stepping(Views):
         if (invalid := engine.step(count, untouched=untouched)) is not None:
             if self._jointed and self._joints.begin_anew_if_infinite():
                 self._unsettled = True
-            raise invalid_state(invalid, engine.kind, self._name_of)
+            equation = self._joints.equation_of(invalid.row)
+            raise invalid_state(invalid, engine.kind, self._name_of, equation)
         self._seen = False
         if (limits := engine.limits) > self._limits:
             self._limits = limits

@@ -68,26 +68,18 @@ class Constraint:
     def slopes(self, end: str) -> Values:
         """How each row changes with x, y and orientation of one body, three rows for each."""
         seeds = [{f"position_{end}": axis} for axis in _AXES] + [{f"orientation_{end}": ONE}]
-        columns = []
-        for seed in seeds:
-            rates: dict[str, Node] = dict(seed)
-            known: dict[Node, Node] = {tree: Name(name) for name, tree in self.where}
-            for name, tree in self.where:
-                rates[name] = _renamed(along(tree, rates), known)
-            columns.append(
-                self._rows([_renamed(along(node, rates), known) for node in self.equations])
-            )
+        columns = [self._rows(self._changed(self.equations, seed)) for seed in seeds]
         rows = tuple(entry for entries in zip(*columns, strict=True) for entry in entries)
         return Values(rows, _needed(rows, self.where))
 
     def bends(self, end: str) -> Values:
         """The second derivatives of the rows by the orientation of one body."""
-        known: dict[Node, Node] = {tree: Name(name) for name, tree in self.where}
-        rates: dict[str, Node] = {f"orientation_{end}": ONE}
-        for name, tree in self.where:
-            rates[name] = _renamed(along(tree, rates), known)
-        nodes = [_renamed(along(node, rates), known) for node in self.equations]
-        return self._values([_renamed(along(node, rates), known) for node in nodes], self.where)
+        seed = {f"orientation_{end}": ONE}
+        return self._values(self._changed(self._changed(self.equations, seed), seed), self.where)
+
+    def time_slopes(self) -> Values:
+        """How each row changes with time where no body moves."""
+        return self._values(self._changed(self.equations, {TIME: ONE}), self.where)
 
     def rates(self) -> Values:
         """The rates of the rows along the motion."""
@@ -99,6 +91,14 @@ class Constraint:
         return self._values(
             *_along_motion(*_along_motion(self.equations, self.where, motion), motion)
         )
+
+    def _changed(self, nodes: Sequence[Node], seed: Mapping[str, Node]) -> list[Node]:
+        """How trees change as some names do, in terms of the named quantities."""
+        known: dict[Node, Node] = {tree: Name(name) for name, tree in self.where}
+        rates = dict(seed)
+        for name, tree in self.where:
+            rates[name] = _renamed(along(tree, rates), known)
+        return [_renamed(along(node, rates), known) for node in nodes]
 
     def _motion(self) -> dict[str, Node]:
         moving = {

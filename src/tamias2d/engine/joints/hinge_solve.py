@@ -193,9 +193,8 @@ def fit_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
         for r in range(joints.joints[j, tb.J_ROWS]):
             if joints.numbers[j, tb.J_FIRMNESS + r] > 0.0:
                 rate = rate_of_row(j, r, bodies, joints)
-                if joints.joints[j, tb.J_LAW] == tb.MOTOR:
-                    rate = drive_error(rate, joints.laws[j, tb.LAW_RATE])
-                joints.numbers[j, tb.J_ERROR + r] = rate
+                wanted = joints.laws[j, tb.LAW_RATE]
+                joints.numbers[j, tb.J_ERROR + r] = drive_error(rate, wanted)
     answer_tree(n, 0.0, energy_asked_of_tree(n, substep, bodies, joints), bodies, joints)
 
 

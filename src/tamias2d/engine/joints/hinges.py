@@ -26,8 +26,9 @@ class HingeTree(NamedTuple):
 def hinge_tree(moving: Sequence[int], rows: Mapping[int, JointRow]) -> HingeTree | None:
     """Return the tree that hinges make of bodies that move; None if they make none, or others do.
 
-    What ties a single body to what does not move may be of any kind, and laws may govern the
-    angles of hinges. The root is the first body that a hinge ties, if there is one.
+    What ties a single body to what does not move may be of any kind, but no equation of its own;
+    laws may govern the angles of hinges. The root is the first body that a hinge ties, if there is
+    one.
     """
     around: dict[int, list[tuple[int, int]]] = {body: [] for body in moving}
     ties: list[tuple[int, int]] = []
@@ -42,7 +43,7 @@ def hinge_tree(moving: Sequence[int], rows: Mapping[int, JointRow]) -> HingeTree
             one, other = ends
             around[one].append((k, other))
             around[other].append((k, one))
-        elif len(ends) == 1 or (len(ends) == 2 and row.kind == ANGLE):
+        elif row.program is None and (len(ends) == 1 or row.kind == ANGLE):
             more.append(k)
             angles |= {frozenset(ends)} if len(ends) == 2 else set()
         else:

@@ -35,11 +35,12 @@ def support_mechanism(n: int, root: int, bodies: Bodies, islands: Islands, joint
 def may_get_any(n: int, row: Array, joints: Joints) -> bool:
     """Return whether what ties a mechanism may give it any energy: it turns, or was moved by hand.
 
-    So may things that move against each other.
+    So may things that move against each other, and equations that change with time.
     """
     turns = (row[tb.SUPPORT] == SUPPORTED_BY_ONE) & (row[tb.REFERENCE + 2] != 0.0)
     pulled = joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_PULLED] > 0.0
-    return bool(turns | pulled | (row[tb.SUPPORT] == SUPPORTED_BY_MORE))
+    timed = joints.mechanisms[n, tb.M_TIMED] == 1
+    return bool(turns | pulled | timed | (row[tb.SUPPORT] == SUPPORTED_BY_MORE))
 
 
 def charge_joined(

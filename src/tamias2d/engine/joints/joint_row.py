@@ -4,13 +4,16 @@ import math
 from typing import NamedTuple
 
 from tamias2d.engine.tables import KEPT, MOTOR, SPRING
+from tamias2d.generated.constraints import CONSTRAINTS
+from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
+from tamias2d.spec.row_program import RowProgram
 
 
 class JointRow(NamedTuple):
     """A joint of up to three bodies, given by rows, or None for the plane."""
 
     kind: str
-    """One of `generated.joint_rows`."""
+    """One of `generated.joint_rows`, if it has no program."""
     ends: tuple[int | None, int | None, int | None]
     given: tuple[float, ...]
     """Its parameters, SI units."""
@@ -20,11 +23,48 @@ class JointRow(NamedTuple):
     """What governs it, one of those in `tables`."""
     numbers: tuple[float, float, float, float] = (0.0, math.inf, 0.0, 0.0)
     """Of its law: rate, maximum, stiffness and damping."""
+    program: RowProgram | None = None
+    """Its row, if it has an equation of its own; `given` are its anchors then."""
+    steepness: tuple[float, float] = (1.0, 1.0)
+    """By how much the value of that row changes for each m, and for each rad, about."""
+
+    @property
+    def number(self) -> int:
+        """Of its kind, one more than the last for an equation of its own."""
+        return len(KINDS) if self.program else KINDS.index(self.kind)
+
+    @property
+    def row_count(self) -> int:
+        """How many rows it has."""
+        return 1 if self.program else ROWS_OF_KIND[self.number]
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """The indices of the bodies whose places it takes."""
+        return self.program.bodies if self.program else CONSTRAINTS[self.kind].bodies
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """Of its rows: "m" where these move bodies, "1" where they only turn them."""
+        if self.program:
+            return ("m" if self.steepness[0] > 0.0 else "1",)
+        return CONSTRAINTS[self.kind].units
+
+    @property
+    def per_unit(self) -> float:
+        """By how much the value of a row changes for one of these units."""
+        return (self.steepness[0] or self.steepness[1] or 1.0) if self.program else 1.0
+
+    @property
+    def timed(self) -> bool:
+        """Whether it changes with time."""
+        return self.program is not None and self.program.timed
 
     @property
     def driven(self) -> bool:
         """Whether it may give energy."""
-        return (self.law == MOTOR and self.numbers[0] != 0) or self.law == SPRING
+        turned = self.law == MOTOR and self.numbers[0] != 0
+        return turned or self.law == SPRING or self.timed
 
     @property
     def governed(self) -> bool:

@@ -9,9 +9,10 @@ Cost: cosine and sine of each body, some blocks for each joint, and a sparse fac
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.cholesky import factor
 from tamias2d.engine.direct.matrix import add_diagonal, clear_pivot
+from tamias2d.engine.joints.placed_rows import write_bends, write_slopes
 from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.tables import Bodies, Integers, Joints
-from tamias2d.generated.joint_rows import KINDS, ROW, joint_bends, joint_rows, revolute_bends
+from tamias2d.generated.joint_rows import KINDS, ROW, revolute_bends
 from tamias2d.generated.joint_step import (
     coupled_inertia,
     coupled_lever,
@@ -57,13 +58,11 @@ def write_rows(j: int, joints: Joints) -> None:
 
 def rows_where_placed(j: int, joints: Joints) -> None:
     """Write the rows of a joint where its members are placed, and note if the first turned far."""
-    ends, numbers = joints.joints[j], joints.numbers[j]
-    a, b, c = ends[tb.J_MEMBER], ends[tb.J_MEMBER + 1], ends[tb.J_MEMBER + 2]
-    place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
+    numbers = joints.numbers[j]
     of_a, of_b = tb.J_ROW + 1, tb.J_ROW + 4
     before_a = (numbers[of_a], numbers[of_a + 1])
     before_b = (numbers[of_b], numbers[of_b + 1])
-    joint_rows(ends[tb.J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+    write_slopes(j, joints)
     now_a, now_b = (numbers[of_a], numbers[of_a + 1]), (numbers[of_b], numbers[of_b + 1])
     if has_turned(before_a, now_a) or has_turned(before_b, now_b):
         numbers[tb.J_TURNED] = 1.0
@@ -144,6 +143,7 @@ def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: J
 
 def move_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
     """Write where members are, as above; cosines and sines stand by themselves."""
+    joints.clock[tb.CLOCK_AHEAD] = ahead
     angles = joints.turns[0]
     for m in range(first, last):
         i, place = joints.members[m, tb.JOINED_SLOT], joints.places[m]
@@ -283,9 +283,7 @@ def note_leaning(n: int, joints: Joints) -> None:
         if ends[tb.J_KIND] == HINGE:
             lean_at_hinge(ends, numbers, joints.given[j], joints)
             continue
-        a, b, c = ends[tb.J_MEMBER], ends[tb.J_MEMBER + 1], ends[tb.J_MEMBER + 2]
-        place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
-        joint_bends(ends[tb.J_KIND], joints.given[j], place_a, place_b, place_c, bends)
+        write_bends(j, joints)
         for r in range(ends[tb.J_ROWS]):
             for end in range(tb.ENDS_OF_JOINT):
                 if ends[tb.J_NODE + end] >= 0:

@@ -12,9 +12,9 @@ from tamias2d.engine.joints.equal_trees import equal_trees, rows_of, write_block
 from tamias2d.engine.joints.hinges import HingeTree, by_level, hinge_tree, is_net
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.linearise import TURNED_TOGETHER
+from tamias2d.engine.joints.program_tables import lengths_of_programs, write_programs
 from tamias2d.engine.store import Store
 from tamias2d.generated.constraints import CONSTRAINTS
-from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.kernels.lanes import LANES
 from tamias2d.spec.constraint import ENDS
@@ -59,6 +59,7 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
         joint_sparse=max(len(member), edges, fill, len(plans)) + 2 if rows else 0,
         tree_blocks=len(blocks) + 1,
         tree_rows=rows_of(blocks),
+        **lengths_of_programs(rows),
         apart=len(apart),
         apart_bodies=max((low for low, _ in apart), default=-1) + 2,
     )
@@ -74,6 +75,7 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
         joints.members[1:, tb.JOINED_BODY] = list(member)
     _write_plans(store, plans)
     places = _write_joints(store, rows, mechanisms, plans, trees, member)
+    write_programs(joints, rows, places)
     _write_trees(store, rows, trees, member, places)
     write_blocks_of(store, blocks)
     joints.apart[:] = [high for _, high in apart]
@@ -120,7 +122,12 @@ def mechanism_of(store: Store, place: int) -> int:
 
 @cache
 def anchor_column(kind: str, end: str) -> int | None:
-    """Return where among its parameters a kind of joint has the anchor of an end; None if none."""
+    """Return where among its parameters a kind of joint has the anchor of an end; None if none.
+
+    An equation of its own is no kind, and has the anchors of all ends.
+    """
+    if kind not in CONSTRAINTS:
+        return 2 * ENDS.index(end)
     parameters = CONSTRAINTS[kind].parameters
     if f"anchor_{end}" not in parameters:
         return None
@@ -182,12 +189,12 @@ def _write_joints(
         joints.mechanisms[n, tb.M_MESHED] = meshed
         for k in by_level(mechanism, rows) if net else mechanism:
             row = rows[k]
-            number = KINDS.index(row.kind)
-            joints.joints[j, [tb.J_KIND, tb.J_ROWS]] = number, ROWS_OF_KIND[number]
+            joints.joints[j, [tb.J_KIND, tb.J_ROWS]] = row.number, row.row_count
+            joints.joints[j, tb.J_EQUATION] = -1
             own = [0 if body is None else member[body] for body in row.ends]
             nodes = [
                 tb.UNUSED
-                if end not in CONSTRAINTS[row.kind].bodies
+                if end not in row.bodies
                 else tb.NOT_PUSHED
                 if body is None or kind[body] != tb.DYNAMIC
                 else member[body] - 1
@@ -197,6 +204,7 @@ def _write_joints(
             held = [body for body in row.ends if body is not None]
             joints.mechanisms[n, tb.M_CARRIED] |= (kind[held] == tb.KINEMATIC).any()
             joints.mechanisms[n, tb.M_DRIVEN] |= row.driven
+            joints.mechanisms[n, tb.M_TIMED] |= row.timed
             joints.mechanisms[n, tb.M_GOVERNED] |= row.governed
             joints.mechanisms[n, tb.M_CHOOSING] |= row.law in CHOOSING
             joints.joints[j, [tb.J_LAW, tb.J_STATE]] = row.law, tb.HOLDS

@@ -18,6 +18,7 @@ from tamias2d.engine.joints.linearise import (
     place_members,
     rows_where_placed,
 )
+from tamias2d.engine.joints.placed_rows import write_values
 from tamias2d.engine.joints.yielding import (
     REMOVED_BY_JOINTS,
     REMOVED_YIELDING,
@@ -29,7 +30,7 @@ from tamias2d.engine.joints.yielding import (
     yields,
 )
 from tamias2d.engine.tables import Bodies, Joints
-from tamias2d.generated.joint_rows import ROW, joint_values
+from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import (
     angular_momentum_later,
     drive_error,
@@ -197,9 +198,8 @@ def keep_velocities(n: int, warm: float, substep: float, bodies: Bodies, joints:
         for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
             for r in range(joints.joints[j, tb.J_ROWS]):
                 rate = rate_of_row(j, r, bodies, joints)
-                if joints.joints[j, tb.J_LAW] == tb.MOTOR:
-                    rate = drive_error(rate, joints.laws[j, tb.LAW_RATE])
-                joints.numbers[j, tb.J_ERROR + r] = rate
+                wanted = joints.laws[j, tb.LAW_RATE]
+                joints.numbers[j, tb.J_ERROR + r] = drive_error(rate, wanted)
         most = energy_asked_of_rows(n, substep, bodies, joints)
         solve_joint_errors(n, 0.0, most, bodies, joints)
 
@@ -241,9 +241,7 @@ def errors_of_joint(j: int, substep: float, bodies: Bodies, joints: Joints) -> f
     Its values are those where its members are placed.
     """
     ends, numbers = joints.joints[j], joints.numbers[j]
-    a, b, c = ends[tb.J_MEMBER], ends[tb.J_MEMBER + 1], ends[tb.J_MEMBER + 2]
-    place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
-    joint_values(ends[tb.J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+    write_values(j, joints)
     size = 0.0
     for r in range(ends[tb.J_ROWS]):
         error = error_of_row(j, r, substep, bodies, joints)

@@ -32,7 +32,9 @@ from tamias2d.engine.joints.moments import note_after_joints, note_before_joints
 from tamias2d.engine.joints.step_impulses import begin_impulses
 from tamias2d.engine.joints.tree_blocks import write_blocks
 from tamias2d.engine.joints.yielding import hold_again, yields
-from tamias2d.engine.tables import Bodies, Joints, World
+from tamias2d.engine.tables import Bodies, Control, Joints, World
+
+TICKS = 1 << tb.MOST_LEVEL  # of a step
 
 
 def begin_joints(substep: float, world: World) -> None:
@@ -43,8 +45,11 @@ def begin_joints(substep: float, world: World) -> None:
     joints, bodies = world.joints, world.bodies
     if joints.counts[tb.MECHANISMS_AWAKE] == 0:
         return
+    begin_clock(world.control, joints)
     for n in range(joints.counts[tb.MECHANISMS]):
         if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            if joints.mechanisms[n, tb.M_TIMED] == 1:
+                joints.mechanisms[n, tb.M_WRITTEN] = 0
             if note_node_masses(n, substep, bodies, joints):
                 joints.mechanisms[n, tb.M_WRITTEN] = 0
             if joints.mechanisms[n, tb.M_GOVERNED] == 1:
@@ -62,6 +67,13 @@ def begin_joints(substep: float, world: World) -> None:
         joints.mechanisms[n, tb.M_WRITTEN] = 0
         if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
             note_energy_of_springs(n, joints)
+
+
+def begin_clock(control: Control, joints: Joints) -> None:
+    """Note the instant at which a part begins, s: equations may change with time."""
+    ticks = control.counts[tb.STEPS_TAKEN] * TICKS + control.counts[tb.TICK]
+    joints.clock[tb.CLOCK_NOW] = ticks / TICKS * control.settings[tb.TIME_STEP]
+    joints.clock[tb.CLOCK_AHEAD] = 0.0
 
 
 def solve_joints(again: bool, substep: float, world: World) -> None:
@@ -102,6 +114,7 @@ def relax_joints(world: World) -> None:
     joints, bodies = world.joints, world.bodies
     if joints.counts[tb.MECHANISMS_AWAKE] == 0:
         return
+    joints.clock[tb.CLOCK_NOW] += world.control.settings[tb.SUBSTEP]
     write_blocks(bodies, joints)
     note_left_of_blocks(joints)
     for n in range(joints.counts[tb.MECHANISMS]):

@@ -153,6 +153,7 @@ def energy_driven(n: int, seen: Array, control: Control, bodies: Bodies, joints:
         for r in range(ends[tb.J_ROWS] if ends[tb.J_LAW] < tb.MOTOR else 0):
             rate = removed * apart_by_law(r, ends, numbers)
             rate += rate_of_supports(r, ends, numbers, base, bodies, joints)
+            rate += abs(joints.laws[j, tb.LAW_RATE])
             rates += numbers[tb.J_ARM + r] * rate * (numbers[tb.J_ARM + r] * rate)
     rates += slight_rates(n, joints.mechanisms[n, tb.M_JOINT], substep, joints)
     return change_most(mass_of_mechanism(n, joints), rates, 0.0, AMPLIFICATION)

@@ -1,0 +1,99 @@
+"""The rows of a constraint as straight-line programs: values, slopes and bends from places.
+
+Serves: a compiled solver of constraints that a scene states by equations of its own. Hides: in
+which order a program finds what the solver asks for, so that it stops as soon as it has that.
+"""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from tamias2d.spec.constraint import ENDS, TIME, Constraint, Values
+from tamias2d.spec.expression import Call, Name, Node, names
+from tamias2d.spec.straight_line import Operation, StraightLine
+
+PLACE = ("position_{}_x", "position_{}_y", "orientation_{}", "cosine_{}", "sine_{}")
+"""What is given of each body, A, B and C; then comes the time, then where each is held."""
+_ANCHOR = ("anchor_{}_x", "anchor_{}_y")
+INPUTS = (
+    *(name.format(end) for end in ENDS for name in PLACE),
+    TIME,
+    *(name.format(end) for end in ENDS for name in _ANCHOR),
+)
+VALUE = 0
+SLOPES = 1  # three for each body: by x, y and orientation
+TIME_SLOPE = SLOPES + 3 * len(ENDS)
+BENDS = TIME_SLOPE + 1  # one for each body: the second derivative by its orientation
+OUTPUTS = BENDS + len(ENDS)
+"""How many scalars a program finds."""
+_KNOWN: Mapping[Node, str] = {
+    Call(function, (Name(f"orientation_{end}"),)): f"{name}_{end}"
+    for end in ENDS
+    for function, name in (("cos", "cosine"), ("sin", "sine"))
+}
+
+
+class RowProgram(NamedTuple):
+    """One row of a constraint."""
+
+    operations: tuple[Operation, ...]
+    """Their scalars are numbered from `INPUTS` on."""
+    constants: tuple[float, ...]
+    """Of each operation: what a constant yields."""
+    counts: tuple[int, int, int]
+    """How many operations find the value; that and the slopes; these and the bends."""
+    outputs: tuple[int, ...]
+    """The numbers of the scalars that it finds."""
+    bodies: tuple[str, ...]
+    """The indices of the bodies whose coordinates it takes."""
+    timed: bool
+    """Whether it changes with time."""
+
+
+def row_programs(constraint: Constraint) -> tuple[RowProgram, ...]:
+    """Return the program of each row of a constraint without parameters but anchors.
+
+    Raises:
+        KeyError: there is no operation for a part of it; says which.
+        ValueError: a part of it has no derivative.
+    """
+    slopes = {end: constraint.slopes(end) for end in constraint.bodies}
+    bends = {end: constraint.bends(end) for end in constraint.bodies}
+    timed, values = constraint.time_slopes(), constraint.values()
+    return tuple(
+        _program(row, constraint, values, slopes, timed, bends) for row in range(len(values.rows))
+    )
+
+
+def _program(
+    row: int,
+    constraint: Constraint,
+    values: Values,
+    slopes: Mapping[str, Values],
+    timed: Values,
+    bends: Mapping[str, Values],
+) -> RowProgram:
+    line = StraightLine(INPUTS, dict(constraint.where), _KNOWN)
+    outputs = [line.constant(0.0)] * OUTPUTS
+    outputs[VALUE] = line.scalar(values.rows[row])
+    counts = [len(line.operations)]
+    for end, found in slopes.items():
+        at = SLOPES + 3 * ENDS.index(end)
+        outputs[at : at + 3] = map(line.scalar, found.rows[3 * row : 3 * row + 3])
+    outputs[TIME_SLOPE] = line.scalar(timed.rows[row])
+    counts.append(len(line.operations))
+    for end, found in bends.items():
+        outputs[BENDS + ENDS.index(end)] = line.scalar(found.rows[row])
+    counts.append(len(line.operations))
+    used = {name for tree in _trees(constraint) for name in names(tree)}
+    return RowProgram(
+        tuple(line.operations),
+        tuple(line.constants),
+        (counts[0], counts[1], counts[2]),
+        tuple(outputs),
+        constraint.bodies,
+        TIME in used,
+    )
+
+
+def _trees(constraint: Constraint) -> tuple[Node, ...]:
+    return (*constraint.equations, *(tree for _, tree in constraint.where))
