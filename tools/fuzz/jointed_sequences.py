@@ -73,7 +73,7 @@ class JointedFuzz(Fuzz):
         if chance.random() < 0.2:
             governed["spring"] = self.spring()
         axis = self.pair()
-        match chance.randrange(9):
+        match chance.randrange(10):
             case 0 | 1 | 2:
                 return t2.Revolute(**governed)
             case 3:
@@ -86,8 +86,22 @@ class JointedFuzz(Fuzz):
                 return t2.Wheel(axis=axis, spring=self.spring())
             case 7:
                 return t2.Target(spring=self.spring())
+            case 8:
+                return t2.Equation(chance.choice(self.equations()))
             case _:
                 return t2.Ratchet(pitch=abs(self.number(0.05, 1.0)), restitution=0.0)
+
+    def equations(self) -> list[Any]:
+        """Return equations of one's own that hold where anchors meet; some change with time."""
+        began = f"(time - {self.sim.time!r}[s])"
+        return [
+            "point_b - point_a",
+            ["x(point_b - point_a)", "y(point_b - point_a)"],
+            f"y(point_b - point_a) - {self.number(-0.2, 0.2)!r}[m]*sin(3[rad/s]*{began})",
+            "1e3*sin(x(point_b - point_a)/1[m]) + y(point_b - point_a)/1[m]",
+            "sqrt(1 + x(point_b - point_a)/1[m]) - exp(y(point_b - point_a)/1[m])",
+            f"y(point_b - point_a) - {self.number()!r}[m/s^2]*{began}**2",
+        ]
 
     def spring(self) -> t2.JointSpring:
         """Return a spring, stiff or not."""

@@ -854,6 +854,7 @@ _equations = Columns()  # of a joint, as a program (`spec.row_program`)
 Q_INPUT = _equations()  # the first of its scalars: inputs, then what its operations yield
 Q_OPERATION = _equations()  # the first of these
 Q_COUNT = _equations(3)  # how many find its value; that and its slopes; these and its bends
+Q_BOUND = _equations()  # 1 if it is bound to the plane
 Q_OUTPUT = _equations(OUTPUTS)  # the scalars that are these
 
 CLOCK_NOW, CLOCK_AHEAD = range(2)  # s: the instant where bodies are, and how far ahead of it they

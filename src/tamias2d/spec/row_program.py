@@ -7,7 +7,8 @@ which order a program finds what the solver asks for, so that it stops as soon a
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from tamias2d.spec.constraint import ENDS, TIME, Constraint, Values
+from tamias2d.spec.constraint import ENDS, TIME, Constraint, Named, Values
+from tamias2d.spec.evaluate import Value, evaluate
 from tamias2d.spec.expression import Call, Name, Node, names
 from tamias2d.spec.straight_line import Operation, StraightLine
 
@@ -25,6 +26,17 @@ TIME_SLOPE = SLOPES + 3 * len(ENDS)
 BENDS = TIME_SLOPE + 1  # one for each body: the second derivative by its orientation
 OUTPUTS = BENDS + len(ENDS)
 """How many scalars a program finds."""
+_SAMPLES: tuple[Mapping[str, Value], ...] = tuple(
+    {
+        **{f"position_{end}": (by + 1.3 * k, 2.1 * by - 0.7 * k) for k, end in enumerate(ENDS)},
+        **{f"orientation_{end}": 0.4 * by + k for k, end in enumerate(ENDS)},
+        **{f"anchor_{end}": (0.2 * by, 0.3 - 0.1 * k) for k, end in enumerate(ENDS)},
+        TIME: by,
+    }
+    for by in (0.6, 1.7, 3.1)
+)
+"""Places at which it is looked whether a row is free: three, so that chance is none."""
+_ROUNDING = 1e-9  # of slopes
 _KNOWN: Mapping[Node, str] = {
     Call(function, (Name(f"orientation_{end}"),)): f"{name}_{end}"
     for end in ENDS
@@ -47,6 +59,8 @@ class RowProgram(NamedTuple):
     """The indices of the bodies whose coordinates it takes."""
     timed: bool
     """Whether it changes with time."""
+    free: bool
+    """Whether it holds on however its bodies are moved and turned as one: nothing else bears it."""
 
 
 def row_programs(constraint: Constraint) -> tuple[RowProgram, ...]:
@@ -85,6 +99,7 @@ def _program(
         outputs[BENDS + ENDS.index(end)] = line.scalar(found.rows[row])
     counts.append(len(line.operations))
     used = {name for tree in _trees(constraint) for name in names(tree)}
+    moved = {end: found.rows[3 * row : 3 * row + 3] for end, found in slopes.items()}
     return RowProgram(
         tuple(line.operations),
         tuple(line.constants),
@@ -92,7 +107,28 @@ def _program(
         tuple(outputs),
         constraint.bodies,
         TIME in used,
+        all(_is_free(moved, constraint.where, place) for place in _SAMPLES),
     )
+
+
+def _is_free(
+    moved: Mapping[str, tuple[Node, ...]], where: Named, place: Mapping[str, Value]
+) -> bool:
+    """Return whether slopes by x, y and orientation say so where bodies are at some place."""
+    values = dict(place)
+    total, size = [0.0, 0.0, 0.0], 0.0
+    try:
+        for name, tree in where:
+            values[name] = evaluate(tree, values)
+        for end, slopes in moved.items():
+            along_x, along_y, turning = (evaluate(slope, values) for slope in slopes)
+            x, y = values[f"position_{end}"]
+            as_one = (along_x, along_y, turning + x * along_y - y * along_x)
+            total = [a + b for a, b in zip(total, as_one, strict=True)]
+            size += abs(along_x) + abs(along_y) + abs(turning)
+    except (ArithmeticError, ValueError):
+        return False  # it has no value there: it is bound to some place
+    return max(map(abs, total)) <= _ROUNDING * size
 
 
 def _trees(constraint: Constraint) -> tuple[Node, ...]:

@@ -30,6 +30,9 @@ def support_mechanism(n: int, root: int, bodies: Bodies, islands: Islands, joint
             if joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED:
                 support = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
                 support_island(support, root, bodies, islands)
+        q = joints.joints[j, tb.J_EQUATION]
+        if q >= 0 and joints.equations[q, tb.Q_BOUND] == 1:
+            support_island(joints.members[0, tb.JOINED_SLOT], root, bodies, islands)
 
 
 def may_get_any(n: int, row: Array, joints: Joints) -> bool:

@@ -56,6 +56,11 @@ class JointRow(NamedTuple):
         return (self.steepness[0] or self.steepness[1] or 1.0) if self.program else 1.0
 
     @property
+    def bound(self) -> bool:
+        """Whether it is bound to the plane, though its bodies may all move."""
+        return self.program is not None and not self.program.free
+
+    @property
     def timed(self) -> bool:
         """Whether it changes with time."""
         return self.program is not None and self.program.timed

@@ -27,7 +27,7 @@ def write_programs(joints: Joints, rows: Sequence[JointRow], places: Sequence[in
             continue
         joints.joints[j, tb.J_EQUATION] = equation
         numbers = joints.equations[equation]
-        numbers[[tb.Q_INPUT, tb.Q_OPERATION]] = first, operation
+        numbers[[tb.Q_INPUT, tb.Q_OPERATION, tb.Q_BOUND]] = first, operation, row.bound
         numbers[tb.Q_COUNT : tb.Q_COUNT + len(program.counts)] = program.counts
         outputs = [first + scalar for scalar in program.outputs]
         numbers[tb.Q_OUTPUT : tb.Q_OUTPUT + len(outputs)] = outputs

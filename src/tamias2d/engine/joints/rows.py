@@ -200,7 +200,7 @@ def _write_joints(
                 else member[body] - 1
                 for end, body in zip(ENDS, row.ends, strict=True)
             ]
-            joints.mechanisms[n, tb.M_TIED] |= tb.NOT_PUSHED in nodes
+            joints.mechanisms[n, tb.M_TIED] |= tb.NOT_PUSHED in nodes or row.bound
             held = [body for body in row.ends if body is not None]
             joints.mechanisms[n, tb.M_CARRIED] |= (kind[held] == tb.KINEMATIC).any()
             joints.mechanisms[n, tb.M_DRIVEN] |= row.driven
