@@ -288,7 +288,7 @@ def drive_error(row_rate: Scalar, drive_rate: Scalar) -> Scalar:
 
     Args:
         row_rate: Rate of a row's value, or a body's part in it, m/s
-        drive_rate: Rate at which a motor keeps a row, m/s
+        drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
     Source: IM15, srs/models/joint_step.md:114.
     """
@@ -434,7 +434,7 @@ def spring_change(row_impulse: Scalar, row_yield: Scalar) -> Scalar:
         row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
             1/kg
 
-    Source: DD86, srs/models/joint_step.md:224.
+    Source: DD86, srs/models/joint_step.md:226.
     """
     return row_impulse * row_impulse * row_yield / 2
 
@@ -454,7 +454,7 @@ def change_most(
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:225.
+    Source: DD86, srs/models/joint_step.md:227.
     """
     return amplification * amplification * mass * rates_squared / 2 + spring_change
 
@@ -470,7 +470,7 @@ def firmness_most(mass: Scalar, row_arm: Scalar, amplification: Scalar) -> Scala
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:226.
+    Source: DD86, srs/models/joint_step.md:228.
     """
     return amplification * amplification * mass * row_arm * row_arm
 
@@ -490,7 +490,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:297.
+    Source: IM19, srs/models/joint_step.md:299.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -512,7 +512,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:301.
+    Source: IM19, srs/models/joint_step.md:303.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -547,7 +547,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:303.
+    Source: IM19, srs/models/joint_step.md:305.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -563,7 +563,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:304.
+    Source: IM19, srs/models/joint_step.md:306.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -577,7 +577,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:405.
+    Source: DD79, srs/models/joint_step.md:407.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -602,7 +602,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:406.
+    Source: DD79, srs/models/joint_step.md:408.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -621,7 +621,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:408.
+    Source: DD79, srs/models/joint_step.md:410.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -645,7 +645,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:410.
+    Source: DD79, srs/models/joint_step.md:412.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -660,7 +660,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:412.
+    Source: DD79, srs/models/joint_step.md:414.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -676,6 +676,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:413.
+    Source: DD79, srs/models/joint_step.md:415.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

@@ -2370,7 +2370,7 @@ SYMBOLS: dict[str, Symbol] = {
     "drive_rate": Symbol(
         "drive_rate",
         "m/s",
-        "rate at which a motor keeps a row",
+        "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
         line=1471,

@@ -29,11 +29,13 @@ class Start:
             values[f"velocity_{end}"] = body.velocity if body else (0.0, 0.0)
             values[f"angular_velocity_{end}"] = body.angular_velocity if body else 0.0
         functions = joint.functions
-        self.rows = _numbers(functions.constraint, values)
-        self.rates = _numbers(functions.rate, values)
-        self.convective = _numbers(functions.convective, values)
+        count = len(functions.units)
+        self.rows = numbers_of(functions.constraint, values, count)
+        self.rates = numbers_of(functions.rate, values, count)
+        self.convective = numbers_of(functions.convective, values, count)
         self.slopes = {
-            end: _numbers(functions.slopes[end], values).reshape(-1, 3) for end in functions.bodies
+            end: numbers_of(functions.slopes[end], values, 3 * count).reshape(-1, 3)
+            for end in functions.bodies
         }
         self._held = {end: body for end, body in zip(ENDS, held, strict=True) if body}
 
@@ -100,13 +102,15 @@ def steepness(slopes: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
 
     The slopes of each body are (r, 3), by x, y and orientation.
     """
-    squares = np.square(np.stack(slopes))
-    return np.sqrt([squares[:, :, :2].sum(axis=(0, 2)), squares[:, :, 2].sum(axis=0)])
+    rows = np.stack(slopes)
+    moved = np.hypot.reduce(np.hypot(rows[:, :, 0], rows[:, :, 1]), axis=0)
+    return np.stack([moved, np.hypot.reduce(rows[:, :, 2], axis=0)])
 
 
-def _numbers(formula: Formula, values: Mapping[str, Any]) -> NDArray[np.float64]:
+def numbers_of(formula: Formula, values: Mapping[str, Any], count: int) -> NDArray[np.float64]:
+    """Return so many numbers that a formula says of a joint; nan where it has no value."""
     with np.errstate(all="ignore"):
         try:
             return np.array(formula(values), dtype=np.float64)
         except (ArithmeticError, ValueError, TypeError):
-            return np.full(3, math.nan)
+            return np.full(count, math.nan)

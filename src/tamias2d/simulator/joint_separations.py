@@ -9,7 +9,7 @@ import numpy as np
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.generated.constraints import CONSTRAINTS
-from tamias2d.scene.joint_start import steepness
+from tamias2d.scene.joint_start import numbers_of, steepness
 from tamias2d.scene.joints import Joint
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
@@ -28,7 +28,7 @@ def separations(joints: Sequence[Joint], pose: Array, time: float) -> tuple[Arra
     """Return by how much joints (j,) are apart, m, and turned, rad, at poses (n, 3) and a time, s.
 
     An equation of its own is apart by the way, or the turn, on which its value would change by
-    what it is.
+    what it is; nan where it has none.
     """
     lengths, angles = np.zeros(len(joints)), np.zeros(len(joints))
     of_model: dict[str, list[int]] = {}
@@ -63,13 +63,14 @@ def _way_and_turn(joint: Joint, poses: Array, time: float) -> tuple[float, float
         x, y, turn = poses[-1 if body is None else body].tolist()
         values[f"position_{end}"], values[f"orientation_{end}"] = (x, y), turn
     held = [end for end, body in zip(ENDS, joint.ends, strict=True) if body is not None]
+    count = len(functions.units)
+    rows = numbers_of(functions.constraint, values, count)
+    slopes = [
+        numbers_of(functions.slopes[end], values, 3 * count).reshape(-1, 3)
+        for end in held
+        if end in functions.bodies
+    ]
     with np.errstate(all="ignore"):
-        rows = np.array(functions.constraint(values))
-        slopes = [
-            np.reshape(functions.slopes[end](values), (-1, 3))
-            for end in held
-            if end in functions.bodies
-        ]
         moved, turned = steepness(slopes)
-        ways, turns = rows / np.where(moved > 0, moved, np.inf), rows / turned
+        ways, turns = rows / np.where(moved == 0, np.inf, moved), rows / turned
     return math.hypot(*ways), math.hypot(*turns[moved == 0])
