@@ -33,7 +33,9 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
     ),
     "two points": (lambda s: s.add_joint(t2.Distance(), (0, 0), (1, 0)), "no body that moves"),
     "an equation with a kinematic body": (
-        lambda s: s.add_joint(t2.Equation("y(position_a) - y(position_b)"), "rod", "lift"),
+        lambda s: s.add_joint(
+            t2.Equation("phi1(orientation_a - y(position_b)/1[m])"), "rod", "lift"
+        ),
         "is kinematic, which only steps know",
     ),
     "a length that is another": (

@@ -2,7 +2,6 @@
 
 import math
 import random
-from typing import Any
 
 import numpy as np
 import pytest
@@ -14,10 +13,8 @@ from tamias2d.scene import (
     Distance,
     Gear,
     Groove,
-    Limits,
     Prismatic,
     Pulley,
-    Ratchet,
     Revolute,
     Scene,
     Weld,
@@ -199,18 +196,6 @@ def test_scenes_without_joints_do_without_all_of_it() -> None:
 
 
 # -- refusals
-
-
-@pytest.mark.parametrize(
-    "kind",
-    [Revolute(limits=Limits(lower=-1.0, restitution=0.5)), Ratchet(pitch=0.1, restitution=0.5)],
-)
-def test_limits_that_bounce_are_refused_by_name(kind: Any) -> None:
-    scene = Scene(gravity=(0.0, -G))
-    scene.add_body(None, mass=1.0, inertia=0.1, position=(1.0, 0.0), name="bob")
-    scene.add_joint(kind, (0.0, 0.0), "bob", other_anchor=(-1.0, 0.0), name="held")
-    with pytest.raises(InputError, match=r"joint 'held' \(.*\): steps know no restitution of lim"):
-        plain(scene)
 
 
 def test_joints_that_do_not_fit_are_refused() -> None:

@@ -7,8 +7,9 @@ from tools.fuzz.sequences import sequence
 
 FOUND = (2408, 3033, 3913, 4159)
 """Seeds of sequences that broke something once."""
-FOUND_JOINTED = (46, 101)
-"""Likewise: a step that float64 could not hold left joints with what is no number."""
+FOUND_JOINTED = (46, 101, 600403)
+"""Likewise: a step that float64 could not hold left joints, and the rest of a wall, with what is no
+number."""
 
 
 @pytest.mark.parametrize("seed", [*FOUND, *range(150)])

@@ -653,7 +653,7 @@ class Islands(NamedTuple):
         Sized("slots", _links.width),
         Saved({ROOT: "slots", SLOW_STEPS: 2**31, SLEEP_ID: "slots"}),
     ]
-    rest: Annotated[FloatRows, Sized("slots", _rest.width), Saved()]
+    rest: Annotated[FloatRows, Sized("slots", _rest.width), Saved(numbers="any")]
     energy: Annotated[FloatRows, Sized("slots", _energy.width)]
 
 
@@ -823,12 +823,14 @@ M_CARRIED = _mechanisms()  # 1 if that, or some of it, moves as it is told
 M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
 M_CHOOSING = _mechanisms()  # 1 if it has limits or motors
+M_NEAR = _mechanisms()  # 1 if it may reach a limit in this part, or has a motor
 M_HINGED = _mechanisms()  # 1 if it is a net or a tree of hinges; of a tree nodes come after those
 # above them, and joints that are no hinges of nodes last
 M_IN_BLOCK = _mechanisms()  # 1 if it is a tree that is solved in a lane of a block
 M_WRITTEN = _mechanisms()  # 1 if its rows are those of its places and masses
 M_HALF = _mechanisms()  # 1 in the first substep of a step whose forces came half before it
-# status: those of the second kind have no limits, motors and springs, those of the third have some
+# status: those of the second kind have no limits, motors and springs, those of the third have some,
+# but motors, and are far from limits
 ASLEEP, FREE_OF_CONTACTS, GOVERNED_ALONE, IN_CONTACT = range(4)
 
 _joint = Columns()  # whole numbers of a joint
@@ -849,6 +851,7 @@ LAW_RATE = _laws()  # m/s or rad/s, of a motor, or of what an equation keeps
 LAW_MOST = _laws()  # N or N m, of a motor
 LAW_STIFFNESS = _laws()  # N/m or N m/rad
 LAW_DAMPING = _laws()  # kg/s or N m s
+LAW_RESTITUTION = _laws()  # of a limit
 
 _equations = Columns()  # of a joint, as a program (`spec.row_program`)
 Q_INPUT = _equations()  # the first of its scalars: inputs, then what its operations yield
@@ -890,6 +893,9 @@ J_GAIN = _joint_numbers()  # likewise: 1 if energy was made in this part, with w
 J_LEFT = _joint_numbers()  # N s, that a spring has left to give where bodies have moved to
 J_APART = _joint_numbers(3)  # m or rad, by how much each row was apart at most, until it is asked
 J_SLIGHT = _joint_numbers(3)  # m or rad, by how much each row may be apart without being looked at
+J_VALUE_START = _joint_numbers()  # m or rad, of a limit as a substep begins
+J_RATE_START = _joint_numbers()  # m/s or rad/s, likewise
+J_STRUCK = _joint_numbers()  # m/s or rad/s, rate as it was struck in this part, 0 if it was not
 J_ARM = _joint_numbers(3)  # m, at which an angle counts as a length; 1 for a length
 J_TURNED = _joint_numbers()  # 1 if its first row turned too far in a substep, until it is asked
 J_GAINED = _joint_numbers()  # 1 if J_GAIN was in a part, until it is asked

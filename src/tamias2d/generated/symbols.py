@@ -2383,6 +2383,30 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1475,
     ),
+    "struck_share": Symbol(
+        "struck_share",
+        "1",
+        "part of a substep after which a limit is struck",
+        tex="\\theta_h",
+        file="srs/symbols.md",
+        line=1479,
+    ),
+    "struck_rate": Symbol(
+        "struck_rate",
+        "m/s",
+        "rate of a row as its limit is struck",
+        tex="\\dot{C}_h",
+        file="srs/symbols.md",
+        line=1483,
+    ),
+    "bounce_rate": Symbol(
+        "bounce_rate",
+        "m/s",
+        "rate at which a row leaves a limit that bounces",
+        tex="\\dot{C}_b",
+        file="srs/symbols.md",
+        line=1487,
+    ),
     "row_force_most": Symbol(
         "row_force_most",
         "N",
@@ -2390,7 +2414,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1479,
+        line=1491,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2399,7 +2423,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1484,
+        line=1496,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2408,7 +2432,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1489,
+        line=1501,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2417,7 +2441,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1494,
+        line=1506,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2425,7 +2449,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1499,
+        line=1511,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2434,7 +2458,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1503,
+        line=1515,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2442,7 +2466,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1508,
+        line=1520,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2450,7 +2474,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1512,
+        line=1524,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2459,7 +2483,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1516,
+        line=1528,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2468,7 +2492,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1521,
+        line=1533,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2476,7 +2500,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1526,
+        line=1538,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2485,7 +2509,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1530,
+        line=1542,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2493,7 +2517,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1535,
+        line=1547,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2501,7 +2525,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1539,
+        line=1551,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2510,7 +2534,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1543,
+        line=1555,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2519,7 +2543,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1548,
+        line=1560,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2528,7 +2552,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1553,
+        line=1565,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2537,7 +2561,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1558,
+        line=1570,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2546,7 +2570,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1563,
+        line=1575,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2555,7 +2579,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1568,
+        line=1580,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2564,7 +2588,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1573,
+        line=1585,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2572,7 +2596,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1578,
+        line=1590,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2581,7 +2605,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1582,
+        line=1594,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2590,7 +2614,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1587,
+        line=1599,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2599,7 +2623,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1592,
+        line=1604,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2607,7 +2631,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1597,
+        line=1609,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2616,7 +2640,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1601,
+        line=1613,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2624,7 +2648,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1606,
+        line=1618,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2632,7 +2656,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1610,
+        line=1622,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2641,7 +2665,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1614,
+        line=1626,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2650,7 +2674,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1619,
+        line=1631,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2659,7 +2683,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1624,
+        line=1636,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2667,7 +2691,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1629,
+        line=1641,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2675,7 +2699,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1633,
+        line=1645,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2683,7 +2707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1637,
+        line=1649,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2692,7 +2716,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1641,
+        line=1653,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2701,7 +2725,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1646,
+        line=1658,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2710,7 +2734,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1651,
+        line=1663,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2719,7 +2743,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1656,
+        line=1668,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2728,7 +2752,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1661,
+        line=1673,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2737,7 +2761,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1666,
+        line=1678,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2746,7 +2770,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1671,
+        line=1683,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2755,7 +2779,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1676,
+        line=1688,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2763,7 +2787,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1681,
+        line=1693,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2772,7 +2796,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1685,
+        line=1697,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2780,7 +2804,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1690,
+        line=1702,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2789,7 +2813,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1694,
+        line=1706,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2798,7 +2822,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1699,
+        line=1711,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2807,7 +2831,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1704,
+        line=1716,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2816,7 +2840,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1709,
+        line=1721,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2825,7 +2849,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1714,
+        line=1726,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2833,7 +2857,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1719,
+        line=1731,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2842,7 +2866,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1723,
+        line=1735,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2851,7 +2875,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1728,
+        line=1740,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2860,7 +2884,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1733,
+        line=1745,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2869,7 +2893,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1738,
+        line=1750,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2877,7 +2901,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1743,
+        line=1755,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2885,7 +2909,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1747,
+        line=1759,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2894,7 +2918,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1751,
+        line=1763,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2903,7 +2927,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1756,
+        line=1768,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2912,7 +2936,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1761,
+        line=1773,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2921,7 +2945,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1766,
+        line=1778,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2930,7 +2954,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1771,
+        line=1783,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2939,7 +2963,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1776,
+        line=1788,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2948,7 +2972,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1781,
+        line=1793,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2957,7 +2981,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1786,
+        line=1798,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2966,7 +2990,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1791,
+        line=1803,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2974,7 +2998,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1796,
+        line=1808,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2982,7 +3006,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1800,
+        line=1812,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2991,7 +3015,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1804,
+        line=1816,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2999,7 +3023,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1809,
+        line=1821,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3007,7 +3031,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1813,
+        line=1825,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3016,7 +3040,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1817,
+        line=1829,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3025,7 +3049,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1822,
+        line=1834,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3034,7 +3058,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1827,
+        line=1839,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3042,7 +3066,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1832,
+        line=1844,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3051,7 +3075,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1836,
+        line=1848,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3059,7 +3083,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1841,
+        line=1853,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3068,7 +3092,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1845,
+        line=1857,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3076,7 +3100,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1850,
+        line=1862,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3085,7 +3109,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1854,
+        line=1866,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3093,7 +3117,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1859,
+        line=1871,
     ),
     "change": Symbol(
         "change",
@@ -3102,7 +3126,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1863,
+        line=1875,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3111,7 +3135,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1868,
+        line=1880,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3120,7 +3144,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1873,
+        line=1885,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3128,7 +3152,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1878,
+        line=1890,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3137,7 +3161,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1882,
+        line=1894,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3145,7 +3169,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1887,
+        line=1899,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3153,7 +3177,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1891,
+        line=1903,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3161,7 +3185,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1895,
+        line=1907,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3170,7 +3194,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1899,
+        line=1911,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3178,7 +3202,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1904,
+        line=1916,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3187,6 +3211,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1908,
+        line=1920,
     ),
 }

@@ -96,8 +96,6 @@ class Joint:
         """What the frame loop does not know of it, or None (R13)."""
         if self.equations and equation_rows(self.equations) is None:
             return "phi1 and phi2 in an equation of one's own"
-        if any(each.limits and each.limits.restitution > 0 for each in self.freedoms):
-            return "restitution of limits but 0"
         return None
 
     def measured(self, freedom: Freedom, value: float) -> "Joint":

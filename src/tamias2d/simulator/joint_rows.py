@@ -37,21 +37,24 @@ def joint_rows(joint: Joint) -> list[JointRow]:
 
 def _governed(joint: Joint, freedom: Freedom) -> Iterable[JointRow]:
     limits, motor, spring = freedom.limits, freedom.motor, freedom.spring
+    bounces = (0.0, 0.0, 0.0, 0.0, limits.restitution if limits else 0.0)
     if limits and limits.lower is not None:
-        yield _row(joint.measured(freedom, limits.lower), tb.LOWER_LIMIT)
+        yield _row(joint.measured(freedom, limits.lower), tb.LOWER_LIMIT, bounces)
     if limits and limits.upper is not None:
-        yield _row(joint.measured(freedom, limits.upper), tb.UPPER_LIMIT)
+        yield _row(joint.measured(freedom, limits.upper), tb.UPPER_LIMIT, bounces)
     if motor:
         most = math.inf if motor.maximum is None else motor.maximum
-        yield _row(joint.measured(freedom, 0.0), tb.MOTOR, (motor.speed, most, 0.0, 0.0))
+        yield _row(joint.measured(freedom, 0.0), tb.MOTOR, (motor.speed, most, 0.0, 0.0, 0.0))
     if spring:
         rest = cast(float, spring.rest)
-        numbers = (0.0, 0.0, spring.stiffness, spring.damping)
+        numbers = (0.0, 0.0, spring.stiffness, spring.damping, 0.0)
         yield _row(joint.measured(freedom, rest), tb.SPRING, numbers)
 
 
 def _row(
-    joint: Joint, law: int = tb.KEPT, numbers: tuple[float, float, float, float] = (0.0,) * 4
+    joint: Joint,
+    law: int = tb.KEPT,
+    numbers: tuple[float, float, float, float, float] = (0.0,) * 5,
 ) -> JointRow:
     given = [joint.given[name] for name in joint.functions.parameters]
     parts = [x for value in given for x in (value if isinstance(value, tuple) else (value,))]
@@ -64,7 +67,7 @@ def _own(joint: Joint, program: RowProgram, steepness: tuple[float, float]) -> J
     anchors = tuple(float(x) for anchor in joint.anchors for x in anchor)
     apart = not joint.collide
     return JointRow(
-        joint.model, joint.ends, anchors, apart, tb.KEPT, (0.0,) * 4, program, steepness
+        joint.model, joint.ends, anchors, apart, tb.KEPT, (0.0,) * 5, program, steepness
     )
 
 

@@ -1,6 +1,7 @@
 """Which mechanisms take part in a step: those that are awake, and what touches these."""
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.near_limits import is_near_limits
 from tamias2d.engine.joints.placement import place_moved, pull_after_moved
 from tamias2d.engine.solver.slabs import list_all
 from tamias2d.engine.springs.substep import activate
@@ -21,7 +22,7 @@ def hold_tied(islands: Islands, joints: Joints) -> None:
 
 
 def note_mechanisms(world: World) -> None:
-    """Place the members of mechanisms, and note which of these are awake, before arranging."""
+    """Place the members of mechanisms, and note which of these are awake, and near limits."""
     joints = world.joints
     if joints.counts[tb.JOINTS] == 0:
         return
@@ -35,6 +36,11 @@ def note_mechanisms(world: World) -> None:
         if asleep != (joints.mechanisms[n, tb.M_STATUS] == tb.ASLEEP):
             joints.mechanisms[n, tb.M_STATUS] = tb.ASLEEP if asleep else tb.FREE_OF_CONTACTS
             world.touching.counts[tb.ARRANGED] = 0
+        time = world.control.progress[tb.PART_TIME]
+        near = not asleep and is_near_limits(n, time, world.bodies, joints)
+        if near != (joints.mechanisms[n, tb.M_NEAR] == 1):
+            joints.mechanisms[n, tb.M_NEAR] = 1 if near else 0
+            world.touching.counts[tb.ARRANGED] = 0
 
 
 def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
@@ -46,8 +52,8 @@ def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
 def activate_joined(world: World) -> None:
     """Make the bodies of mechanisms active, and note which mechanisms contacts touch.
 
-    Those with springs are solved as those that are touched, but once only; limits and motors are
-    chosen twice, too.
+    Those with springs are solved as those that are touched, but once only; limits that are near
+    and motors are chosen twice, too.
     """
     joints, bodies = world.joints, world.bodies
     awake = touched_ones = 0
@@ -57,7 +63,7 @@ def activate_joined(world: World) -> None:
             touched = 0
             for m in range(first + 1, last + 1):
                 touched += bodies.moved[joints.members[m, tb.JOINED_SLOT]]
-            touched += joints.mechanisms[n, tb.M_CHOOSING]
+            touched += joints.mechanisms[n, tb.M_NEAR]
             alone = (
                 tb.GOVERNED_ALONE
                 if joints.mechanisms[n, tb.M_GOVERNED] == 1

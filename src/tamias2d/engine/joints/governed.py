@@ -7,7 +7,8 @@ Cost: for each choice that changes, a factorization. Source: an active set, as f
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.tables import Bodies, Joints
-from tamias2d.generated.joint_step import row_impulse_most
+from tamias2d.generated.joint_step import row_impulse_most, struck_rate, struck_share
+from tamias2d.state import Array
 
 
 def begin_rows(n: int, joints: Joints) -> None:
@@ -16,6 +17,8 @@ def begin_rows(n: int, joints: Joints) -> None:
         law = joints.joints[j, tb.J_LAW]
         limits = (law == tb.LOWER_LIMIT) | (law == tb.UPPER_LIMIT)
         joints.joints[j, tb.J_STATE] = tb.FREE_ROW if limits else tb.HOLDS
+        if limits:
+            joints.numbers[j, tb.J_STRUCK] = joints.laws[j, tb.LAW_RATE] = 0.0
 
 
 def begin_motors(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -52,12 +55,22 @@ def choose_limit(j: int, sign: float, bodies: Bodies, joints: Joints) -> bool:
     if ends[tb.J_STATE] != tb.HOLDS:
         passed = sign * numbers[tb.J_ROW] < sign * numbers[tb.J_AIM]
         ends[tb.J_STATE] = tb.HOLDS if passed else tb.FREE_ROW
+        if passed and numbers[tb.J_STRUCK] == 0.0:
+            note_struck(sign, numbers)
         return bool(passed)
     pulls = sign * numbers[tb.J_GIVEN] < 0.0
     if pulls:
         apply_joint_impulse(j, 0, -numbers[tb.J_GIVEN], bodies, joints)
         ends[tb.J_STATE] = tb.FREE_ROW
     return bool(pulls)
+
+
+def note_struck(sign: float, numbers: Array) -> None:
+    """Note at which rate a limit is struck for the first time in a part: its row without it."""
+    before, after = numbers[tb.J_RATE_START], numbers[tb.J_RESIDUAL]
+    free = sign * numbers[tb.J_VALUE_START] > 0.0
+    share = struck_share(numbers[tb.J_VALUE_START], numbers[tb.J_ROW]) if free else 0.0
+    numbers[tb.J_STRUCK] = struck_rate(before, share, after)
 
 
 def choose_motor(j: int, substep: float, bodies: Bodies, joints: Joints) -> bool:

@@ -21,8 +21,8 @@ class JointRow(NamedTuple):
     """Whether its bodies may not touch each other."""
     law: int = KEPT
     """What governs it, one of those in `tables`."""
-    numbers: tuple[float, float, float, float] = (0.0, math.inf, 0.0, 0.0)
-    """Of its law: rate, maximum, stiffness and damping."""
+    numbers: tuple[float, float, float, float, float] = (0.0, math.inf, 0.0, 0.0, 0.0)
+    """Of its law: rate, maximum, stiffness, damping and restitution."""
     program: RowProgram | None = None
     """Its row, if it has an equation of its own; `given` are its anchors then."""
     steepness: tuple[float, float] = (1.0, 1.0)

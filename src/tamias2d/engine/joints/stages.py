@@ -10,6 +10,7 @@ from tamias2d.engine.joints.block_gather import begin_blocks
 from tamias2d.engine.joints.block_left import give_left_of_blocks, note_left_of_blocks
 from tamias2d.engine.joints.block_scatter import store_blocks
 from tamias2d.engine.joints.block_solve import aim_blocks, bring_blocks_to_aims, fit_blocks
+from tamias2d.engine.joints.bounce import bounce_limits, note_limits
 from tamias2d.engine.joints.energy import (
     bound_mechanism,
     energy_of_mechanism,
@@ -59,6 +60,7 @@ def begin_joints(substep: float, world: World) -> None:
                 begin_net(n, bodies, joints)
             if joints.mechanisms[n, tb.M_IN_BLOCK] == 0 and joints.mechanisms[n, tb.M_WRITTEN] == 0:
                 write_mechanism(n, bodies, joints)
+            note_limits(n, bodies, joints)
             joints.mechanisms[n, tb.M_HALF] = joints.mechanisms[n, tb.M_STATUS] != tb.IN_CONTACT
             if joints.mechanisms[n, tb.M_HALF] == 1:
                 kick_half(n, False, bodies, joints)
@@ -128,6 +130,7 @@ def relax_joints(world: World) -> None:
                 write_mechanism(n, bodies, joints)
             if joints.mechanisms[n, tb.M_GOVERNED] == 1:
                 note_left(n, joints)
+                note_limits(n, bodies, joints)
 
 
 def fit_touched(world: World) -> None:
@@ -147,6 +150,8 @@ def fit_touched(world: World) -> None:
         alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
         if alone and joints.mechanisms[n, tb.M_STATUS] == tb.GOVERNED_ALONE:
             give_left(n, world.bodies, joints)
+        if alone and joints.mechanisms[n, tb.M_STATUS] >= tb.GOVERNED_ALONE:
+            bounce_limits(n, world.bodies, joints)
     give_left_of_blocks(world.bodies, joints)
     fit_velocities(
         tb.GOVERNED_ALONE, world.control.settings[tb.SUBSTEP], world.bodies, world.joints

@@ -1,0 +1,36 @@
+"""Limits that bounce: a row that strikes one leaves it as the step ends (IM15).
+
+Cost: where there are limits, a visit to each of these in a substep.
+"""
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.solve import rate_of_row
+from tamias2d.engine.tables import Bodies, Joints
+from tamias2d.generated.joint_step import bounce_rate
+
+
+def note_limits(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Note where the limits of a mechanism are as a substep begins, and at which rates."""
+    if joints.mechanisms[n, tb.M_CHOOSING] == 0:
+        return
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.laws[j, tb.LAW_RESTITUTION] > 0.0:
+            numbers = joints.numbers[j]
+            numbers[tb.J_VALUE_START] = numbers[tb.J_ROW]
+            numbers[tb.J_RATE_START] = rate_of_row(j, 0, bodies, joints)
+
+
+def bounce_limits(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Let rows leave the limits that they struck in a part, as it ends.
+
+    One that leaves faster by itself, as a spring has pushed it since, is left alone.
+    """
+    if joints.mechanisms[n, tb.M_CHOOSING] == 0:
+        return
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        restitution, struck = joints.laws[j, tb.LAW_RESTITUTION], joints.numbers[j, tb.J_STRUCK]
+        if restitution > 0.0 and struck != 0.0:
+            rate, sign = bounce_rate(restitution, struck), -1.0 if struck > 0.0 else 1.0
+            if sign * rate_of_row(j, 0, bodies, joints) < sign * rate:
+                joints.joints[j, tb.J_STATE] = tb.HOLDS
+                joints.laws[j, tb.LAW_RATE] = rate
