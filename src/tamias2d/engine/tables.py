@@ -823,7 +823,9 @@ M_CARRIED = _mechanisms()  # 1 if that, or some of it, moves as it is told
 M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
 M_CHOOSING = _mechanisms()  # 1 if it has limits or motors
+M_BOUNCING = _mechanisms()  # 1 if it has limits that bounce
 M_NEAR = _mechanisms()  # 1 if it may reach a limit in this part, or has a motor
+M_TOUCHED = _mechanisms()  # 1 if contacts touch it
 M_HINGED = _mechanisms()  # 1 if it is a net or a tree of hinges; of a tree nodes come after those
 # above them, and joints that are no hinges of nodes last
 M_IN_BLOCK = _mechanisms()  # 1 if it is a tree that is solved in a lane of a block

@@ -36,11 +36,20 @@ def note_mechanisms(world: World) -> None:
         if asleep != (joints.mechanisms[n, tb.M_STATUS] == tb.ASLEEP):
             joints.mechanisms[n, tb.M_STATUS] = tb.ASLEEP if asleep else tb.FREE_OF_CONTACTS
             world.touching.counts[tb.ARRANGED] = 0
-        time = world.control.progress[tb.PART_TIME]
-        near = not asleep and is_near_limits(n, time, world.bodies, joints)
-        if near != (joints.mechanisms[n, tb.M_NEAR] == 1):
-            joints.mechanisms[n, tb.M_NEAR] = 1 if near else 0
-            world.touching.counts[tb.ARRANGED] = 0
+        note_near_limits(n, asleep, world)
+
+
+def note_near_limits(n: int, asleep: bool, world: World) -> None:
+    """Note whether a mechanism is near its limits, where it is not touched by contacts anyway."""
+    joints = world.joints
+    counts = world.touching.counts
+    if joints.mechanisms[n, tb.M_TOUCHED] == 1 and counts[tb.ARRANGED] == 1:
+        return
+    time = world.control.progress[tb.PART_TIME]
+    near = not asleep and is_near_limits(n, time, world.bodies, joints)
+    if near != (joints.mechanisms[n, tb.M_NEAR] == 1):
+        joints.mechanisms[n, tb.M_NEAR] = 1 if near else 0
+        counts[tb.ARRANGED] = 0
 
 
 def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
@@ -63,6 +72,7 @@ def activate_joined(world: World) -> None:
             touched = 0
             for m in range(first + 1, last + 1):
                 touched += bodies.moved[joints.members[m, tb.JOINED_SLOT]]
+            joints.mechanisms[n, tb.M_TOUCHED] = 1 if touched > 0 else 0
             touched += joints.mechanisms[n, tb.M_NEAR]
             alone = (
                 tb.GOVERNED_ALONE

@@ -11,7 +11,7 @@ from tamias2d.generated.joint_step import bounce_rate
 
 def note_limits(n: int, bodies: Bodies, joints: Joints) -> None:
     """Note where the limits of a mechanism are as a substep begins, and at which rates."""
-    if joints.mechanisms[n, tb.M_CHOOSING] == 0:
+    if joints.mechanisms[n, tb.M_BOUNCING] == 0:
         return
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         if joints.laws[j, tb.LAW_RESTITUTION] > 0.0:
@@ -25,7 +25,7 @@ def bounce_limits(n: int, bodies: Bodies, joints: Joints) -> None:
 
     One that leaves faster by itself, as a spring has pushed it since, is left alone.
     """
-    if joints.mechanisms[n, tb.M_CHOOSING] == 0:
+    if joints.mechanisms[n, tb.M_BOUNCING] == 0:
         return
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         restitution, struck = joints.laws[j, tb.LAW_RESTITUTION], joints.numbers[j, tb.J_STRUCK]

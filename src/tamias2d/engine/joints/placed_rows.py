@@ -4,8 +4,10 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.equation import equation_bends, equation_row, equation_value
 from tamias2d.engine.tables import Joints
 from tamias2d.generated.joint_rows import joint_bends, joint_rows, joint_values
+from tamias2d.kernels.assembled import inlined
 
 
+@inlined
 def write_values(j: int, joints: Joints) -> None:
     """Write how far each row of a joint is from holding."""
     ends, numbers = joints.joints[j], joints.numbers[j]
@@ -17,6 +19,7 @@ def write_values(j: int, joints: Joints) -> None:
     joint_values(ends[tb.J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
 
 
+@inlined
 def write_slopes(j: int, joints: Joints) -> None:
     """Write the rows of a joint with their slopes."""
     ends, numbers = joints.joints[j], joints.numbers[j]
@@ -28,6 +31,7 @@ def write_slopes(j: int, joints: Joints) -> None:
     joint_rows(ends[tb.J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
 
 
+@inlined
 def write_bends(j: int, joints: Joints) -> None:
     """Write the second derivatives of the rows of a joint by the orientations of its bodies."""
     ends, bends = joints.joints[j], joints.bends

@@ -207,6 +207,7 @@ def _write_joints(
             joints.mechanisms[n, tb.M_TIMED] |= row.timed
             joints.mechanisms[n, tb.M_GOVERNED] |= row.governed
             joints.mechanisms[n, tb.M_CHOOSING] |= row.law in CHOOSING
+            joints.mechanisms[n, tb.M_BOUNCING] |= row.numbers[tb.LAW_RESTITUTION] > 0.0
             joints.joints[j, [tb.J_LAW, tb.J_STATE]] = row.law, tb.HOLDS
             joints.laws[j] = row.numbers
             joints.joints[j, tb.J_MEMBER : tb.J_MEMBER + 3] = own
