@@ -19,7 +19,7 @@ from tamias2d.errors import StepWarning
 from tamias2d.simulator import Simulator
 from tools.measurements.mechanisms.faults import Energy
 from tools.measurements.mechanisms.programs import rates_of
-from tools.measurements.mechanisms.random_mechanism import random_mechanism
+from tools.measurements.mechanisms.random_mechanism import EQUATIONS, LIMITS, random_mechanism
 from tools.measurements.progress import each, until_stopped
 
 _STEP = 1 / 60
@@ -32,18 +32,26 @@ def options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--count", type=int, default=200, help="mechanisms (200)")
     parser.add_argument("--first", type=int, default=2_000_000, help="seed of the first (2000000)")
     parser.add_argument("--steps", type=int, default=10_000, help="of each mechanism (10000)")
+    parser.add_argument(
+        "--more", choices=(LIMITS, EQUATIONS), help="that bounce, or of one's own, besides"
+    )
     parser.add_argument("--kept", type=Path, help="file of what was found: begun, or gone on with")
 
 
 def measure(
-    count: int = 200, first: int = 2_000_000, steps: int = 10_000, kept: Path | None = None
+    count: int = 200,
+    first: int = 2_000_000,
+    steps: int = 10_000,
+    more: str | None = None,
+    kept: Path | None = None,
 ) -> dict[str, Any]:
     """Return how much the energy of each mechanism rose, as a share of what was at play."""
-    known = {row["seed"]: row for row in _kept(kept) if row["steps"] == steps}
+    asked = (steps, more)
+    known = {r["seed"]: r for r in _kept(kept) if (r["steps"], r.get("more")) == asked}
     seeds = range(first, first + count)
     with until_stopped():
         for seed in each([seed for seed in seeds if seed not in known], "Mechanisms"):
-            known[seed] = _followed(seed, steps)
+            known[seed] = _followed(seed, steps, more)
             if kept:
                 with kept.open("a") as file:
                     file.write(json.dumps(known[seed]) + "\n")
@@ -70,9 +78,9 @@ def notes(found: dict[str, Any]) -> list[str]:
     ]
 
 
-def _followed(seed: int, steps: int) -> dict[str, Any]:
+def _followed(seed: int, steps: int, more: str | None) -> dict[str, Any]:
     """Return how the energy of a mechanism rose, and whether its steps warned."""
-    scene = random_mechanism(seed)
+    scene = random_mechanism(seed, more)
     seen = Energy(scene)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", StepWarning)
@@ -84,6 +92,7 @@ def _followed(seed: int, steps: int) -> dict[str, Any]:
     return {
         "seed": seed,
         "steps": steps,
+        "more": more,
         "above": seen.above,
         "gain": seen.gain,
         "warned": bool(sim.warnings),
