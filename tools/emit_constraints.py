@@ -5,11 +5,9 @@ import textwrap
 from collections.abc import Iterator
 
 from tamias2d.spec.chapter import Item
-from tamias2d.spec.check import infer
-from tamias2d.spec.constraint import COORDINATES, ENDS, Constraint, Values, table_with
+from tamias2d.spec.constraint import Constraint, Values
 from tamias2d.spec.constraint_items import constraint_of
-from tamias2d.spec.expression import names
-from tamias2d.spec.python import PythonPrinter
+from tamias2d.spec.printed_constraint import arguments_of, body_of, parts_of
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.symbols import SymbolTable
 from tamias2d.spec.tex import plain
@@ -63,41 +61,23 @@ def emit(specification: Specification) -> str:
 
 def _parts(item: Item, constraint: Constraint) -> Iterator[tuple[str, str, str, Values]]:
     """The functions of a constraint: name, kind, body, values."""
-    yield f"{item.id}_constraint", "constraint", "", constraint.values()
-    for end in constraint.bodies:
-        yield f"{item.id}_slopes_{end}", "slopes", end, constraint.slopes(end)
-    yield f"{item.id}_rate", "rate", "", constraint.rates()
-    yield f"{item.id}_convective", "convective", "", constraint.convective()
+    for kind, end, values in parts_of(constraint):
+        yield f"{item.id}_{kind}{end and f'_{end}'}", kind, end, values
 
 
 def _functions(item: Item, table: SymbolTable, helpers: set[str]) -> Iterator[str]:
     for name, kind, end, values in _parts(item, constraint_of(item, table)):
-        known = table_with(table, values.where)
-        printer = PythonPrinter(known)
+        body, used = body_of(values, _arguments(item, values), table)
         lines = [f"def {name}("]
         lines += [f"    {each}: {_type(each, table)}," for each in _arguments(item, values)]
         lines.append(") -> tuple[Scalar, ...]:")
         lines += _docstring(item, kind, end, values, table)
-        lines += [
-            f"    {each}_x, {each}_y = {each}"
-            for each in _arguments(item, values)
-            if _type(each, table) == "Vector"
-        ]
-        for each, tree in values.where:
-            vector = infer(tree, known).shape == "vector"
-            targets = f"{each}_x, {each}_y" if vector else each
-            lines.append(f"    {targets} = {printer.value(tree)}")
-        rows = [printer.scalar(row) for row in values.rows]
-        lines.append(f"    return ({', '.join(rows)},)")
-        helpers |= printer.helpers
-        yield "\n".join(lines)
+        helpers |= used
+        yield "\n".join([*lines, *body])
 
 
 def _arguments(item: Item, values: Values) -> list[str]:
-    """What values are written with: parameters, then for each body places and velocities."""
-    used = {name for tree in (*values.rows, *(t for _, t in values.where)) for name in names(tree)}
-    moving = [f"{name}_{end}" for end in ENDS for pair in COORDINATES.items() for name in pair]
-    return [name for name in (*item.data["parameters"], *moving) if name in used]
+    return arguments_of(values, item.data["parameters"])
 
 
 def _docstring(item: Item, kind: str, end: str, values: Values, table: SymbolTable) -> list[str]:
@@ -138,7 +118,8 @@ def _entry(item: Item, table: SymbolTable) -> str:
     )
     return (
         f'"{item.id}": ConstraintFunctions('
-        f"parameters={_tuple(item.data['parameters'])}, bodies={_tuple(constraint.bodies)}, "
+        f"name={item.id!r}, parameters={_tuple(item.data['parameters'])}, "
+        f"bodies={_tuple(constraint.bodies)}, "
         f"units={_tuple(units)}, constraint={formulas[f'{item.id}_constraint']}, "
         f"slopes={{{slopes}}}, rate={formulas[f'{item.id}_rate']}, "
         f"convective={formulas[f'{item.id}_convective']},),"

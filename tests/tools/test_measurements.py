@@ -102,6 +102,10 @@ def test_energies(tmp_path: Path) -> None:
     found = energies.measure(count=2, steps=20, kept=kept)
     assert all(row["above"] < 1e-9 for row in found["rows"])
     assert energies.measure(count=2, steps=20, kept=kept) == found
+    limited = energies.measure(count=2, steps=20, more="limits", kept=kept)
+    assert limited != found
+    assert energies.measure(count=2, steps=20, more="limits", kept=kept) == limited
+    assert energies.measure(count=2, steps=20, more="equations")["rows"]
     heads, rows = table(energies, found)
     assert {len(row) for row in rows} == {len(heads)}
     assert len(energies.notes(found)) == 2

@@ -2729,6 +2729,7 @@ def travel_convective(
 
 CONSTRAINTS: dict[str, ConstraintFunctions] = {
     "revolute": ConstraintFunctions(
+        name="revolute",
         parameters=(
             "anchor_a",
             "anchor_b",
@@ -2794,6 +2795,7 @@ CONSTRAINTS: dict[str, ConstraintFunctions] = {
         ),
     ),
     "distance": ConstraintFunctions(
+        name="distance",
         parameters=(
             "anchor_a",
             "anchor_b",
@@ -2872,6 +2874,7 @@ CONSTRAINTS: dict[str, ConstraintFunctions] = {
         ),
     ),
     "weld": ConstraintFunctions(
+        name="weld",
         parameters=(
             "anchor_a",
             "anchor_b",
@@ -2940,6 +2943,7 @@ CONSTRAINTS: dict[str, ConstraintFunctions] = {
         ),
     ),
     "prismatic": ConstraintFunctions(
+        name="prismatic",
         parameters=(
             "anchor_a",
             "guide_a",
@@ -3024,6 +3028,7 @@ CONSTRAINTS: dict[str, ConstraintFunctions] = {
         ),
     ),
     "groove": ConstraintFunctions(
+        name="groove",
         parameters=(
             "anchor_a",
             "guide_a",
@@ -3103,6 +3108,7 @@ CONSTRAINTS: dict[str, ConstraintFunctions] = {
         ),
     ),
     "gear": ConstraintFunctions(
+        name="gear",
         parameters=(
             "gear_ratio",
             "joint_angle",
@@ -3140,6 +3146,7 @@ CONSTRAINTS: dict[str, ConstraintFunctions] = {
         convective=Formula(gear_convective, ()),
     ),
     "pulley": ConstraintFunctions(
+        name="pulley",
         parameters=(
             "anchor_a",
             "anchor_b",
@@ -3258,6 +3265,7 @@ CONSTRAINTS: dict[str, ConstraintFunctions] = {
         ),
     ),
     "angle": ConstraintFunctions(
+        name="angle",
         parameters=("joint_angle",),
         bodies=(
             "a",
@@ -3283,6 +3291,7 @@ CONSTRAINTS: dict[str, ConstraintFunctions] = {
         convective=Formula(angle_convective, ()),
     ),
     "travel": ConstraintFunctions(
+        name="travel",
         parameters=(
             "anchor_a",
             "guide_a",

@@ -18,6 +18,8 @@ from tamias2d.kernels.march_source import joined
 from tamias2d.motion.mechanism import APART, MOST, ROUNDING
 from tamias2d.spec.constraint import ENDS
 from tamias2d.spec.constraint_functions import ConstraintFunctions, Formula
+from tamias2d.spec.functions import power
+from tamias2d.spec.printed_constraint import printed_by
 
 ENTRIES = 9  # of a row: slopes by x, y and orientation of A, B and C
 LAW = 4  # numbers of a push: stiffness, rest, damping, constant
@@ -62,12 +64,9 @@ class JointDemand:
         return f"{', '.join(self.kinds)}{pushes}"
 
 
-def kind_of(functions: ConstraintFunctions) -> str | None:
-    """Return the name of a generated constraint; None for one of a scene's own."""
-    for name, known in CONSTRAINTS.items():
-        if known is functions:
-            return name
-    return None
+def functions_of(kind: str) -> ConstraintFunctions:
+    """Return the functions of a generated constraint, or of one of a scene's own, by its name."""
+    return CONSTRAINTS[kind] if kind in CONSTRAINTS else printed_by(kind)
 
 
 def tables_of(demand: JointDemand) -> list[str]:
@@ -235,14 +234,14 @@ def joints(demand: JointDemand) -> tuple[str, str]:
     loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate", "convective")]
     parts = [template.format(**names) for template in _TEMPLATES]
     helpers = [*loops, *parts[:-1]]
-    copies = _copies("\n".join(helpers))
+    copies = _copies("\n".join(helpers), demand)
     used = "\n".join([*copies, *helpers])
     imports = [name for name in _IN_MATH if re.search(rf"\b{name}\b", used)]
     head = f'"""Joints of Tamias2D: {demand}.\n\nMade from the generated functions.\n"""\n'
     return joined(head, imports, [*copies, *helpers], parts[-1])
 
 
-def _copies(body: str) -> list[str]:
+def _copies(body: str, demand: JointDemand) -> list[str]:
     """The functions that are called."""
     known: list[Callable[..., Any]] = [
         definitions.joint_spring_force,
@@ -251,9 +250,12 @@ def _copies(body: str) -> list[str]:
         *(row_products.along, row_products.across, row_products.squares, row_products.multiply),
         *(row_products.largest, row_products.length_of),
         *(row_products.place_of, row_products.rates_of, row_products.push_along),
-        *(formula.function for each in CONSTRAINTS.values() for formula in _formulas(each)),
+        *(formula.function for kind in demand.kinds for formula in _formulas(functions_of(kind))),
+        *(formula.function for kind in demand.pushed for formula in _formulas(functions_of(kind))),
     ]
-    return [copied(f, {}) for f in known if re.search(rf"(?<!def ){f.__name__}\(", body)]
+    called = [f for f in dict.fromkeys(known) if re.search(rf"(?<!def ){f.__name__}\(", body)]
+    copies = [copied(f, {}) for f in called]
+    return [copied(power, {}), *copies] if "power(" in "".join(copies) else copies
 
 
 def _formulas(functions: ConstraintFunctions) -> Iterator[Formula]:
@@ -279,7 +281,7 @@ def _loops(demand: JointDemand, name: str) -> str:
 
 
 def _loop(kind: str, name: str, moving: bool) -> Iterator[str]:
-    functions = CONSTRAINTS[kind]
+    functions = functions_of(kind)
     rows = len(functions.units)
     yield f"joints = len({kind}_ends) // {len(functions.bodies)}"
     yield "for k in range(joints):"
@@ -305,7 +307,7 @@ def _call(formula: Formula) -> str:
 
 def _state(kind: str, table: str, *, moving: bool) -> Iterator[str]:
     """Set what the functions of one joint take: its parameters, and where its bodies are."""
-    functions = CONSTRAINTS[kind]
+    functions = functions_of(kind)
     shapes = shapes_of(functions)
     yield f"at = {sum(shapes.values())} * k"
     at = 0
@@ -333,7 +335,7 @@ def shapes_of(functions: ConstraintFunctions) -> dict[str, int]:
 def _pushes(demand: JointDemand) -> Iterator[str]:
     """Add what springs and motors give to the accelerations."""
     for kind in demand.pushed:
-        functions = CONSTRAINTS[kind]
+        functions = functions_of(kind)
         table = f"{kind}_push"
         law = "joint_spring_torque" if kind == "angle" else "joint_spring_force"
         yield f"for k in range(len({table}_law) // {LAW}):"

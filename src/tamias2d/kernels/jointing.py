@@ -22,7 +22,6 @@ from tamias2d.kernels.joint_source import (
     FADED,
     KEPT,
     JointDemand,
-    kind_of,
     shapes_of,
     tables_of,
 )
@@ -43,7 +42,7 @@ Tables = dict[str, NDArray[Any]]
 
 
 def joint_code(joints: JointRows) -> "KernelJoints | None":
-    """Return code for a mechanism; None where a joint has an equation of its own, or for many."""
+    """Return code for a mechanism; None where there is none for an equation, or for many."""
     kinds = _kinds(joints.rows)
     pushed = _kinds(joints.pushes.rows) if joints.pushes else {}
     if None in kinds or None in pushed:
@@ -120,7 +119,7 @@ def _rows(flat: Array) -> Array:
 
 
 def _kinds(rows: ConstraintRows) -> dict[str | None, Block]:
-    return {kind_of(block.functions): block for block in rows.blocks}
+    return {block.functions.name: block for block in rows.blocks}
 
 
 def _numbers(rows: ConstraintRows, demand: JointDemand) -> NDArray[np.int64]:

@@ -9,11 +9,11 @@ from functools import cache, lru_cache
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError
 from tamias2d.spec.check import infer
-from tamias2d.spec.constraint import COORDINATES, ENDS, TIME, Constraint, Values
-from tamias2d.spec.constraint_functions import ConstraintFunctions, Formula, Value
-from tamias2d.spec.evaluate import Program
-from tamias2d.spec.expression import Node, names, parse, substituted
+from tamias2d.spec.constraint import COORDINATES, ENDS, TIME, Constraint
+from tamias2d.spec.constraint_functions import ConstraintFunctions
+from tamias2d.spec.expression import Node, names, parse
 from tamias2d.spec.messages import SpecFault
+from tamias2d.spec.printed_constraint import printed
 from tamias2d.spec.row_program import RowProgram, row_programs
 from tamias2d.spec.symbols import Index, SymbolTable
 
@@ -29,7 +29,7 @@ def read_equations(texts: Sequence[str], of: str) -> ConstraintFunctions:
     """
     constraint = _constraint(tuple(texts), of)
     try:
-        return _functions(constraint)
+        return printed(constraint, [f"anchor_{name[-1]}" for name, _ in constraint.where])
     except ValueError as error:
         raise RuleError(
             f"equations of {of}: {error} (TM7). Write it without min, max and abs.", "equations"
@@ -90,41 +90,3 @@ def _table() -> SymbolTable:
     wanted = (*COORDINATES, *COORDINATES.values(), "point", "anchor", TIME)
     indices = [Index(end, end.upper(), f"of body {end.upper()}") for end in ENDS]
     return SymbolTable([SYMBOLS[name] for name in wanted], indices)
-
-
-def _functions(constraint: Constraint) -> ConstraintFunctions:
-    anchors = [name.replace("point", "anchor") for name, _ in constraint.where]
-    units = [
-        str(found.dimension or 1)
-        for found in constraint.types
-        for _ in range(2 if found.shape == "vector" else 1)
-    ]
-    return ConstraintFunctions(
-        parameters=tuple(anchors),
-        bodies=constraint.bodies,
-        units=tuple(units),
-        constraint=_formula(constraint.values()),
-        slopes={end: _formula(constraint.slopes(end)) for end in constraint.bodies},
-        rate=_formula(constraint.rates()),
-        convective=_formula(constraint.convective()),
-    )
-
-
-def _formula(values: Values) -> Formula:
-    rows = list(values.rows)
-    for name, tree in reversed(values.where):
-        rows = [substituted(row, {name: tree}) for row in rows]
-    arguments = tuple(dict.fromkeys(name for row in rows for name in names(row)))
-    return Formula(_Evaluated(tuple(map(Program, rows)), arguments), arguments)
-
-
-class _Evaluated:
-    """Rows that are evaluated rather than printed."""
-
-    def __init__(self, programs: tuple[Program, ...], arguments: tuple[str, ...]) -> None:
-        self._programs = programs
-        self._arguments = arguments
-
-    def __call__(self, *values: Value) -> tuple[Value, ...]:
-        known = dict(zip(self._arguments, values, strict=True))
-        return tuple(program(known) for program in self._programs)

@@ -26,6 +26,8 @@ class Formula:
 class ConstraintFunctions:
     """All that a solver asks of a constraint. Rows are scalars; a vector equation has two."""
 
+    name: str | None
+    """By which kernels know it; None for one that they do not."""
     parameters: tuple[str, ...]
     """What must be given, besides coordinates."""
     bodies: tuple[str, ...]
