@@ -8,6 +8,9 @@ import pytest
 
 import tamias2d as t2
 from tests.engine.scenes import plain
+from tools.measurements.mechanisms.faults import Energy
+from tools.measurements.mechanisms.programs import rates_of
+from tools.measurements.mechanisms.random_mechanism import LIMITS, random_mechanism
 
 G = 9.81
 
@@ -149,3 +152,15 @@ def test_a_spring_that_pushes_off_a_limit_adds_to_the_bounce(
     sim = plain(scene)
     sim.step()
     assert sim.velocity[0, 1] == pytest.approx(speed, rel=0.05)
+
+
+@pytest.mark.parametrize("seed", [7100198, 7100392])
+@pytest.mark.filterwarnings("ignore::tamias2d.errors.StepWarning")
+def test_limits_that_pinch_a_loop_give_it_no_energy(seed: int) -> None:
+    """Its rows yield (DD86), and were pulled together by energy that nothing drives it with."""
+    scene = random_mechanism(seed, LIMITS)
+    seen, sim = Energy(scene), t2.Simulator(scene)
+    for _ in range(300):
+        sim.step()
+        seen.look(np.column_stack((sim.position, sim.orientation)), rates_of(sim))
+    assert seen.above < 1e-9

@@ -72,8 +72,9 @@ def charge_joined(
         bounded = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
         powered = joints.mechanisms[n, tb.M_DRIVEN] == 1
         driven = powered or may_get_any(n, row, joints)
-        carried = joints.mechanisms[n, tb.M_CARRIED] == 1 and row[tb.SUPPORT] == SUPPORTED_BY_MORE
-        if not bounded and ((carried and not powered) or yields(n, joints)):
+        carried = joints.mechanisms[n, tb.M_CARRIED] == 1
+        pulled = carried and row[tb.SUPPORT] == SUPPORTED_BY_MORE and not powered
+        if not bounded and (pulled or ((carried or driven) and yields(n, joints))):
             driven_energy = energy_driven(n, row, control, bodies, joints)
             most = row[tb.ENERGY_START] + max(row[tb.WORK], 0.0)
             row[tb.ENERGY_START] = max(most, driven_energy)
