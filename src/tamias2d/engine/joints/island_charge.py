@@ -17,10 +17,7 @@ from tamias2d.state import Array
 def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
     """Let the islands of mechanisms that are tied to what nothing pushes be seen from there."""
     for n in range(joints.counts[tb.MECHANISMS]):
-        root = islands.links[
-            joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT], tb.ROOT
-        ]
-        support_mechanism(n, root, bodies, islands, joints)
+        support_mechanism(n, root_of_mechanism(n, islands, joints), bodies, islands, joints)
 
 
 def support_mechanism(n: int, root: int, bodies: Bodies, islands: Islands, joints: Joints) -> None:
@@ -76,14 +73,15 @@ def charge_joined(
         return
     sum_lift_work(control, bodies, touching, constraints, islands)
     for n in range(joints.counts[tb.MECHANISMS]):
-        row = row_of_mechanism(n, islands, joints)
+        row = islands.energy[root_of_mechanism(n, islands, joints)]
         if is_likely(n, row, joints):
             likely = energy_driven(n, row[tb.ISLAND_MASS], row, control, bodies, joints)
             row[tb.DRIVEN_ENERGY] = max(row[tb.DRIVEN_ENERGY], likely)
     for n in range(joints.counts[tb.MECHANISMS]):
-        charge_for_mechanism(n, row_of_mechanism(n, islands, joints), joints)
+        row = islands.energy[root_of_mechanism(n, islands, joints)]
+        charge_for_mechanism(n, row, joints)
     for n in range(joints.counts[tb.MECHANISMS]):
-        row = row_of_mechanism(n, islands, joints)
+        row = islands.energy[root_of_mechanism(n, islands, joints)]
         if row[tb.DRIVEN_ENERGY] > 0.0 and row[tb.SUPPORT] == SUPPORTED_BY_MORE:
             row[tb.SUPPORT] = SUPPORTED_BY_ONE
     for k in range(constraints.counts[tb.ACTIVE]):
@@ -94,10 +92,10 @@ def charge_joined(
                 bodies.motion[i, tb.DX + m] *= row[tb.KEPT_WAY]
 
 
-def row_of_mechanism(n: int, islands: Islands, joints: Joints) -> Array:
-    """Return the energies of the island of a mechanism."""
+def root_of_mechanism(n: int, islands: Islands, joints: Joints) -> int:
+    """Return the root of the island of a mechanism."""
     i = joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT]
-    return islands.energy[islands.links[i, tb.ROOT]]
+    return int(islands.links[i, tb.ROOT])
 
 
 def charge_for_mechanism(n: int, row: Array, joints: Joints) -> None:
