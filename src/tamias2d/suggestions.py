@@ -35,6 +35,8 @@ _SYNONYMS = {
     "world": "scene",
 }
 """What other engines and textbooks call things, and what they are called here, both `_plain`."""
+_MISTYPED = 0.9
+"""How much alike words are of which one is the other with a letter too many or too few."""
 _MADE_BY = {
     "Body": "Scene.add_body(shape, mass=..., position=...)",
     "ForceField": "Scene.add_field(force=...)",
@@ -45,6 +47,8 @@ _MADE_BY = {
 def nearest(word: str, known: Iterable[str]) -> str | None:
     """Return the known name that a word most probably means, or None if none is near."""
     names = list(known)
+    if close := difflib.get_close_matches(word, names, n=1, cutoff=_MISTYPED):
+        return close[0]
     plain = {_plain(name): name for name in names}
     synonym = _SYNONYMS.get(_plain(word))
     if synonym in plain:

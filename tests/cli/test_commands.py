@@ -64,6 +64,28 @@ def test_run_answers_with_state_impacts_and_errors(call: Call) -> None:
     assert all(error["error"] <= 1e-12 for error in found["errors"])
 
 
+BREAKS = """
+gravity: [0 m/s^2, -9.81 m/s^2]
+duration: 1 s
+bodies:
+  bob: {shape: none, mass: 2 kg, position: [1 m, 0 m]}
+joints:
+  - {kind: distance, between: [[0 m, 0 m], bob], break_force: 30 N, name: thread}
+"""
+
+
+def test_run_says_what_broke(call: Call, tmp_path: Path) -> None:
+    """It bears 3 m g sin a at an angle a below the level: 30 N after 0.332 s."""
+    scene = tmp_path / "thread.yaml"
+    scene.write_text(BREAKS)
+    text = call("run", scene).stdout
+    assert "Events of joints: 1:" in text
+    (event,) = answer(call("run", scene, "--json"))["joint_events"]
+    assert (event["joint"], event["what"]) == ("thread", "breaks")
+    assert f"{event['time']:.10g}  thread  breaks" in text
+    assert "Events" not in call("run", "tc3").stdout
+
+
 def test_run_tells_the_error_of_a_poor_method(call: Call) -> None:
     poor = answer(
         call("run", "tc3", "--method", "explicit-euler", "--time-step", "100 ms", "--json")

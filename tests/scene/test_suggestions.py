@@ -108,6 +108,12 @@ def test_shapes_of_a_file_are_found_by_other_names(word: str, meant: str | None)
     assert nearest(word, ["disc", "box", "half-plane"]) == meant
 
 
+def test_a_letter_is_missing_sooner_than_another_word_is_meant() -> None:
+    """Other engines call a scene a world."""
+    assert nearest("world", ["scene", "worlds"]) == "worlds"
+    assert nearest("world", ["scene", "seed"]) == "scene"
+
+
 def test_what_suggests_is_copied_and_pickled_as_before() -> None:
     for value in (DISC, t2.Compound(parts=[t2.Part(shape=DISC)]), t2.Stepped(substeps=8)):
         assert copy.deepcopy(value) == value == pickle.loads(pickle.dumps(value))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.simulator.joint_set import JointSet
 from tests.engine.scenes import plain
 
 G = 9.81
@@ -208,3 +209,49 @@ def test_worlds_that_are_reset_have_their_joints_back() -> None:
     assert sims.world(0).joints == ("rod",)
     sims.step(40)
     assert sims.world(0).digest() == first
+
+
+def test_joints_of_sleepers_are_left_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing happens to them, and a call takes all of its steps at once; but what wakes breaks."""
+    scene = t2.Scene(gravity=(0.0, -G))
+    scene.add_body(t2.Disc(radius=0.2), mass=1.0, position=(0.0, -1.0), restitution=0.0, name="bob")
+    scene.add_joint(t2.Distance(), (0.0, 0.0), "bob", break_force=2 * G, name="thread")
+    sim = plain(scene, sleeping=True)
+    sim.step(40)
+    assert sim.asleep.all()
+    looked = []
+    look = JointSet.look
+    monkeypatch.setattr(JointSet, "look", lambda *given: looked.append(0) or look(*given))
+    sim.step(1000)
+    assert len(looked) < 3
+    sim.gravity = (0.0, -2.5 * G)
+    before = sim.time
+    sim.step(1000)
+    (event,) = sim.joint_events
+    assert event.time == pytest.approx(before + sim.time_step, rel=1e-12)
+
+
+def test_forces_and_torques_that_break_are_those_that_are_told() -> None:
+    """On A of several joints at once, of one row and of more, which bear a hair less, or more."""
+    scene = t2.Scene(gravity=(0.0, -G))
+    bears: dict[str, Any] = {"break_force": 1e9, "break_torque": 1e9}
+    upper: Any = (0.0, 0.0)
+    for k, kind in enumerate((t2.Weld(), t2.Revolute(), t2.Distance(length=0.5))):
+        box = t2.Box(width=0.8, height=0.1)
+        scene.add_body(box, mass=1.0, position=(k + 0.5, 0.0), restitution=0.0, name=f"box{k}")
+        anchors = {"anchor": (0.5 * (k > 0), 0.0), "other_anchor": (-0.5 * (k < 2), 0.0)}
+        scene.add_joint(kind, upper, f"box{k}", **anchors, **bears, name=f"joint{k}")
+        upper = f"box{k}"
+    sim = plain(scene)
+    sim.step(7)
+    force, torque = np.hypot(*sim.reactions.force[:, 0].T), np.abs(sim.reactions.torque[:, 0])
+    assert force.min() > 1.0
+    assert (torque > 1.0).tolist() == [True, False, False]
+    watch = sim._joints._watch
+    assert watch is not None
+    for change, broken in ((-1e-9, ["joint0", "joint1", "joint2"]), (1e-9, [])):
+        for forces, torques in ((force, np.inf), (np.inf, np.where(torque > 1.0, torque, np.inf))):
+            watch._force_most = forces * (1.0 + change) * np.ones(3)
+            watch._torque_most = torques * (1.0 + change) * np.ones(3)
+            over = [joint.name for joint in watch._overloaded(sim._engine.pose, sim.time_step)]
+            assert over == (broken if forces is force else broken[:1])

@@ -21,6 +21,7 @@ from tamias2d import (
     Distance,
     Equation,
     Gear,
+    HalfPlane,
     InputError,
     JointSpring,
     Limits,
@@ -278,6 +279,55 @@ def test_trolley_takes_what_its_load_gives() -> None:
         assert impulse[0] == pytest.approx(-impulse[1], abs=1e-9)
         assert sim.velocity[0].tolist() == [0.7, 0.0]
     assert sim.position[0] == pytest.approx((0.7, 0.0))
+
+
+def carried(sim: Simulator, y: float, mass: float, velocity: tuple[float, float]) -> list[int]:
+    """Hinge two planks of a mass each, kg, in a row to a hook that moves at a velocity, m/s."""
+    planks: list[int] = []
+    upper = sim.add_kinematic(
+        Disc(radius=0.05), position=(0.0, y), velocity=velocity, restitution=0.0, mask=0
+    )
+    for k in range(2):
+        plank = sim.add(Box(width=0.9, height=0.4), mass=mass, position=(0.5 + k, y), **SURFACE)
+        sim.add_joint(
+            Revolute(), upper, plank, anchor=(0.5 * (k > 0), 0.0), other_anchor=(-0.5, 0.0)
+        )
+        planks.append(plank)
+        upper = plank
+    return planks
+
+
+@pytest.mark.parametrize("heavy", [100.0, 1e4])
+@pytest.mark.parametrize("first", [0, 1])
+def test_what_is_carried_over_another_mechanism_goes_with_its_hook(
+    heavy: float, first: int
+) -> None:
+    """The bound was that of the first one's mass: 1e4 kg was told to go at 0.08 of 2 m/s."""
+    sim = Simulator(Scene(gravity=(0.0, 0.0)), compiled=False)
+    rows = [(0.0, 1.0, (0.0, 0.0)), (0.4, heavy, (2.0, -0.01))]
+    planks = [carried(sim, *row) for row in (rows[::-1] if first else rows)]
+    sim.step(10)
+    np.testing.assert_allclose(sim.velocity[planks[1 - first], 0], 2.0, rtol=1e-3)
+
+
+@pytest.mark.parametrize("mass", [10.0, 100.0])
+def test_a_light_blade_that_is_carried_pushes_a_heavy_crate(mass: float) -> None:
+    """It went along at 0.4 m/s, and 1 m/s was told of its hook alone."""
+    rough: dict[str, Any] = {"restitution": 0.0, "friction": 0.5}
+    scene = Scene(gravity=(0.0, -G))
+    scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0), **rough)
+    sim = plain(scene)
+    crate = sim.add(Box(width=1.0, height=1.0), mass=mass, position=(1.12, 0.5), **rough)
+    blade = sim.add(Box(width=0.2, height=0.8), mass=1.0, position=(0.5, 0.5), **rough)
+    hook = sim.add_kinematic(
+        Disc(radius=0.05), position=(0.5, 0.5), velocity=(1.0, 0.0), restitution=0.0, mask=0
+    )
+    sim.add_joint(Weld(), hook, blade)
+    sim.step(60)
+    start = sim.position[crate, 0]
+    sim.step(60)
+    assert sim.velocity[blade, 0] == pytest.approx(1.0, rel=1e-6)
+    assert sim.position[crate, 0] - start == pytest.approx(1.0, rel=0.2)  # it goes in small leaps
 
 
 def test_load_on_an_even_motion_gains_no_energy_as_seen_from_there() -> None:

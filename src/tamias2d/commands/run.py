@@ -16,7 +16,7 @@ from tamias2d.run import Run
 from tamias2d.simulate import simulate
 from tamias2d.solve import Interrupted
 
-_SHOWN = 5  # impacts
+_SHOWN = 5  # impacts, and events of joints
 _BODIES = 30  # whose states are shown
 _ROUNDING = 1e-12  # of a place, relative to the size of a body
 
@@ -134,6 +134,7 @@ def _print(run: Run, name: str, errors: list[KnownError]) -> None:
         ),
     )
     _print_impacts(run)
+    _print_joint_events(run)
     _print_errors(errors)
     if run.certificate is not None:
         say(f"\n{run.certificate}")
@@ -164,6 +165,18 @@ def _print_impacts(run: Run) -> None:
                 for k, impact in enumerate(_impacts(run)[:_SHOWN])
             ),
         )
+
+
+def _print_joint_events(run: Run) -> None:
+    events = _joint_events(run)
+    if not events:
+        return
+    more = f", the first {_SHOWN}" if len(events) > _SHOWN else ""
+    say(f"\nEvents of joints: {len(events)}{more}:")
+    print_table(
+        ("time, s", "joint", "what"),
+        ((figure(one["time"]), one["joint"], one["what"]) for one in events[:_SHOWN]),
+    )
 
 
 def _seen(run: Run, k: int) -> list[float]:
@@ -200,6 +213,7 @@ def _as_json(run: Run, name: str, errors: list[KnownError], files: _Files) -> di
             "angular_momentum": float(run.angular_momentum[-1]),
         },
         "impacts": _impacts(run),
+        "joint_events": _joint_events(run),
         "errors": [e.as_json() for e in errors],
         "certificate": None if run.certificate is None else run.certificate.as_json(),
         "digest": run.digest(),
@@ -219,6 +233,15 @@ def _final(run: Run) -> list[dict[str, Any]]:
         }
         for i, body in enumerate(run.scene.bodies)
         if body.dynamic
+    ]
+
+
+def _joint_events(run: Run) -> list[dict[str, Any]]:
+    names = [joint.name for joint in run.scene.joints]
+    events = zip(run.joint_events, run.joint_events.words, strict=True)
+    return [
+        {"time": event.time, "joint": names[event.joint], "what": words, "value": event.value}
+        for event, words in events
     ]
 
 

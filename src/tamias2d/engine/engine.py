@@ -107,6 +107,11 @@ class Engine(Store):
         return self.world.state.properties[: self.size, tb.INVERSE_INERTIA]
 
     @property
+    def all_asleep(self) -> bool:
+        """Whether all bodies slept through the last step."""
+        return bool(self.world.control.counts[tb.ALL_ASLEEP])
+
+    @property
     def asleep(self) -> NDArray[np.bool_]:
         """Which bodies sleep: a new array (n,)."""
         slots = self.world.state.slot_of_body[: self.size]

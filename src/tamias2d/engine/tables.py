@@ -637,6 +637,7 @@ IS_HELD = _energy()  # 1 if the island touches something that does not move free
 GIVEN = _energy()  # kg m^2/s, what contacts have given an island that nothing holds
 ENERGY_PUSHED = _energy()  # J, of its bodies that contacts have pushed
 DRIVEN_RATE = _energy()  # m/s, at which its supports move against each other, at most
+DRIVEN_ENERGY = _energy()  # J, that what carries its mechanisms is likely to give it; 0 if none is
 KEPT_WAY = _energy()  # share of its way in this step that an island with joints keeps
 
 _islands = Columns()

@@ -21,7 +21,7 @@ from tamias2d.simulator.joint_reactions import Held, forces_and_torques
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
 
-_IMPULSES = slice(tb.J_STEP_TOTAL, tb.J_STEP_TOTAL + 3 * len(ENDS))
+_IMPULSES = slice(tb.J_STEP_TOTAL, tb.J_STEP_TOTAL + 3)  # on A
 
 
 class JointEvent(NamedTuple):
@@ -54,9 +54,11 @@ class JointWatch:
         self._owner = np.array(owners, dtype=np.int64)
         self._places = layout.places[self._owner >= 0]
         self._owner = self._owner[self._owner >= 0]
-        self._held = Held.by(self._breaking)
         self._force_most = _most([joint.break_force for joint in self._breaking])
         self._torque_most = _most([joint.break_torque for joint in self._breaking])
+        self._twisted = np.flatnonzero(np.isfinite(self._torque_most))
+        held = Held.by(self._breaking)  # its torque is that on A
+        self._held = Held(held.bodies[self._twisted, :1], held.anchors[self._twisted, :1])
         self._ratchets = [joint for joint in layout.joints if joint.pitch]
         self._teeth = {joint.name: tooth_of(joint) for joint in self._ratchets}
 
@@ -74,12 +76,13 @@ class JointWatch:
         """Return the joints that bore more in a step of so many s than they can."""
         if not self._breaking:
             return []
-        impulses = np.zeros((len(self._breaking), len(ENDS), 3))
-        rows = self._layout.numbers[self._places, _IMPULSES]
-        np.add.at(impulses, self._owner, rows.reshape(-1, len(ENDS), 3))
-        force, torque = forces_and_torques(self._held, impulses, pose, time_step)
-        over = np.hypot(*force[:, 0].T) > self._force_most
-        over |= np.abs(torque[:, 0]) > self._torque_most
+        impulses = np.zeros((len(self._breaking), 1, 3))
+        np.add.at(impulses[:, 0], self._owner, self._layout.numbers[self._places, _IMPULSES])
+        over = np.hypot(*(impulses[:, 0, :2] / time_step).T) > self._force_most
+        if len(self._twisted):
+            twisting = impulses[self._twisted]
+            _, torque = forces_and_torques(self._held, twisting, pose, time_step)
+            over[self._twisted] |= np.abs(torque[:, 0]) > self._torque_most[self._twisted]
         return [joint for joint, too_much in zip(self._breaking, over, strict=True) if too_much]
 
 

@@ -99,6 +99,7 @@ class Stepping(Views):
             raise busy("step")
         try:
             self._happened = ()
+            nothing_happens = False  # to joints, in the rest of this call
             while count:
                 if self._unsettled:
                     self._settle()
@@ -107,7 +108,7 @@ class Stepping(Views):
                     self._joints.forget_report()
                 loaded = self._varying is not None or self._pushed is not None
                 watched = self._jointed and self._joints.watched
-                if not loaded and not watched:
+                if not loaded and (nothing_happens or not watched):
                     self._advance(count)
                     return
                 if loaded:
@@ -116,6 +117,7 @@ class Stepping(Views):
                     self._advance(1)
                 if watched:
                     self._look_at_joints()
+                    nothing_happens = self._engine.all_asleep and not self._unsettled
                 count -= 1
         finally:
             self._lock.release()

@@ -78,7 +78,8 @@ def _joints(scene: Scene) -> tuple[str, ...]:
     if not scene.joints:
         return ()
     return (
-        "joints: `reactions` of this run count no contacts; those of Simulator(scene).reactions do",
+        "joints: `reactions` of this run count no contacts, limits, teeth or motors; those of "
+        "Simulator(scene).reactions do",
     )
 
 

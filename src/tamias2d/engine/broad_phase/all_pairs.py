@@ -50,17 +50,24 @@ def open_bounds(bodies: Bodies, broad_phase: BroadPhase) -> None:
             bounds[tb.ANGLE_MARGIN] = FAR
 
 
-def bounds_are_open(bodies: Bodies, broad_phase: BroadPhase) -> bool:
-    """Return whether bodies that move may be anywhere while the contact list holds."""
+def list_holds_for_good(bodies: Bodies, broad_phase: BroadPhase) -> bool:
+    """Return whether the contact list holds wherever bodies go.
+
+    What stands may have been moved or turned by hand since the list was made.
+    """
     i, size = 0, len(bodies.kind)
-    while i < size and (bodies.kind[i] <= tb.STATIC or is_open(broad_phase.fat_bounds[i])):
+    while i < size and holds_for_good(bodies.kind[i], bodies.pose[i], broad_phase.fat_bounds[i]):
         i += 1
     return i == size
 
 
-def is_open(bounds: Array) -> bool:
-    """Return whether bounds have no end."""
-    return bool((bounds[tb.LOW_X] == -FAR) & (bounds[tb.ANGLE_MARGIN] == FAR))
+def holds_for_good(kind: int, pose: Array, bounds: Array) -> bool:
+    """Return whether a body has bounds without an end, or is where it stood as they were made."""
+    if kind == tb.STATIC:
+        stands = (pose[tb.X] == bounds[tb.LOW_X]) & (pose[tb.Y] == bounds[tb.LOW_Y])
+        return bool(stands & (pose[tb.ANGLE] == bounds[tb.BASE_ANGLE]))
+    is_open = (bounds[tb.LOW_X] == -FAR) & (bounds[tb.ANGLE_MARGIN] == FAR)
+    return bool((kind == tb.ABSENT) | is_open)
 
 
 def number_leaves(kind: Integers, shapes: Shapes, tree: Tree) -> None:

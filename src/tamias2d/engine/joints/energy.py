@@ -13,7 +13,7 @@ Cost: a visit to each body and spring, and two more where there is too much.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.island_charge import may_get_any, support_mechanism
-from tamias2d.engine.joints.yielding import energy_driven, yields
+from tamias2d.engine.joints.yielding import energy_driven, mass_of_mechanism, yields
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
     add_to_island,
@@ -68,7 +68,7 @@ def bound_mechanism(
     sprung, reserve = energy_of_springs(n, joints), numbers[tb.J_RESERVE]
     if (carried and is_changed(start, numbers)) or may_get_any(n, row, joints):
         if yields(n, joints):
-            driven = energy_driven(n, row, control, bodies, joints)
+            driven = energy_driven(n, mass_of_mechanism(n, joints), row, control, bodies, joints)
             most = max(start + given + numbers[tb.J_ENERGY] - sprung, driven)
             now = damp_to(n, now, most, base, bodies, joints, row)
         note_balance(start, now, sprung, now, numbers)
@@ -104,7 +104,7 @@ def rise_of_yielding(
     first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
     row = islands.energy[joints.sparse[first, tb.N_BODY]]
     see_from_support(n, bodies, joints, islands)
-    most = max(before, energy_driven(n, row, control, bodies, joints))
+    most = max(before, energy_driven(n, mass_of_mechanism(n, joints), row, control, bodies, joints))
     base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
     now = energy_of_motion(first, last, base, bodies, joints)
     if now > most:

@@ -17,10 +17,7 @@ from tamias2d.state import Array
 def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
     """Let the islands of mechanisms that are tied to what nothing pushes be seen from there."""
     for n in range(joints.counts[tb.MECHANISMS]):
-        root = islands.links[
-            joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT], tb.ROOT
-        ]
-        support_mechanism(n, root, bodies, islands, joints)
+        support_mechanism(n, root_of_mechanism(n, islands, joints), bodies, islands, joints)
 
 
 def support_mechanism(n: int, root: int, bodies: Bodies, islands: Islands, joints: Joints) -> None:
@@ -35,15 +32,33 @@ def support_mechanism(n: int, root: int, bodies: Bodies, islands: Islands, joint
             support_island(joints.members[0, tb.JOINED_SLOT], root, bodies, islands)
 
 
+def is_likely(n: int, row: Array, joints: Joints) -> bool:
+    """Return whether what ties a mechanism may give its island what is likely, and no more.
+
+    That is so where it is driven and its rows yield, and where contacts hold it against what
+    carries it.
+    """
+    carried = joints.mechanisms[n, tb.M_CARRIED] == 1
+    powered = joints.mechanisms[n, tb.M_DRIVEN] == 1
+    held = carried and row[tb.SUPPORT] == SUPPORTED_BY_MORE and not powered
+    driven = carried or powered or may_get_any(n, row, joints)
+    free = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
+    return not free and (held or (driven and yields(n, joints)))
+
+
 def may_get_any(n: int, row: Array, joints: Joints) -> bool:
     """Return whether what ties a mechanism may give it any energy: it turns, or was moved by hand.
 
-    So may things that move against each other, and equations that change with time.
+    So may things that move against each other.
     """
+    return is_moved(n, row, joints) or bool(row[tb.SUPPORT] == SUPPORTED_BY_MORE)
+
+
+def is_moved(n: int, row: Array, joints: Joints) -> bool:
+    """Return whether what ties a mechanism turns, changes with time, or was moved by hand."""
     turns = (row[tb.SUPPORT] == SUPPORTED_BY_ONE) & (row[tb.REFERENCE + 2] != 0.0)
     pulled = joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_PULLED] > 0.0
-    timed = joints.mechanisms[n, tb.M_TIMED] == 1
-    return bool(turns | pulled | timed | (row[tb.SUPPORT] == SUPPORTED_BY_MORE))
+    return bool(turns | pulled | (joints.mechanisms[n, tb.M_TIMED] == 1))
 
 
 def charge_joined(
@@ -65,35 +80,50 @@ def charge_joined(
         return
     sum_lift_work(control, bodies, touching, constraints, islands)
     for n in range(joints.counts[tb.MECHANISMS]):
-        root = islands.links[
-            joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT], tb.ROOT
-        ]
-        row = islands.energy[root]
-        bounded = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
-        powered = joints.mechanisms[n, tb.M_DRIVEN] == 1
-        driven = powered or may_get_any(n, row, joints)
-        carried = joints.mechanisms[n, tb.M_CARRIED] == 1
-        pulled = carried and row[tb.SUPPORT] == SUPPORTED_BY_MORE and not powered
-        if not bounded and (pulled or ((carried or driven) and yields(n, joints))):
-            driven_energy = energy_driven(n, row, control, bodies, joints)
-            most = row[tb.ENERGY_START] + max(row[tb.WORK], 0.0)
-            row[tb.ENERGY_START] = max(most, driven_energy)
-            row[tb.WORK] = 0.0
-            if row[tb.SUPPORT] == SUPPORTED_BY_MORE:
-                row[tb.SUPPORT] = SUPPORTED_BY_ONE
-        elif bounded or driven:
-            row[tb.WORK] = UNLIMITED
-        elif row[tb.WORK] < 0.0:
-            least = kept_way(row[tb.ENERGY_START], row[tb.LIFT_WORK], row[tb.WORK])
-            row[tb.KEPT_WAY] = least if rests_on_ground(row) else 1.0
-            row[tb.ENERGY_START] = kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK])
-            row[tb.WORK] = 0.0
+        row = islands.energy[root_of_mechanism(n, islands, joints)]
+        if is_likely(n, row, joints):
+            likely = energy_driven(n, row[tb.ISLAND_MASS], row, control, bodies, joints)
+            row[tb.DRIVEN_ENERGY] = max(row[tb.DRIVEN_ENERGY], likely)
+    for n in range(joints.counts[tb.MECHANISMS]):
+        row = islands.energy[root_of_mechanism(n, islands, joints)]
+        charge_for_mechanism(n, row, joints)
+    for n in range(joints.counts[tb.MECHANISMS]):
+        row = islands.energy[root_of_mechanism(n, islands, joints)]
+        if row[tb.DRIVEN_ENERGY] > 0.0 and row[tb.SUPPORT] == SUPPORTED_BY_MORE:
+            row[tb.SUPPORT] = SUPPORTED_BY_ONE
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         row = islands.energy[islands.links[i, tb.ROOT]]
         if bodies.kind[i] == tb.DYNAMIC and row[tb.KEPT_WAY] < 1.0 and row[tb.WORK] == 0.0:
             for m in range(3):
                 bodies.motion[i, tb.DX + m] *= row[tb.KEPT_WAY]
+
+
+def root_of_mechanism(n: int, islands: Islands, joints: Joints) -> int:
+    """Return the root of the island of a mechanism."""
+    i = joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT]
+    return int(islands.links[i, tb.ROOT])
+
+
+def charge_for_mechanism(n: int, row: Array, joints: Joints) -> None:
+    """Note what the island of a mechanism may have for it, and pays: in whatever order they come.
+
+    What is likely for one of its mechanisms is so for all of the island, unless another gives any.
+    """
+    free = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
+    powered = joints.mechanisms[n, tb.M_DRIVEN] == 1
+    if row[tb.DRIVEN_ENERGY] > 0.0:
+        most = row[tb.ENERGY_START] + max(row[tb.WORK], 0.0)
+        row[tb.ENERGY_START], row[tb.WORK] = max(most, row[tb.DRIVEN_ENERGY]), 0.0
+        if not is_likely(n, row, joints) and (powered or is_moved(n, row, joints)):
+            row[tb.WORK] = UNLIMITED
+    elif free or powered or may_get_any(n, row, joints):
+        row[tb.WORK] = UNLIMITED
+    elif row[tb.WORK] < 0.0:
+        least = kept_way(row[tb.ENERGY_START], row[tb.LIFT_WORK], row[tb.WORK])
+        row[tb.KEPT_WAY] = least if rests_on_ground(row) else 1.0
+        row[tb.ENERGY_START] = kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK])
+        row[tb.WORK] = 0.0
 
 
 def sum_lift_work(
@@ -107,7 +137,7 @@ def sum_lift_work(
     gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     for k in range(constraints.counts[tb.ACTIVE]):
         row = islands.energy[touching.active[k]]
-        row[tb.KEPT_WAY], row[tb.LIFT_WORK] = 1.0, 0.0
+        row[tb.KEPT_WAY], row[tb.LIFT_WORK], row[tb.DRIVEN_ENERGY] = 1.0, 0.0, 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if bodies.kind[i] == tb.DYNAMIC:

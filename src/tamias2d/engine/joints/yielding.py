@@ -133,10 +133,13 @@ def gain_of_node(change: Array, column: int, node: Array) -> float:
     return kinetic_energy(node[tb.NODE_MASS], by, node[tb.NODE_INERTIA], change[column + 2])
 
 
-def energy_driven(n: int, seen: Array, control: Control, bodies: Bodies, joints: Joints) -> float:
+def energy_driven(
+    n: int, mass: float, seen: Array, control: Control, bodies: Bodies, joints: Joints
+) -> float:
     """Return the most energy, J, that what ties a mechanism is likely to give it.
 
-    It is seen from the reference motion that stands in the row of an island.
+    The mass, kg, is that of all bodies that get it. They are seen from the reference motion that
+    stands in the row of an island.
     """
     substep = control.settings[tb.TIME_STEP] / control.counts[tb.SUBSTEPS]  # of a whole step
     removed = REMOVED_BY_JOINTS * REMOVED_YIELDING / substep if yields(n, joints) else 0.0
@@ -156,7 +159,7 @@ def energy_driven(n: int, seen: Array, control: Control, bodies: Bodies, joints:
             rate += abs(joints.laws[j, tb.LAW_RATE])
             rates += numbers[tb.J_ARM + r] * rate * (numbers[tb.J_ARM + r] * rate)
     rates += slight_rates(n, joints.mechanisms[n, tb.M_JOINT], substep, joints)
-    return change_most(mass_of_mechanism(n, joints), rates, 0.0, AMPLIFICATION)
+    return change_most(mass, rates, 0.0, AMPLIFICATION)
 
 
 def rate_of_supports(

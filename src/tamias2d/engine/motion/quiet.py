@@ -7,7 +7,7 @@ Cost: a pass over bodies, and one over pairs until one is near.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.broad_phase.all_pairs import bounds_are_open
+from tamias2d.engine.broad_phase.all_pairs import list_holds_for_good
 from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.joints.activity import clear_of_joints
 from tamias2d.engine.motion.free import look_ahead
@@ -32,7 +32,11 @@ def may_be_quiet(world: World) -> bool:
     may = may and world.islands.counts[tb.SLEEP_STEPS] == 0
     may = may and world.springs.counts[tb.SPRINGS] + world.control.counts[tb.LOADS_VARY] == 0
     may = clear_of_joints(may, world)
-    return may and bounds_are_open(world.bodies, world.broad_phase) and not has_chains(world.shapes)
+    return (
+        may
+        and list_holds_for_good(world.bodies, world.broad_phase)
+        and not has_chains(world.shapes)
+    )
 
 
 def take_quiet_steps(world: World) -> bool:
@@ -68,8 +72,6 @@ def look_ahead_of_all(control: Control, bodies: Bodies) -> bool:
             look_ahead(i, control, bodies)
             for n in range(3):
                 total += abs(ahead[n]) + abs(ahead[tb.DX + n])
-        else:  # its slot may have been that of another body
-            ahead[tb.DX], ahead[tb.DY] = 0.0, 0.0
     return bool(total - total == 0.0)
 
 

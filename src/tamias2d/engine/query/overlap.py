@@ -78,7 +78,7 @@ def shapes_in_box(
     shapes, tree = world.shapes, world.tree
     box = Box(low_x, low_y, high_x, high_y)
     leaves = tree.counts[tb.LEAVES]
-    total = half_planes_in_box(box, mask, shapes, tree, found)
+    total = half_planes_in_box(box, mask, world.state, shapes, tree, found)
     deep = first_leaf_node(leaves)
     at = 1 if leaves > 0 else 0
     while at > 0:
@@ -98,15 +98,25 @@ def shapes_in_box(
     return total
 
 
-def half_planes_in_box(box: Box, mask: int, shapes: Shapes, tree: Tree, found: Integers) -> int:
+def side_of_half_plane(s: int, state: BodyState, shapes: Shapes) -> tuple[float, float, float]:
+    """Return the offset, m, and the normal of a half-plane where its body is."""
+    side, pose = shapes.local_vertices[shapes.first[s]], state.pose[state.body_of_shape[s]]
+    c, d = cosine_sine(pose[tb.ANGLE])
+    nx, ny = c * side[2] - d * side[3], d * side[2] + c * side[3]
+    return side[0] + nx * pose[tb.X] + ny * pose[tb.Y], nx, ny
+
+
+def half_planes_in_box(
+    box: Box, mask: int, state: BodyState, shapes: Shapes, tree: Tree, found: Integers
+) -> int:
     """Write the half-planes that overlap a box into `found`; return how many."""
     leaves, total = tree.counts[tb.LEAVES], 0
     for m in range(leaves, leaves + tree.counts[tb.PLANES]):
         s = tree.morton[tb.LEAF, m]
-        side = shapes.local_vertices[shapes.first[s]]
-        x = box.low_x if side[2] > 0.0 else box.high_x
-        y = box.low_y if side[3] > 0.0 else box.high_y
-        if is_selected(s, mask, shapes.filters) and x * side[2] + y * side[3] <= side[0]:
+        offset, nx, ny = side_of_half_plane(s, state, shapes)
+        x = box.low_x if nx > 0.0 else box.high_x
+        y = box.low_y if ny > 0.0 else box.high_y
+        if is_selected(s, mask, shapes.filters) and x * nx + y * ny <= offset:
             found[total] = s
             total += 1
     return total

@@ -9,7 +9,13 @@ from typing import NamedTuple
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.bvh import BUNCH, first_leaf_node
-from tamias2d.engine.query.overlap import SLACK, is_selected, next_node, shapes_in_box
+from tamias2d.engine.query.overlap import (
+    SLACK,
+    is_selected,
+    next_node,
+    shapes_in_box,
+    side_of_half_plane,
+)
 from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.tables import BodyState, Integers, Shapes, World
 from tamias2d.kernels.arrays import FloatRows, Places, Ranks
@@ -162,7 +168,7 @@ def enter(s: int, ray: Ray, state: BodyState, shapes: Shapes) -> Entry:
     """Return where a ray enters a shape, as a fraction of it, and the normal there."""
     first, i = shapes.first[s], state.body_of_shape[s]
     if shapes.kind[s] == tb.HALF_PLANE:
-        return enter_half_plane(ray, shapes.local_vertices[first])
+        return enter_half_plane(ray, side_of_half_plane(s, state, shapes))
     c, d = cosine_sine(state.pose[i, tb.ANGLE])
     from_x, from_y = ray.x - state.pose[i, tb.X], ray.y - state.pose[i, tb.Y]
     local = Ray(
@@ -193,12 +199,13 @@ def enter_bounded(
     return enter_capsule(ray, vertices[first], vertices[first + 1], radius)
 
 
-def enter_half_plane(ray: Ray, side: Array) -> Entry:
+def enter_half_plane(ray: Ray, side: tuple[float, float, float]) -> Entry:
     """Return where a ray enters a half-plane, as a fraction of it, and the normal there."""
-    height = ray.x * side[2] + ray.y * side[3] - side[0]
-    down = -(ray.dx * side[2] + ray.dy * side[3])
+    offset, nx, ny = side
+    height = ray.x * nx + ray.y * ny - offset
+    down = -(ray.dx * nx + ray.dy * ny)
     fraction = height / down if 0.0 <= height <= down and down > 0.0 else NO_HIT
-    return fraction, side[2], side[3]
+    return fraction, nx, ny
 
 
 def enter_disc(ray: Ray, centre_x: float, centre_y: float, radius: float) -> Entry:
