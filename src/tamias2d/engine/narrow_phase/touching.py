@@ -3,6 +3,7 @@
 from tamias2d.engine import tables as tb
 from tamias2d.engine.islands import both_sleep
 from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.narrow_phase.boxes import LONG, note_boxes, stays_far
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.chain_sides import note_sides
 from tamias2d.engine.narrow_phase.collide import collide
@@ -56,11 +57,16 @@ def find_touching(
     pull = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     fall = corner_fall(pull, control.progress[tb.PART_TIME])
     note_sides(again, broad_phase.counts[tb.CONTACTS], contacts, shapes, touching.sides)
+    boxed = broad_phase.counts[tb.CONTACTS] > LONG * len(shapes.slot)
+    if boxed:
+        note_boxes(control.progress[tb.PART_TIME], CLOSE, bodies, shapes)
+    touching.counts[tb.BOXED] = 1 if boxed else 0
     for p in range(broad_phase.counts[tb.CONTACTS]):
         age_flags(again, contacts.flags[p])
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
-        if both_sleep(i, j, islands):
+        far = boxed and stays_far(s, t, 0.0, contacts.flags[p], shapes.boxes)
+        if far or both_sleep(i, j, islands):
             continue
         smaller = min(shapes.material[s, tb.SHAPE_RADIUS], shapes.material[t, tb.SHAPE_RADIUS])
         touched = contacts.flags[p, tb.TOUCHES] != 0
