@@ -9,7 +9,7 @@ from hypothesis import given, settings, strategies as st
 import tamias2d as t2
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.vertices import turn_vertices
-from tamias2d.engine.narrow_phase import touching
+from tamias2d.engine.narrow_phase import boxes, touching
 from tamias2d.engine.narrow_phase.boxes import note_boxes, stays_far
 from tamias2d.engine.tables import World
 from tamias2d.simulator import Simulator
@@ -36,8 +36,8 @@ def far(world: World) -> bool:
 
 
 def digest_of_rain(monkeypatch: pytest.MonkeyPatch, most: float) -> str:
-    """Return the digest of a crowd with boxes above a number of contacts to a shape; its bits."""
-    monkeypatch.setattr(touching, "LONG", most)
+    """Return that of a crowd with boxes where a list has more contacts to a shape."""
+    monkeypatch.setattr(boxes, "LONG", most)
     sim, _ = rain(0.02, 0.5, count=20, compiled=False)
     sim.step(8)
     return sim.digest()

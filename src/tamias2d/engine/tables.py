@@ -252,7 +252,7 @@ END_SINE = _material()
 
 CATEGORY, MASK, GROUP, SENSOR = range(4)  # filters
 
-_shape_boxes = Columns()  # around a shape as a part begins, where the contact list is crowded
+_shape_boxes = Columns()  # around a shape as a part begins, where the contact list is long
 BOX_LOW_X = _shape_boxes()  # m
 BOX_LOW_Y = _shape_boxes()
 BOX_HIGH_X = _shape_boxes()
@@ -464,7 +464,7 @@ NEW_STATIC = _touching()  # contacts with static shapes that had no impulse
 PRESSED_DEEP = _touching()  # 1 if there is a deep overlap
 IMPACTS = _touching()  # 1 if the solver is given contacts that come about in this part
 LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
-BOXED = _touching()  # 1 if boxes of shapes are known, since the list is crowded
+BOXED = _touching()  # 1 if boxes of shapes are known, since the list is long
 
 
 RIGHT_LOW, RIGHT_HIGH, LEFT_LOW, LEFT_HIGH = range(4)  # columns of sides: see chain_sides

@@ -150,9 +150,7 @@ def update_body(
     """Find anew when a body leaves its bounds, and when it meets all others but one."""
     events.times[i] = time_of_leaving(i, now, bodies, broad_phase)
     update_event(i, events.times, events.queue)
-    update_events_of(
-        i, except_for, now, share, control, bodies, shapes, broad_phase, contacts, events
-    )
+    update_events_of(i, except_for, now, share, control, bodies, shapes, contacts, events)
 
 
 def update_others(

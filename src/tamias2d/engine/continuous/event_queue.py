@@ -82,7 +82,11 @@ def settle(event: int, at: int, size: int, times: Array, queue: Integers) -> Non
 def sooner_below(at: int, size: int, times: Array, waiting: Integers) -> int:
     """Return which of the two places below one has the sooner event; beyond the last for none."""
     below = 2 * at
-    return below + 1 if below < size and is_sooner(waiting[below + 1], waiting[below], times) else below
+    return (
+        below + 1
+        if below < size and is_sooner(waiting[below + 1], waiting[below], times)
+        else below
+    )
 
 
 def is_sooner(one: int, other: int, times: Array) -> bool:

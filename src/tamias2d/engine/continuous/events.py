@@ -164,7 +164,6 @@ def update_events_of(
     control: Control,
     bodies: Bodies,
     shapes: Shapes,
-    broad_phase: BroadPhase,
     contacts: Contacts,
     events: Events,
 ) -> None:

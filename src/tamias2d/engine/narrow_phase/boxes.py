@@ -1,12 +1,12 @@
-"""Boxes around shapes as a part begins: where a list is crowded, most of its pairs are far apart.
+"""Boxes around shapes as a part begins: on a long contact list most pairs are far apart.
 
-A list is made for several steps, and where many bodies fall together it holds ten pairs for one
-that touches. Two boxes of half a cache line tell that of most, whose bodies are not looked at then.
+A list is made for several steps. Where many bodies fall together it holds ten pairs for one that
+touches. Most of the others are told by two boxes, and nothing else of their bodies is read.
 Cost: a visit to each vertex, and to the boxes of each pair.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.tables import Bodies, Integers, Shapes
+from tamias2d.engine.tables import Bodies, BroadPhase, Control, Integers, Shapes
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
@@ -15,10 +15,20 @@ BOUNDLESS = 2.0**1000  # m, half of the box of a shape that none contains, or th
 BOX_ROUNDING = 2.0**-44  # of coordinates and sizes: more than rounding does to a box
 
 
+def note_boxes_if_long(
+    broad_phase: BroadPhase, control: Control, close: float, bodies: Bodies, shapes: Shapes
+) -> bool:
+    """Write the boxes of shapes if the contact list is long; return whether it is."""
+    if broad_phase.counts[tb.CONTACTS] <= LONG * len(shapes.slot):
+        return False
+    note_boxes(control.progress[tb.PART_TIME], close, bodies, shapes)
+    return True
+
+
 def note_boxes(time: float, close: float, bodies: Bodies, shapes: Shapes) -> None:
     """Write the boxes of shapes where they are, and how far their bodies go in a time, s.
 
-    The third number is the share of their radii below which a gap counts as a contact.
+    A gap below the share `close` of the smaller radius counts as a contact.
     """
     for s in range(len(shapes.slot)):
         box, radius = shapes.boxes[s], shapes.material[s, tb.SHAPE_RADIUS]
