@@ -100,6 +100,7 @@ def shape_arrays(outlines: Sequence[Outline]) -> Shapes:
         filters=np.zeros((len(rows), 4), np.int64),
         local_vertices=vertices,
         world_vertices=vertices.copy(),
+        boxes=np.zeros((len(rows), 8)),
         pair_overrides=np.zeros((0, 4)),
     )
 

@@ -24,7 +24,7 @@ TURNS = st.one_of(st.just(0.0), st.floats(-4, 4), st.floats(-200, 200))
 def event_arrays() -> Events:
     """Room for the vertices of two shapes."""
     rows = np.zeros((64, MANIFOLD))
-    queue, together = np.zeros((3, 4), np.int32), np.zeros(1, np.int32)
+    queue, together = np.zeros((4, 4), np.int32), np.zeros(1, np.int32)
     met, sides, points = np.zeros((16, 4), np.int32), np.zeros((16, 2)), np.zeros((32, 16))
     return Events(np.zeros(1), queue, rows, together, np.zeros((1, 5)), met, sides, points)
 

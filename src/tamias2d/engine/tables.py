@@ -253,6 +253,15 @@ END_SINE = _material()
 
 CATEGORY, MASK, GROUP, SENSOR = range(4)  # filters
 
+_shape_boxes = Columns()  # around a shape as a part begins, where the contact list is long
+BOX_LOW_X = _shape_boxes()  # m
+BOX_LOW_Y = _shape_boxes()
+BOX_HIGH_X = _shape_boxes()
+BOX_HIGH_Y = _shape_boxes()
+BOX_WAY_X = _shape_boxes()  # m, that its body goes in the part
+BOX_WAY_Y = _shape_boxes()
+BOX_CLOSE = _shape_boxes()  # m, below which a gap counts as a contact
+
 
 class Shapes(NamedTuple):
     """Convex shapes: vertices grown by a radius; read by the broad and the narrow phase."""
@@ -267,6 +276,7 @@ class Shapes(NamedTuple):
     # vertex, m; normal of its side
     local_vertices: Annotated[FloatRows, Sized("vertices", 4), Saved()]
     world_vertices: Annotated[FloatRows, Sized("vertices", 4), Saved()]  # the same, turned
+    boxes: Annotated[FloatRows, Sized("shapes", 8)]  # a cache line
     # shapes, friction, restitution
     pair_overrides: Annotated[FloatRows, Sized("overrides", 4), Saved({0: "shapes", 1: "shapes"})]
 
@@ -455,6 +465,7 @@ NEW_STATIC = _touching()  # contacts with static shapes that had no impulse
 PRESSED_DEEP = _touching()  # 1 if there is a deep overlap
 IMPACTS = _touching()  # 1 if the solver is given contacts that come about in this part
 LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
+BOXED = _touching()  # 1 if boxes of shapes are known, since the list is long
 
 
 RIGHT_LOW, RIGHT_HIGH, LEFT_LOW, LEFT_HIGH = range(4)  # columns of sides: see chain_sides
@@ -1123,8 +1134,7 @@ class Joints(NamedTuple):
 
 # -- continuous collision
 
-FIRST_OF_BODY, CONTACT_OF_BODY, TOURNAMENT = range(3)  # rows of queue
-WINNER = 1  # place in the tournament tree
+FIRST_OF_BODY, CONTACT_OF_BODY, WAITING, PLACE = range(4)  # rows of queue
 
 
 _grounds = Columns()
@@ -1164,8 +1174,9 @@ class Events(NamedTuple):
     """When bodies leave their bounds and pairs meet; read by continuous collision."""
 
     times: Annotated[Floats, Sized("events")]  # as a fraction of the step
-    # where the contacts of each body begin; these contacts; a tournament tree of events
-    queue: Annotated[IndexRows, Sized(3, "queue")]
+    # where the contacts of each body begin; these contacts; how many events wait, and a heap of
+    # them; the place of each there
+    queue: Annotated[IndexRows, Sized(4, "queue")]
     scratch: Annotated[FloatRows, Sized("clip", MANIFOLD)]  # a manifold, vertices of two shapes
     together: Annotated[Places, Sized("slots")]  # the next of the bodies that go on together
     ground: Annotated[FloatRows, Sized("slots", _grounds.width)]  # static side that holds a body

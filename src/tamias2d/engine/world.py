@@ -54,7 +54,7 @@ class Capacities:
             "nodes": 2 * first_leaf_node(self.shapes),
             "pair_bodies": 2 * self.contacts + self.members + self.joined,
             "events": events,
-            "queue": 4 * events,
+            "queue": 2 * events + 2,
             "chunks": self.slots // tb.CHUNK,
             "streams": self.slots // tb.CHUNK + 1,
         }

@@ -17,7 +17,9 @@ from tamias2d.engine.continuous.clusters import hold, is_carried, join_or_carry
 from tamias2d.engine.continuous.collision_response import resolve_impact
 from tamias2d.engine.continuous.conservative_advancement import MISSED
 from tamias2d.engine.continuous.event_queue import (
-    build_tournament,
+    NO_EVENT,
+    build_queue,
+    first_event,
     list_contacts_by_body,
     update_event,
 )
@@ -61,19 +63,19 @@ def solve_continuous(
     """
     if since == 0.0:
         begin_continuous(control, bodies, events)
-    body_count, event_count = len(bodies.kind), len(bodies.kind) + broad_phase.counts[tb.CONTACTS]
+    body_count = len(bodies.kind)
     found = find_all_events(since, control, bodies, shapes, broad_phase, contacts, events)
     if found == 0:
         return MISSED
     list_contacts_by_body(broad_phase, contacts, events, body_count)
-    build_tournament(event_count, events.times, events.queue)
+    build_queue(body_count + broad_phase.counts[tb.CONTACTS], events.times, events.queue)
     impacts_left = most_impacts(found, control.counts[tb.LEVEL])
     last = -MOST_JOINS * body_count
     while impacts_left > last:
-        event = events.queue[tb.TOURNAMENT, tb.WINNER]
-        now = events.times[event]
-        if now > 1.0:
+        event = first_event(events.queue)
+        if event == NO_EVENT:
             return MISSED
+        now = events.times[event]
         if event < body_count:
             least = -MOST_UPDATES if is_carried(event, bodies.flight, bodies.kind) else 0
             if updates_left > least:
@@ -91,8 +93,8 @@ def solve_continuous(
             impacts_left -= 1
             count_located(contacts.flags[p])
             met = handle_meeting(p, now, joins, control, bodies, shapes, contacts, events)
+            update_event(event, events.times, events.queue)
             if met == 0:
-                update_event(event, event_count, events.times, events.queue)
                 continue
             impacts_left -= met - 1
             now = max(now, events.times[event])  # on parabolas they meet later than on chords
@@ -146,12 +148,9 @@ def update_body(
     events: Events,
 ) -> None:
     """Find anew when a body leaves its bounds, and when it meets all others but one."""
-    count = len(bodies.kind) + broad_phase.counts[tb.CONTACTS]
     events.times[i] = time_of_leaving(i, now, bodies, broad_phase)
-    update_event(i, count, events.times, events.queue)
-    update_events_of(
-        i, except_for, now, share, control, bodies, shapes, broad_phase, contacts, events
-    )
+    update_event(i, events.times, events.queue)
+    update_events_of(i, except_for, now, share, control, bodies, shapes, contacts, events)
 
 
 def update_others(

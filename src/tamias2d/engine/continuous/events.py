@@ -164,7 +164,6 @@ def update_events_of(
     control: Control,
     bodies: Bodies,
     shapes: Shapes,
-    broad_phase: BroadPhase,
     contacts: Contacts,
     events: Events,
 ) -> None:
@@ -175,7 +174,7 @@ def update_events_of(
     """
     if bodies.kind[i] != tb.DYNAMIC:
         return
-    body_count, event_count = len(bodies.pose), len(bodies.pose) + broad_phase.counts[tb.CONTACTS]
+    body_count = len(bodies.pose)
     for k in range(events.queue[tb.FIRST_OF_BODY, i], events.queue[tb.FIRST_OF_BODY, i + 1]):
         p = events.queue[tb.CONTACT_OF_BODY, k]
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
@@ -193,7 +192,7 @@ def update_events_of(
         if looked:
             time = next_event(p, s, t, now, control, bodies, shapes, contacts, events)
         events.times[body_count + p] = time
-        update_event(body_count + p, event_count, events.times, events.queue)
+        update_event(body_count + p, events.times, events.queue)
 
 
 def goes_little(i: int, j: int, now: float, share: float, reach: float, bodies: Bodies) -> bool:

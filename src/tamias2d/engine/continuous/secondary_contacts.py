@@ -10,6 +10,7 @@ body approaches another one faster than gravity lets it.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.events import bounces, smaller_radius
 from tamias2d.engine.islands import both_sleep
+from tamias2d.engine.narrow_phase.boxes import stays_far
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.narrow_phase.touching import BULLET, opening_speed, speculative_margins
@@ -104,12 +105,14 @@ def collide_driven(p: int, world: World, contacts: Contacts) -> int:
     bodies, shapes, touching = world.bodies, world.shapes, world.touching
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
+    driven = world.control.progress[tb.PART_TIME] * (touching.approach[i] + touching.approach[j])
+    if touching.counts[tb.BOXED] == 1 and stays_far(s, t, driven, contacts.flags[p], shapes.boxes):
+        return 0
     if contacts.flags[p, tb.SENSES] == 1 or bounces(p, shapes, contacts):
         return 0
     reach = smaller_radius(s, t, shapes.material)
     touched = contacts.flags[p, tb.TOUCHES] != 0
     margin, _ = speculative_margins(i, j, s, t, reach, touched, 0.0, world.control, bodies, shapes)
-    driven = world.control.progress[tb.PART_TIME] * (touching.approach[i] + touching.approach[j])
     if margin == 0.0 or margin + driven > BULLET * reach:
         return 0
     margin += driven

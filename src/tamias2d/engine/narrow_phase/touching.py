@@ -3,6 +3,7 @@
 from tamias2d.engine import tables as tb
 from tamias2d.engine.islands import both_sleep
 from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.narrow_phase.boxes import note_boxes_if_long, stays_far
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.chain_sides import note_sides
 from tamias2d.engine.narrow_phase.collide import collide
@@ -51,16 +52,17 @@ def find_touching(
     are those of the last step, with as many points, their arrangement holds.
     """
     total = marked = new_static = 0
-    deep = False
-    same = touching.counts[tb.ARRANGED] == 1
+    deep, same = False, touching.counts[tb.ARRANGED] == 1
     pull = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     fall = corner_fall(pull, control.progress[tb.PART_TIME])
     note_sides(again, broad_phase.counts[tb.CONTACTS], contacts, shapes, touching.sides)
+    boxed = note_boxes_if_long(broad_phase, control, CLOSE, bodies, shapes)
     for p in range(broad_phase.counts[tb.CONTACTS]):
         age_flags(again, contacts.flags[p])
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
-        if both_sleep(i, j, islands):
+        far = boxed and stays_far(s, t, 0.0, contacts.flags[p], shapes.boxes)
+        if far or both_sleep(i, j, islands):
             continue
         smaller = min(shapes.material[s, tb.SHAPE_RADIUS], shapes.material[t, tb.SHAPE_RADIUS])
         touched = contacts.flags[p, tb.TOUCHES] != 0
@@ -95,11 +97,17 @@ def find_touching(
             marked += 1 if comes or fast else 0
         else:
             mark_sensor(count, contacts.manifolds[p], contacts.flags[p])
-    if not same or touching.counts[tb.TOUCHING] != total:
-        touching.counts[tb.ARRANGED] = touching.counts[tb.ISLANDS_KNOWN] = 0
+    forget_arrangement(not same or touching.counts[tb.TOUCHING] != total, touching)
     touching.counts[tb.TOUCHING] = total
     touching.counts[tb.MEETING], touching.counts[tb.NEW_STATIC] = marked, new_static
-    touching.counts[tb.PRESSED_DEEP] = 1 if deep else 0
+    touching.counts[tb.PRESSED_DEEP], touching.counts[tb.BOXED] = int(deep), int(boxed)
+
+
+@inlined
+def forget_arrangement(changed: bool, touching: Touching) -> None:
+    """Let nothing be known of how contacts are arranged, if others touch than in the last step."""
+    if changed:
+        touching.counts[tb.ARRANGED] = touching.counts[tb.ISLANDS_KNOWN] = 0
 
 
 @inlined
