@@ -8,8 +8,10 @@ from scipy.integrate import solve_ivp
 
 import tamias2d as t2
 from tamias2d.contact.core import Core, cores_of, place
+from tamias2d.contact.coupled_island import CoupledIsland
 from tamias2d.contact.lemke import lemke
 from tamias2d.contact.manifold import manifold, normal_velocity
+from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.simultaneous_impact import Meeting, apply, simultaneous_impulses
 from tamias2d.scene import Shape
 from tamias2d.state import State
@@ -314,3 +316,26 @@ def test_lemke_solves_what_it_is_given():
         slack = matrix @ found + vector
         assert min(found.min(), slack.min()) > -1e-10
         assert abs(found @ slack) < 1e-9
+
+
+def test_friction_ends_sliding_where_contacts_settle_and_does_not_turn_it_round():
+    """Two boxes, one on the other, are left with more approach than it takes to stop them."""
+    slow, approach = 1e-9, -1e-8
+    scene = t2.Scene(gravity=(0, -G))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0))
+    for height in (0.5, 1.5):
+        scene.add_body(t2.Box(width=1, height=1), mass=1, position=(0, height))
+    cores = cores_of(scene)
+    states = {k: State((0, k - 0.5), 0.0, (slow, approach), 0.0) for k in (1, 2)}
+    states[0] = State((0, 0), 0.0, (0, 0), 0.0)
+    placed = {k: place(core, states[k]) for k, core in enumerate(cores)}
+    contacts = [
+        contact
+        for i, j in ((0, 1), (1, 2))
+        for contact in manifold(placed[i], placed[j], 1e-14, 1.0)
+    ]
+    weight = {1: (0.0, -G, 0.0), 2: (0.0, -G, 0.0)}
+    rough = PairFriction(1.0, lambda *_: 0.5, lambda _: 1e-14)
+    after = CoupledIsland(cores, placed, contacts, weight, 0.0, rough).projected(states)
+    for state in after.values():
+        np.testing.assert_allclose((*state.velocity, state.angular_velocity), 0, atol=1e-22)

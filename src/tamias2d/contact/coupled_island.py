@@ -71,6 +71,12 @@ class CoupledIsland(Island):
             self._rest()
         elif self._moves_on(self._states) or self._rubs():
             self._decide()
+            while stopped := self._stopped():
+                self._patches = [
+                    patch._replace(sense=0) if _pair(patch.contacts) in stopped else patch
+                    for patch in self._patches
+                ]
+                self._decide()
         self.senses.update(_senses(self._mode))
 
     def _rubs(self) -> bool:
@@ -91,18 +97,35 @@ class CoupledIsland(Island):
             }
         if self._constant:
             return super().projected(states)
-        rows = rows_of(closed_directions(closed(self._mode)), self.bodies)
+        return self._settled(states)
+
+    def _settled(self, states: Mapping[int, State]) -> dict[int, State]:
+        """Return the states without what is left of velocities that count as none (DD75)."""
+        mode = tuple(part._replace(sense=part.patch.sense) for part in self._mode)
+        rows = rows_of(closed_directions(closed(mode)), self.bodies)
         velocities = np.array(
             [(*states[i].velocity, states[i].angular_velocity) for i in self.bodies]
         )
         inverse = inverse_masses(self._cores, self.bodies)
-        pushes = rows_of(force_directions(self._mode), self.bodies) * inverse
+        pushes = rows_of(force_directions(mode), self.bodies) * inverse
         found = least_forces(rows, pushes, inverse, rows @ velocities.ravel())
         after = velocities + (found @ pushes).reshape(-1, 3)
         return {
             i: states[i]._replace(velocity=(x, y), angular_velocity=spin)
             for i, (x, y, spin) in zip(self.bodies, after.tolist(), strict=True)
         }
+
+    def _stopped(self) -> set[tuple[int, int]]:
+        """Return the pairs whose sliding friction would turn round as they settle: it ends it."""
+        after = {**self._states, **self._settled(self._states)}
+        found = set()
+        for part in self._mode:
+            if part.pressed and part.patch.coefficient and part.patch.sense:
+                pair = _pair(part.pressed)
+                a, b = (after[i] for i in pair)
+                if part.patch.sense * tangential_velocity(part.pressed[0], a, b) < 0:
+                    found.add(pair)
+        return found
 
     def constraints(self, states: Mapping[int, State], time: float) -> dict[int, Constraint]:
         """Return the constraint of each body by its lasting contacts.
@@ -136,9 +159,9 @@ class CoupledIsland(Island):
             own = tuple(contact for contact in contacts if (contact.a, contact.b) == (a, b))
             speed = tangential_velocity(own[0], self._placed[a].state, self._placed[b].state)
             coefficient = pair_friction.of(a, b)
-            slides = coefficient > 0 and (
-                abs(speed) > pair_friction.noise(own[0]) + self._unseen_speed
-            )
+            slides = coefficient > 0 and (a, b) not in pair_friction.stopped
+            if abs(speed) <= pair_friction.noise(own[0]) + self._unseen_speed:
+                slides = False
             found.append(Patch(own, coefficient, int(math.copysign(1, speed)) if slides else 0))
         return found
 
@@ -252,6 +275,10 @@ class CoupledIsland(Island):
             result.append((pushes[place : place + count], float(drag)))
             place += count
         return result
+
+
+def _pair(contacts: Sequence[Contact]) -> tuple[int, int]:
+    return contacts[0].a, contacts[0].b
 
 
 def _senses(mode: Mode) -> dict[tuple[int, int], int]:
