@@ -71,7 +71,8 @@ class CoupledIsland(Island):
             self._rest()
         elif self._moves_on(self._states) or self._rubs():
             self._decide()
-            while stopped := self._stopped():
+            while stopped := self._turned_round():
+                self.stopped |= stopped
                 self._patches = [
                     patch._replace(sense=0) if _pair(patch.contacts) in stopped else patch
                     for patch in self._patches
@@ -115,7 +116,7 @@ class CoupledIsland(Island):
             for i, (x, y, spin) in zip(self.bodies, after.tolist(), strict=True)
         }
 
-    def _stopped(self) -> set[tuple[int, int]]:
+    def _turned_round(self) -> set[tuple[int, int]]:
         """Return the pairs whose sliding friction would turn round as they settle: it ends it."""
         after = {**self._states, **self._settled(self._states)}
         found = set()
@@ -159,9 +160,9 @@ class CoupledIsland(Island):
             own = tuple(contact for contact in contacts if (contact.a, contact.b) == (a, b))
             speed = tangential_velocity(own[0], self._placed[a].state, self._placed[b].state)
             coefficient = pair_friction.of(a, b)
-            slides = coefficient > 0 and (a, b) not in pair_friction.stopped
-            if abs(speed) <= pair_friction.noise(own[0]) + self._unseen_speed:
-                slides = False
+            slides = coefficient > 0 and (
+                abs(speed) > pair_friction.unseen(own[0]) + self._unseen_speed
+            )
             found.append(Patch(own, coefficient, int(math.copysign(1, speed)) if slides else 0))
         return found
 

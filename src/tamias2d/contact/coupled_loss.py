@@ -41,7 +41,8 @@ class CoupledLossWatch:
         states = [self._paths[i].at(before) for i in self._constraint.bodies]
         self._slack = self._constraint.against(states, self._loads(before), path.end - before)
         for time in np.linspace(path.start, path.end, _SAMPLES + 1)[1:].tolist():
-            first, lost = time, False
+            first: float = time
+            lost = False
             for lasts in (self._slides_on, self._holds, self._same_features):  # cheap ones first
                 if not lasts(first):
                     first, lost = _bisect(lasts, before, first), True

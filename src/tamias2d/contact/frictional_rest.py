@@ -178,7 +178,7 @@ class FrictionalIsland(Island):
             own = tuple(contact for contact in contacts if (contact.a, contact.b) == (a, b))
             speed = tangential_velocity(own[0], self._placed[a].state, self._placed[b].state)
             slides = (
-                pair_friction.of(a, b) > 0 and abs(speed) > pair_friction.noise(own[0]) + unseen
+                pair_friction.of(a, b) > 0 and abs(speed) > pair_friction.unseen(own[0]) + unseen
             )
             found.append(Patch(own, pair_friction.of(a, b), int(np.sign(speed)) if slides else 0))
         return found

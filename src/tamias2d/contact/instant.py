@@ -287,6 +287,7 @@ class Instant:
         for bodies, joined in groups:
             free = {i: self._free(i) for i in sorted(bodies)}
             island = island_of(cores, placed, joined, free, min(slight), pair_friction)
+            self._stopped |= island.stopped  # also of the islands into which it falls
             alone = len(island.bodies) == 1 or len(island.lasting) == len(joined)
             found += [island] if alone else self._islands(island.lasting)
         return found
@@ -331,7 +332,9 @@ class Instant:
         by = self._accelerations(islands)
         placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
         for contact in contacts:
-            self.separating[contact.a, contact.b] = opening_acceleration(contact, placed, by)
+            opening = opening_acceleration(contact, placed, by)
+            if opening > 0:
+                self.separating[contact.a, contact.b] = opening
 
     def _constrain(self, island: Island) -> None:
         states = island.crept(self.states, self._world.restitution)

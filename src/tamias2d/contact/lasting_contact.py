@@ -48,6 +48,8 @@ class Island:
         self._placed = placed
         self.senses: dict[tuple[int, int], int] = {}
         """Of pairs with friction: 0 if they stick, else the sense in which they slide."""
+        self.stopped: set[tuple[int, int]] = set()
+        """Pairs whose sliding friction ends as they settle."""
         self.bodies = sorted({i for c in contacts for i in (c.a, c.b) if cores[i].dynamic})
         loads = [opening_acceleration(contact, placed, free) for contact in contacts]
         matrix = [[coupling(cores, k, m) for m in contacts] for k in contacts]
