@@ -122,7 +122,7 @@ def test_drops_go_on_past_what_lasting_contacts_tremble(seed: int, duration: flo
 
 
 def jammed(friction: float, restitution: float, *bodies: tuple[Shape, float, State]) -> t2.Scene:
-    """Bodies of an ordinary drop on its floor, at an instant at which contacts jam."""
+    """Bodies of an ordinary drop on its floor, at an instant at which it was refused."""
     surface = {"friction": friction, "restitution": restitution}
     scene = t2.Scene(gravity=(0, -G))
     scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), **surface)
@@ -213,12 +213,56 @@ JAMS = {
             ),
         ),
     ),
+    "a heap: what one contact does as it settles holds for the islands of others": jammed(
+        0.4744621605696147,
+        0.13066723661549073,
+        (
+            t2.Box(width=0.3639922677347308, height=0.3639922677347308),
+            1.719470028252207,
+            State(
+                (0.02321569775006516, 0.18199818194770093),
+                4.712377726893659,
+                (1.2730726866716946e-13, 3.9181191447533196e-13),
+                -2.1528826765472623e-12,
+            ),
+        ),
+        (
+            t2.Box(width=0.20684440990483147, height=0.20684440990483147),
+            4.007078779338905,
+            State(
+                (-0.04410770380459394, 0.4674178502338356),
+                6.283168524638337,
+                (0.003706587581367087, 0.0014771734357941926),
+                -0.014283425070861638,
+            ),
+        ),
+        (
+            t2.Disc(radius=0.12289834725385293),
+            2.26489304105717,
+            State((0.32810951381113346, 0.12289834725385293), 8.060920270385783, (0.0, 0.0), 0.0),
+        ),
+        (
+            t2.Box(width=0.3424540556778612, height=0.3424540556778612),
+            2.1540569619158516,
+            State(
+                (0.35244559472658393, 0.5344300669709515),
+                -0.005377214038315977,
+                (1.2333705922171454, -1.054523941519302),
+                -7.161877891691293,
+            ),
+        ),
+        (
+            pentagon(0.11553767428451459),
+            2.6769611609776884,
+            State((0.5445036235998837, 0.10981861041873472), 10.054891032597892, (0.0, 0.0), 0.0),
+        ),
+    ),
 }
 
 
 @pytest.mark.parametrize("scene", JAMS.values(), ids=JAMS)
-def test_sliding_that_jams_is_ended_by_an_impulse(scene: t2.Scene):
-    """Those contacts are told that loads press, with what turning adds to them (DD68)."""
+def test_sliding_that_jams_or_settles_ends(scene: t2.Scene):
+    """Those contacts are told that loads press, with what turning adds to them (DD68, DD75)."""
     run = t2.simulate(scene, duration=0.01, method=t2.ClosedForm())
     assert max(laws(run).values()) <= ROUNDING
 
