@@ -108,7 +108,8 @@ def contact_arrays(pairs: Array) -> Contacts:
     """Contacts of pairs (k, 2) of shapes, before their first step."""
     rows = np.zeros((len(pairs), 4), np.uint32)
     rows[:, :2] = pairs
-    return Contacts(rows, np.zeros((len(rows), tb.MANIFOLD)), np.zeros((len(rows), 6), np.int32))
+    manifolds, axes = np.zeros((len(rows), tb.MANIFOLD)), np.zeros((len(rows), 4))
+    return Contacts(rows, manifolds, axes, np.zeros((len(rows), 6), np.int32))
 
 
 class Contact:
@@ -131,7 +132,7 @@ class Contact:
     @property
     def cached_axis(self) -> Array:
         """The relative pose that was seen when an axis was cached, and how far it holds."""
-        return self.manifold[tb.AXIS_CACHE : tb.AXIS_CACHE + 4]
+        return self.contacts.axes[0]
 
     @property
     def impulses(self) -> Array:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from tamias2d.engine.continuous import conservative_advancement
 from tamias2d.engine.continuous.conservative_advancement import MISSED, NEAR, time_of_impact
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.clip import PARALLEL
@@ -117,6 +118,38 @@ def test_a_bar_that_spins_fast_beside_a_wall_does_not_meet_it(gap) -> None:
     assert swept(wall, bar, (tip + gap + 0.01, 0.0), (0.0, 3.0), 0.0, turn) == MISSED
     at = swept(wall, bar.turned(np.pi / 2), (tip - gap + 0.01, 0.0), (0.0, 3.0), 0.0, turn)
     assert at * turn == pytest.approx(np.pi / 2 - np.arccos(1 - gap), abs=0.02)
+
+
+@pytest.mark.parametrize("x", [0.0, 4.0])
+@pytest.mark.parametrize("raised", [-0.05, 0.0, 1e-3])
+@pytest.mark.parametrize("upper", [box(0.4, 0.4), capsule(0.4, 0.2)])
+def test_bodies_that_turn_together_do_not_meet_and_take_few_poses(
+    x, raised, upper, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looked: list[Any] = []
+    found = conservative_advancement.measure_gap
+    monkeypatch.setattr(
+        conservative_advancement, "measure_gap", lambda *a: looked.append(a) or found(*a)
+    )
+    turn, y = 0.2, 0.7 + raised
+    assert swept(box(10.0, 1.0), upper, (x, y), (-turn * y, turn * x), turn, turn) == MISSED
+    assert 0 < len(looked) < 30  # of a search along axes that stay 65, or hundreds
+
+
+def test_boards_that_turn_beside_boxes_that_hardly_do_are_apart_until_they_meet() -> None:
+    """Without the arcs of corners in the bound along a normal that turns, 7 pairs go too far."""
+    rng, met = np.random.default_rng(1), 0
+    for _ in range(400):
+        a, b = (one.turned(rng.uniform(0, 6.3)) for one in (box(2.0, 1.0), box(1.0, 0.1)))
+        angle, far = rng.uniform(0, 6.3), rng.uniform(0.7, 1.7)
+        delta, move = far * np.array([np.cos(angle), np.sin(angle)]), 0.2 * rng.normal(size=2)
+        turns = rng.choice([-1, 1]) * 10 ** rng.uniform(-3, 0), rng.uniform(-3, 3)
+        if gap_at(a, b, delta, move, turns, 0.0) > 1e-3:
+            at = swept(a, b, delta, move, *turns)
+            until = np.linspace(0, min(at, 1.0), 40)
+            assert min(gap_at(a, b, delta, move, turns, f) for f in until) > 0
+            met += at != MISSED
+    assert met > 50
 
 
 def test_shapes_close_at_the_start_meet_when_closer_or_close_again() -> None:

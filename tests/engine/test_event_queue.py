@@ -37,7 +37,8 @@ def test_each_body_has_its_contacts_in_their_order(bodies: int, data: st.DataObj
         pairs[p, tb.SLOT_A], pairs[p, tb.SLOT_B] = both
     broad_phase = allocated(Capacities()).broad_phase
     broad_phase.counts[tb.CONTACTS] = len(drawn)
-    contacts = Contacts(pairs, np.zeros((len(drawn), 0)), np.zeros((len(drawn), 0), np.int32))
+    rows = np.zeros((len(drawn), 0))
+    contacts = Contacts(pairs, rows, rows, rows.astype(np.int32))
     queue = np.zeros((3, 4 * (bodies + len(pairs))), np.int32)
     none = np.zeros((0, 0))
     events = Events(np.zeros(0), queue, none, np.zeros(0, np.int32), none, queue, none, none)

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from llvmlite.binding import get_host_cpu_features
 
 from tamias2d.engine.solver.lanes import apply_restitution, relax, solve_soft, warm_start
 from tamias2d.engine.tables import World
@@ -48,3 +49,5 @@ def test_blocks_are_worked_on_by_packed_arithmetic(
     (assembly,) = compiled.inspect_asm().values()
     packed, single = (len(re.findall(_ARITHMETIC.format(kind), assembly)) for kind in ("pd", "sd"))
     assert packed >= single > 0, f"{packed} instructions are packed, {single} are not"
+    if get_host_cpu_features().get("avx512f"):
+        assert re.search(_ARITHMETIC.format("pd") + ".*zmm", assembly), "half of the lanes is idle"

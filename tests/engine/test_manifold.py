@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase import polygon
 from tamias2d.engine.narrow_phase.clip import PARALLEL
 from tamias2d.engine.narrow_phase.collide import collide
@@ -130,6 +131,13 @@ def test_a_turned_pair_has_the_turned_manifold(pair, angle: float) -> None:
 
 
 MOTIONS = np.array([(1, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1), (0, 0, 1, 1), (1, 1, 1, 1)])
+
+
+def test_points_that_are_found_are_those_of_now_and_not_foreseen() -> None:
+    found = Contact()
+    found.manifold[tb.FORESEEN] = 1e-3
+    assert found.collide(box(1.0, 1.0), box(1.0, 1.0), np.array([0.0, 1.0])) == 2
+    assert found.manifold[tb.FORESEEN] == 0.0
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -96,6 +96,20 @@ def test_a_world_follows_one_that_needed_longer_arrays() -> None:
         assert found.arrays["position"][world].tobytes() == run.position.tobytes()
 
 
+def test_a_world_with_something_to_tell_tells_it() -> None:
+    """In the middle of a block; the worlds beside it are stepped all the same."""
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    scene.add_body(t2.Disc(radius=0.2), mass=1.0, position=(0.0, 0.0), name="disc")
+    worlds = worlds_of(scene, {"gravity.y": [-9.81, -1e9, -5.0]}, None, None, None)
+    with pytest.warns(t2.StepWarning, match="gravity of 1e\\+09"):
+        found = stepped(worlds, request_of(scene, **METHOD), 0, 3)
+    assert found is not None
+    assert found.done.all()
+    for world in range(3):
+        run = t2.simulate(worlds.scene(world), times=(0.8,), **METHOD)
+        assert found.arrays["position"][world].tobytes() == run.position[:, :1].tobytes()
+
+
 def test_bodies_that_are_alike_stand_in_for_each_other(monkeypatch: pytest.MonkeyPatch) -> None:
     """Discs in any order need one simulator; a box among them stands for no other body."""
     made, prepare = [], stepped_worlds._Prepared

@@ -1,6 +1,7 @@
 """Engines: plain functions and what is compiled from them agree, and nothing stale is run."""
 
 import ast
+import gc
 import os
 import re
 import subprocess
@@ -52,6 +53,17 @@ def test_compiled_and_plain_libraries_have_the_same_bits() -> None:
             made.fallen(work, 0.3)
             results.append((value, work.tobytes()))
     assert results[0] == results[1]
+
+
+def test_the_collector_of_the_process_keeps_its_pace_after_compiling() -> None:
+    before = gc.get_threshold()
+    gc.set_threshold(701, 11, 12)
+    try:
+        forget()
+        LIBRARY.compiled()
+        assert gc.get_threshold() == (701, 11, 12)
+    finally:
+        gc.set_threshold(*before)
 
 
 def lesser(first: float, second: float) -> float:

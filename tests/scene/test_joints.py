@@ -32,8 +32,8 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
         "it holds no body that moves",
     ),
     "two points": (lambda s: s.add_joint(t2.Distance(), (0, 0), (1, 0)), "no body that moves"),
-    "a joint that breaks on a kinematic body": (
-        lambda s: s.add_joint(t2.Distance(), "rod", "lift", break_force=1.0),
+    "an equation with a kinematic body": (
+        lambda s: s.add_joint(t2.Equation("y(position_a) - y(position_b)"), "rod", "lift"),
         "is kinematic, which only steps know",
     ),
     "a length that is another": (

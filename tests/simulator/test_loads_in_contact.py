@@ -113,6 +113,25 @@ def rubble(spin: float) -> tuple[t2.Scene, np.ndarray]:
     return scene, inertia
 
 
+@pytest.mark.parametrize("time_step", [1 / 30, 1 / 60])
+def test_a_pair_that_touches_and_a_third_body_keep_their_momentum(time_step: float) -> None:
+    """What two attract each other by is opposite, although one of them goes by substeps."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    mass = np.array([1.0, 1.0, 20.0])
+    for k, place in enumerate([(6.0, 0.5), (6.0, -0.5), (0.0, 0.0)]):
+        scene.add_body(
+            t2.Disc(radius=0.5), mass=mass[k], position=place,
+            velocity=(0.0, 1.8 if k < 2 else -0.18),
+            friction=0.0, restitution=0.0,
+        )  # fmt: skip
+    scene.add_attraction(gravitational_constant=1.0)
+    sim = t2.Simulator(scene, time_step=time_step)
+    for _ in range(60):
+        sim.step()
+        assert len(sim.contacts) > 0
+        np.testing.assert_allclose(mass @ sim.velocity, 0.0, atol=1e-13)
+
+
 def test_a_rubble_pile_keeps_its_angular_momentum() -> None:
     scene, inertia = rubble(0.1)
     sim = t2.Simulator(scene)

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.joints import hinge_net, rows as engine_rows
-from tamias2d.engine.joints.solve import REMOVED_BY_JOINTS
+from tamias2d.engine.joints import hinge_net, net_gradients, rows as engine_rows
+from tamias2d.engine.joints.yielding import REMOVED_BY_JOINTS
 from tamias2d.scene import JointSpring, Limits, Motor, Revolute, Scene
 from tamias2d.simulator import Simulator
 from tests.engine.scenes import plain
@@ -53,7 +53,7 @@ def test_mechanisms_that_whirl_hold(seed: int) -> None:
 
 def test_net_of_hinges_moves_as_any_mesh_does(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where it leaves as little, and removes as much."""
-    monkeypatch.setattr(hinge_net, "LEFT_OPEN", 1e-4)
+    monkeypatch.setattr(net_gradients, "LEFT_OPEN", 1e-4)
     monkeypatch.setattr(hinge_net, "REMOVED_BY_NET", REMOVED_BY_JOINTS)
     found = []
     for own in (True, False):

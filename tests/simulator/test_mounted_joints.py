@@ -425,10 +425,11 @@ def test_what_steps_do_not_know_is_refused_on_a_kinematic_body() -> None:
     scene = Scene(gravity=(0.0, -G))
     hook = scene.add_kinematic(Disc(radius=0.1), position=(0.0, 0.0), name="hook", **SURFACE)
     bob = scene.add_body(None, mass=1.0, position=(0.0, -1.0))
+    bounces = Limits(upper=2.0, restitution=0.5)
     with pytest.raises(
-        InputError, match=r"'hook' is kinematic, which only steps know.*no breaking"
+        InputError, match=r"'hook' is kinematic, which only steps know.*no restitution"
     ):
-        scene.add_joint(Distance(), hook, bob, break_force=10.0)
+        scene.add_joint(Distance(limits=bounces), hook, bob)
     with pytest.raises(InputError, match=r"'hook' is kinematic.*no equation"):
         scene.add_joint(Equation("y(point_b - point_a) + 1[m]"), hook, bob)
     with pytest.raises(InputError, match="holds no body that moves"):

@@ -168,7 +168,7 @@ def test_every_array_is_asked_for(states: list[Arrays]) -> None:
 
 def test_contacts_without_shapes_are_refused() -> None:
     arrays = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))._arrays()
-    for name in ("pairs", "manifolds", "flags"):
+    for name in ("pairs", "manifolds", "flags", "axes"):
         values = arrays[f"engine.contacts.{name}"]
         arrays[f"engine.contacts.{name}"] = np.zeros((1, values.shape[1]), values.dtype)
     arrays["engine.broad_phase.counts"][CONTACTS] = 1

@@ -2,15 +2,23 @@
 
 import pytest
 
+from tools.fuzz import jointed_sequences
 from tools.fuzz.sequences import sequence
 
 FOUND = (2408, 3033, 3913, 4159)
 """Seeds of sequences that broke something once."""
+FOUND_JOINTED = (46, 101)
+"""Likewise: a step that float64 could not hold left joints with what is no number."""
 
 
 @pytest.mark.parametrize("seed", [*FOUND, *range(150)])
 def test_a_sequence_of_calls_breaks_nothing(seed: int) -> None:
     sequence(seed)
+
+
+@pytest.mark.parametrize("seed", [*FOUND_JOINTED, *range(40)])
+def test_a_sequence_of_calls_with_joints_breaks_nothing(seed: int) -> None:
+    jointed_sequences.case(seed)
 
 
 def test_sequences_are_refused_now_and_then() -> None:

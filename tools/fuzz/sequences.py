@@ -133,13 +133,17 @@ def case(seed: int) -> str:
 
 def sequence(seed: int, calls: int = 25) -> int:
     """Run a sequence; return how many calls were refused by name. All else is an error."""
+    return refused_of(Fuzz(seed), calls)
+
+
+def refused_of(fuzz: Fuzz, calls: int = 25) -> int:
+    """Let something be done at random, so many times; return how many calls were refused."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", t2.StepWarning)
-        return _refused(seed, calls)
+        return _refused(fuzz, calls)
 
 
-def _refused(seed: int, calls: int) -> int:
-    fuzz = Fuzz(seed)
+def _refused(fuzz: Fuzz, calls: int) -> int:
     refused = 0
     for _ in range(calls):
         try:

@@ -6,7 +6,7 @@ It stays from step to step while the same contacts touch.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.contact_tree import number_trees
 from tamias2d.engine.direct.elimination import plan_elimination
-from tamias2d.engine.joints.activity import activate_joined, hold_tied, join_slabs, note_mechanisms
+from tamias2d.engine.joints.activity import activate_joined, hold_tied, join_slabs
 from tamias2d.engine.solver.angular_momentum import count_free_islands, mark_held_islands
 from tamias2d.engine.solver.blocks import assign_lanes, count_lanes
 from tamias2d.engine.solver.colouring import colour_contacts
@@ -19,7 +19,6 @@ def arrange(world: World, contacts: Contacts) -> int:
     """Arrange the contacts that touch, and mark active bodies; return which array is too short."""
     control, bodies, touching = world.control, world.bodies, world.touching
     constraints, direct = world.constraints, world.direct
-    note_mechanisms(world)
     if touching.counts[tb.ARRANGED] == 1:
         for k in range(constraints.counts[tb.ACTIVE]):
             bodies.moved[touching.active[k]] = 1

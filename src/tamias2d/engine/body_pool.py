@@ -237,7 +237,7 @@ class BodyPool:
         points = buffers.flags[side, :size, tb.POINT_COUNT] > 0
         self.wake(self._owners()[left & points].ravel())
         kept = np.flatnonzero(~left)
-        for values in (buffers.pairs, buffers.manifolds, buffers.flags):
+        for values in (buffers.pairs, buffers.manifolds, buffers.axes, buffers.flags):
             values[side, : len(kept)] = values[side, kept]
         counts[tb.FIRST_RUN] = np.count_nonzero(kept < counts[tb.FIRST_RUN])
         counts[tb.CONTACTS] = len(kept)

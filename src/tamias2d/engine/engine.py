@@ -311,6 +311,18 @@ class Engine(Store):
             raise
         return None
 
+    def step_worlds(
+        self,
+        memory: NDArray[np.int64],
+        start: NDArray[np.int64],
+        given: Array,
+        stops: NDArray[np.int64],
+        states: Array,
+    ) -> int:
+        """Step many worlds in the memory of this engine, as `world_batch` says; none has joints."""
+        done: int = self._entries.step_worlds(self.argument, memory, start, given, stops, states)
+        return done
+
     def _skipped(self, count: int) -> bool:
         """Count some steps as taken if all bodies sleep through them."""
         control, broad_phase = self.world.control.counts, self.world.broad_phase.counts
@@ -387,7 +399,8 @@ class Engine(Store):
         broad_phase[tb.NEXT_LEVEL] = broad_phase[tb.CONTACTS] = broad_phase[tb.FIRST_RUN] = 0
         for values in (
             *(world.bodies.motion, world.bodies.moved, world.broad_phase.left),
-            *(world.buffers.flags, world.buffers.manifolds, world.touching.counts),
+            *(world.buffers.flags, world.buffers.manifolds, world.buffers.axes),
+            world.touching.counts,
             *(world.broad_phase.frame, world.broad_phase.fat_bounds),
             *(world.tree.boxes, world.tree.nodes, world.tree.centres),
         ):

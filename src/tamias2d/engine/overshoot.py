@@ -28,7 +28,7 @@ def overshoots(world: World, contacts: Contacts) -> bool:
     """Return whether contacts get deep in a part that may be taken again in shorter ones."""
     control, bodies, shapes = world.control, world.bodies, world.shapes
     touching, events = world.touching, world.events
-    if control.counts[tb.START_NOTED] == 0 or control.counts[tb.LEVEL] >= FINEST_LEVEL:
+    if control.counts[tb.LEVEL] >= FINEST_LEVEL:
         return False
     again = False
     again = joints_disagree(again, world)

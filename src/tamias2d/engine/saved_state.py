@@ -25,7 +25,7 @@ def saved_arrays(engine: Engine) -> dict[str, NDArray[Any]]:
     side, size = int(counts[tb.BUFFER]), int(counts[tb.CONTACTS])
     own |= {f"contacts.{name}": own[f"buffers.{name}"][side] for name in Contacts._fields}
     found = {field.name: own[field.name].copy() for field in saved_fields()}
-    for name in ("contacts.pairs", "contacts.manifolds", "contacts.flags"):
+    for name in ("contacts.pairs", "contacts.manifolds", "contacts.axes", "contacts.flags"):
         found[name][size:] = 0
     found["broad_phase.candidates"][...] = 0
     found["touching.counts"][[tb.ARRANGED, tb.ISLANDS_KNOWN]] = 0

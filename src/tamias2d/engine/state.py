@@ -2,6 +2,8 @@
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.tables import Bodies, BodyState, Control
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array
 
 LARGEST = 2.0**256
 """The fourth root of the largest float64, 1.2e77: products of four such numbers are finite."""
@@ -24,17 +26,20 @@ def gather_state(control: Control, state: BodyState, bodies: Bodies) -> bool:
         at, speed, by = state.pose[k], state.velocity[k], state.load[k]
         for n in range(3):
             bodies.pose[i, n], bodies.motion[i, n], bodies.load[i, n] = at[n], speed[n], by[n]
+        bad += 0 if is_valid_state(at, speed, by, bodies.properties[i, tb.BOUNDING_RADIUS]) else 1
         fast = abs(speed[0]) + abs(speed[1]) + abs(speed[2])
-        bad += 0 if fast + (abs(by[0]) + abs(by[1]) + abs(by[2])) <= LARGEST else 1
-        radius = bodies.properties[i, tb.BOUNDING_RADIUS]
-        most = RESOLVED * radius if radius > 0.0 else LARGEST
-        bad += (
-            0
-            if (abs(at[tb.X]) + abs(at[tb.Y]) <= most) & (at[tb.ANGLE] - at[tb.ANGLE] == 0.0)
-            else 1
-        )
         bad += 1 if (fast > 0.0) & (bodies.kind[i] == tb.STATIC) else 0
     return bad == 0
+
+
+@inlined
+def is_valid_state(at: Array, speed: Array, by: Array, radius: float) -> bool:
+    """Return whether pose, velocity and load of a body of some radius, m, are not too large."""
+    fast = abs(speed[0]) + abs(speed[1]) + abs(speed[2])
+    slow = fast + (abs(by[0]) + abs(by[1]) + abs(by[2])) <= LARGEST
+    most = RESOLVED * radius if radius > 0.0 else LARGEST
+    near = (abs(at[tb.X]) + abs(at[tb.Y]) <= most) & (at[tb.ANGLE] - at[tb.ANGLE] == 0.0)
+    return bool(slow & near)
 
 
 def scatter_state(state: BodyState, bodies: Bodies) -> bool:

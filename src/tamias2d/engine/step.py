@@ -16,17 +16,18 @@ from tamias2d.engine.arrangement import arrange
 from tamias2d.engine.broad_phase.comoving_frame import move_frame
 from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.broad_phase.fat_bounds import left_by_frame, mark_out_of_bounds
-from tamias2d.engine.broad_phase.pairs import rebuild_pairs, update_pairs
+from tamias2d.engine.broad_phase.pairs import list_stays, rebuild_pairs, update_pairs
 from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_continuous
 from tamias2d.engine.continuous.prediction import foresee
 from tamias2d.engine.early import add_early
 from tamias2d.engine.joined import mark_joined
-from tamias2d.engine.joints.activity import clear_of_joints
+from tamias2d.engine.joints.activity import clear_of_joints, note_mechanisms
 from tamias2d.engine.joints.placement import note_places
 from tamias2d.engine.joints.step_impulses import keep_joint_impulses
 from tamias2d.engine.motion.free import integrate_free
+from tamias2d.engine.motion.quiet import may_be_quiet, take_quiet_steps
 from tamias2d.engine.narrow_phase.touching import find_touching
 from tamias2d.engine.overshoot import overshoots
 from tamias2d.engine.parts import (
@@ -70,10 +71,14 @@ def step(world: World, steps: int) -> int:
     mark_joined(world)
     clear = False
     while counts[tb.STEPS_LEFT] > 0 and not clear:
-        if counts[tb.STAGE] == tb.AT_START and not gather_state(
-            world.control, world.state, world.bodies
-        ):
-            return tb.INVALID
+        if counts[tb.STAGE] == tb.AT_START:
+            if not gather_state(world.control, world.state, world.bodies):
+                return tb.INVALID
+            if may_be_quiet(world):
+                if not take_quiet_steps(world):
+                    continue  # to be told that the state is not valid, unless all steps are taken
+                if counts[tb.STEPS_LEFT] == 0:
+                    return tb.DONE
         status = take_step(world)
         if status != tb.DONE:
             return status
@@ -115,12 +120,14 @@ def take_part(world: World) -> int:
     """Take a part of a step, or return which array is too short; called again, it continues."""
     control, bodies, shapes, islands = world.control, world.bodies, world.shapes, world.islands
     broad_phase, buffers, touching = world.broad_phase, world.buffers, world.touching
-    counts = control.counts
-    if counts[tb.STAGE] == tb.AT_START:
+    counts, sprung = control.counts, len(world.springs.members) > 0
+    if counts[tb.STAGE] == tb.AT_START:  # what has nothing to do is not called: calls take longest
         begin_part(world)
-        hold_springs_of_part(world)
+        if sprung:
+            hold_springs_of_part(world)
         left = find_moved(world)
-        counts[tb.STAGE] = tb.PAIRS_KNOWN if update_pairs(left, world) else tb.PAIRS_STALE
+        known = list_stays(left, broad_phase) or update_pairs(left, world)
+        counts[tb.STAGE] = tb.PAIRS_KNOWN if known else tb.PAIRS_STALE
     if counts[tb.STAGE] == tb.PAIRS_STALE:
         status = rebuild_pairs(world)
         if status != tb.DONE:
@@ -130,7 +137,7 @@ def take_part(world: World) -> int:
     if counts[tb.STAGE] == tb.PAIRS_KNOWN:
         length = control.progress[tb.PART_TIME]
         shorten_part(world, contacts)
-        if control.progress[tb.PART_TIME] != length:
+        if sprung and control.progress[tb.PART_TIME] != length:
             release_springs(bodies, world.springs)
             hold_springs_of_part(world)
         again = counts[tb.TICK] + counts[tb.RETAKEN] > 0
@@ -140,12 +147,16 @@ def take_part(world: World) -> int:
         foresee(world, contacts)
         counts[tb.STAGE] = tb.MANIFOLDS_KNOWN
     if counts[tb.STAGE] == tb.MANIFOLDS_KNOWN:
-        status = arrange(world, contacts)
-        if status != tb.DONE:
-            return status
+        note_mechanisms(world)
+        constraints = world.constraints
+        if touching.counts[tb.ARRANGED] == 0 or constraints.counts[tb.ACTIVE] > 0:
+            status = arrange(world, contacts)
+            if status != tb.DONE:
+                return status
         note_start(world)
-        solve_contacts(world, contacts)
-        if overshoots(world, contacts):
+        if constraints.counts[tb.ACTIVE] > 0:
+            solve_contacts(world, contacts)
+        if counts[tb.START_NOTED] == 1 and overshoots(world, contacts):
             release_springs(bodies, world.springs)
             retake_part(world, contacts)
             return tb.AGAIN
@@ -156,7 +167,8 @@ def take_part(world: World) -> int:
             return status
     if islands.counts[tb.SLEEP_STEPS] > 0 and is_last_part(control):
         fall_asleep(control, bodies, islands)
-    release_springs(bodies, world.springs)
+    if sprung:
+        release_springs(bodies, world.springs)
     broad_phase.counts[tb.STEPS_SINCE] += 1
     counts[tb.STAGE] = tb.AT_START
     return tb.DONE

@@ -6,6 +6,7 @@ step once more as it begins. Source: Macklin et al. (2019), substeps; Catto (202
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.solve import prepare_trees, solve_trees
+from tamias2d.engine.energy_bound import bound_energy, note_before_restitution
 from tamias2d.engine.islands import update_islands
 from tamias2d.engine.joints.stages import (
     begin_joints,
@@ -18,7 +19,6 @@ from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
 from tamias2d.engine.solver.angular_momentum import add_moments, add_moments_before, begin_moments
 from tamias2d.engine.solver.blocks import clear_lanes, fill_lanes
 from tamias2d.engine.solver.energy import makes_energy, sum_step_energy
-from tamias2d.engine.solver.energy_bound import bound_energy, note_before_restitution
 from tamias2d.engine.solver.impulses import store_impulses
 from tamias2d.engine.solver.integration import apply_forces, begin_step, integrate_positions
 from tamias2d.engine.solver.lanes import (
@@ -44,8 +44,6 @@ SLOWEST_IMPACT = 2.0  # velocities that gravity gives in a step: a slower impact
 def solve_contacts(world: World, contacts: Contacts) -> None:
     """Take the substeps of all bodies with contacts; then restitution, and the bound on energy."""
     control, constraints = world.control, world.constraints
-    if constraints.counts[tb.ACTIVE] == 0:
-        return
     substep = control.progress[tb.PART_TIME] / control.counts[tb.PART_SUBSTEPS]
     before = control.settings[tb.SUBSTEP]
     control.progress[tb.IMPULSE_RATIO] = substep / before if before > 0.0 else 1.0

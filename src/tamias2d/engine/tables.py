@@ -226,6 +226,8 @@ class Bodies(NamedTuple):
     substep_state: Annotated[FloatRows, Sized("slots", 16)]  # two cache lines; read by the solver
     start: Annotated[FloatRows, Sized("slots", 6)]  # pose and velocity as a part of the step began
     flight: Annotated[FloatRows, Sized("slots", 8)]  # a cache line; read by continuous collision
+    # motion as the step ends if nothing is near
+    ahead: Annotated[FloatRows, Sized("slots", _motion.width)]
     moved: Annotated[Bytes, Sized("slots")]  # by the solver, or sleep, in this step: see above
     early: Annotated[FloatRows, Sized("slots", 2)]  # where loads vary: see above
 
@@ -372,7 +374,7 @@ TANGENT_IMPULSE = _manifolds()  # N s
 PRELOAD = _manifolds()  # m
 TOTAL_IMPULSE = _manifolds()  # N s, of a point along the normal in the last step
 WORLD_POINT = _manifolds(2)  # m, where it was
-AXIS_CACHE = _manifolds(4)  # cached separating axis
+_manifolds(4)  # unused: each point has two cache lines
 FORESEEN = _manifolds()  # s, until shapes meet whose manifold is that of this instant; 0 else
 POINT = 16  # columns from a point to the next
 # of two points, where no shape is thin: where B was from A when gaps were found, m, angles of both,
@@ -385,6 +387,13 @@ IMPACT_NORMAL = 30  # of an impact in flight, two columns
 PART_PUSH_X, PART_PUSH_Y = TOTAL_IMPULSE, TOTAL_IMPULSE + POINT
 PUSH = WORLD_POINT + POINT
 MANIFOLD = 32
+
+# the cached separating axis stands apart: of most pairs on the list nothing else is read
+_axes = Columns()
+CACHED_ALONG = _axes()  # m, place of B in the axes of A as the axis was found
+CACHED_ACROSS = _axes()
+CACHED_TURN = _axes()  # sine or cosine of the turn of B
+CACHED_WAY = _axes()  # m, by which the place may change while the axis holds
 
 _flags = Columns()
 POINT_COUNT = _flags()
@@ -407,6 +416,7 @@ class ContactBuffers(NamedTuple):
 
     pairs: Annotated[PlaceBlocks, Sized(2, "contacts", 4)]
     manifolds: Annotated[FloatBlocks, Sized(2, "contacts", MANIFOLD)]
+    axes: Annotated[FloatBlocks, Sized(2, "contacts", _axes.width)]
     flags: Annotated[IndexBlocks, Sized(2, "contacts", _flags.width)]
 
 
@@ -417,6 +427,7 @@ class Contacts(NamedTuple):
         PlaceRows, Sized("contacts", 4), Saved({0: "shapes", 1: "shapes", 2: "slots", 3: "slots"})
     ]
     manifolds: Annotated[FloatRows, Sized("contacts", MANIFOLD), Saved()]
+    axes: Annotated[FloatRows, Sized("contacts", _axes.width), Saved()]
     flags: Annotated[
         IndexRows,
         Sized("contacts", _flags.width),
@@ -624,6 +635,7 @@ DAMPED_SHARE = _energy()  # of the motion that differs from REFERENCE; 1 where n
 IS_HELD = _energy()  # 1 if the island touches something that does not move freely, or cannot turn
 GIVEN = _energy()  # kg m^2/s, what contacts have given an island that nothing holds
 ENERGY_PUSHED = _energy()  # J, of its bodies that contacts have pushed
+DRIVEN_RATE = _energy()  # m/s, at which its supports move against each other, at most
 KEPT_WAY = _energy()  # share of its way in this step that an island with joints keeps
 
 _islands = Columns()
@@ -851,6 +863,7 @@ J_LEFT_BEFORE = _joint_numbers()  # N s, that a spring has left to give as a par
 J_RESERVE = _joint_numbers()  # J, of its mechanism, in its first joint, as a part begins
 J_MOTION = _joint_numbers()  # J, likewise: of motion as the last part ended
 J_PULLED = _joint_numbers()  # likewise: substeps in which it follows what was moved by hand
+J_FIRMEST = _joint_numbers(3)  # kg, of each row while its mechanism yields, else 0
 J_SCALE = _joint_numbers()  # J, likewise: the most of motion and springs lately
 J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over this part
 J_PULL = _joint_numbers(3)  # N s, impulse of each row over this part
@@ -864,6 +877,7 @@ J_GAIN = _joint_numbers()  # likewise: 1 if energy was made in this part, with w
 J_LEFT = _joint_numbers()  # N s, that a spring has left to give where bodies have moved to
 J_APART = _joint_numbers(3)  # m or rad, by how much each row was apart at most, until it is asked
 J_SLIGHT = _joint_numbers(3)  # m or rad, by how much each row may be apart without being looked at
+J_ARM = _joint_numbers(3)  # m, at which an angle counts as a length; 1 for a length
 J_TURNED = _joint_numbers()  # 1 if its first row turned too far in a substep, until it is asked
 J_GAINED = _joint_numbers()  # 1 if J_GAIN was in a part, until it is asked
 J_IMPULSE = _joint_numbers(3)  # N s, of each row by the last solution

@@ -1,4 +1,4 @@
-"""Stepped worlds of one scene: its simulator is made once, and put back to its start for each.
+"""Stepped worlds of one scene: its simulator is made once, and compiled code goes through them.
 
 Serves: the solving of blocks. Hides: which ensembles this fits, and where the values of a world go.
 A start follows from its values but for the order of its bodies, which goes by where they are: so
@@ -14,10 +14,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.engine import tables as tb
 from tamias2d.engine.batch import UNSTATED
 from tamias2d.engine.body_pool import strips
 from tamias2d.engine.shape_rows import shape_rows
+from tamias2d.engine.world_batch import begin_world
 from tamias2d.ensemble.request import STATE, Request
 from tamias2d.ensemble.worlds import VariedWorlds, Worlds, inertia_of, value_of
 from tamias2d.errors import InputError, SceneError, SimulationError
@@ -26,8 +26,9 @@ from tamias2d.record.dataset import BODIES, DIMENSIONS
 from tamias2d.scene import Body, HalfPlane, Scene
 from tamias2d.scene.acting import steady_load
 from tamias2d.scene.compound import Shape
-from tamias2d.simulator import Restart, Simulator, states_of
+from tamias2d.simulator import Restart, Sampling, Simulator, states_of
 from tamias2d.simulator.batch import scene_batch
+from tamias2d.simulator.step_warnings import strongest_gravity
 from tamias2d.state import Array, IntArray
 
 _SURFACE = ("restitution", "friction")
@@ -77,8 +78,7 @@ def stepped(worlds: Worlds, request: Request, first: int, last: int) -> Kept | N
             continue
         stands_for = np.empty_like(order[group])
         stands_for[:, order[group[0]]] = order[group]
-        for row, bodies in zip(group.tolist(), stands_for, strict=True):
-            done[row] = world.kept(row, bodies, starts, arrays)
+        done[group] = world.keep(group, stands_for, starts, arrays)
     return Kept(arrays, done)
 
 
@@ -203,7 +203,7 @@ def _alike(order: IntArray, some: NDArray[np.bool_]) -> Iterator[IntArray]:
         yield there[which.ravel() == k]
 
 
-# -- one world after the other
+# -- the worlds of one order
 
 
 class _Prepared:
@@ -214,39 +214,51 @@ class _Prepared:
         step: Any = request.time_step
         self._sim = Simulator(scene, time_step=step, substeps=method.substeps)
         self._restart, self._request = Restart(self._sim), request
-        self._times = np.array(request.times)
+        self._sampling = Sampling(request.times, request.duration, step)
+        self._strongest = strongest_gravity(self._sim._engine, step)
 
-    def kept(
-        self, row: int, stands_for: IntArray, starts: _Starts, arrays: dict[str, Array]
-    ) -> bool:
-        """Step a world, and keep of it what is asked for; return whether that could be done.
+    def keep(
+        self, rows: IntArray, stands_for: IntArray, starts: _Starts, arrays: dict[str, Array]
+    ) -> NDArray[np.bool_]:
+        """Step worlds, and keep of them what is asked for; return which could be stepped.
 
         Each body of the simulator stands for one of the world.
         """
+        given, stops = _given(rows, stands_for, starts), np.array(self._sampling.stops)
+        states = np.empty((len(rows), len(stops), 6 * stands_for.shape[1]))
+        done = np.ones(len(rows), dtype=np.bool_)
+        strong = np.hypot(given[:, 0], given[:, 1]) > self._strongest
+        k = 0
+        while k < len(rows):
+            end = k + int(np.argmax(np.append(strong[k:], True)))
+            k += self._restart.step_worlds(given[k:end], stops, states[k:end])
+            if k < len(rows):  # it has something to tell, or needs longer arrays
+                done[k] = self._alone(given[k], states[k])
+                k += 1
+        bodies = np.argsort(stands_for[done], axis=1)[:, None, list(self._request.bodies)]
+        history = self._sampling.history(states[done].reshape(len(bodies), len(stops), 6, -1))
+        for name in self._request.keep:
+            values = getattr(history, name)
+            if BODIES in DIMENSIONS[name]:
+                which = bodies[..., None] if values.ndim > bodies.ndim else bodies
+                values = np.take_along_axis(values, which, axis=2)
+            arrays[name][rows[done]] = values
+        return done
+
+    def _alone(self, given: Array, states: Array) -> bool:
+        """Step a world by itself, and write its states; return whether that could be done."""
         self._restart()
-        self._write(row, stands_for, starts)
-        request = self._request
+        engine = self._sim._engine
+        begin_world(given, engine.world)
         try:
-            history = states_of(self._sim, times=self._times, duration=request.duration)
+            states[...] = states_of(self._sim, self._sampling).reshape(states.shape)
         except _REFUSALS:
             return False
-        bodies = np.argsort(stands_for)[list(request.bodies)]
-        for name in request.keep:
-            values = getattr(history, name)
-            arrays[name][row] = values[:, bodies] if BODIES in DIMENSIONS[name] else values
         return True
 
-    def _write(self, row: int, bodies: IntArray, starts: _Starts) -> None:
-        """Put the values of the bodies of a world where they belong."""
-        engine = self._sim._engine
-        state, world = engine.world.state, engine.world
-        engine.pose[:], engine.velocity[:] = starts.pose[row, bodies], starts.velocity[row, bodies]
-        engine.load[:], engine.gravity[:] = starts.load[row, bodies], starts.gravity[row]
-        inverse = slice(tb.INVERSE_MASS, tb.INVERSE_INERTIA + 1)
-        size = engine.size
-        state.properties[:size, inverse] = starts.inverse[row, bodies]
-        world.bodies.properties[state.slot_of_body[:size], inverse] = starts.inverse[row, bodies]
-        surface = slice(tb.FRICTION, tb.RESTITUTION + 1)
-        owner = state.body_of_shape
-        there = np.flatnonzero(owner < size)
-        world.shapes.material[there, surface] = starts.surface[row, bodies[owner[there]]]
+
+def _given(rows: IntArray, stands_for: IntArray, starts: _Starts) -> Array:
+    """Return how worlds start, as `engine.world_batch` takes it."""
+    parts = (starts.pose, starts.velocity, starts.load, starts.inverse, starts.surface)
+    bodies = np.concatenate([part[rows[:, None], stands_for] for part in parts], axis=-1)
+    return np.hstack((starts.gravity[rows], bodies.reshape(len(rows), -1)))

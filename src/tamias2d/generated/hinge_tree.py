@@ -542,27 +542,24 @@ def hinge_change(
 def root_change(momentum_hung: Vector, hung_mass_x: Vector, hung_mass_y: Vector) -> Vector:
     """Change of the velocity of a root that nothing ties (m/s).
 
-    root_change = vector(x(hung_mass_y)*y(momentum_hung) - y(hung_mass_y)*x(momentum_hung),
-    y(hung_mass_x)*x(momentum_hung) -
-    x(hung_mass_x)*y(momentum_hung))/(x(hung_mass_x)*y(hung_mass_y) -
-    y(hung_mass_x)*x(hung_mass_y))
+    root_change = vector(-(x(momentum_hung) + y(hung_mass_x)*root_change_y)/x(hung_mass_x),
+    root_change_y)
+        where root_change_y = (y(hung_mass_x)*x(momentum_hung) - x(hung_mass_x)*y(momentum_hung))/(x(hung_mass_x)*y(hung_mass_y) - y(hung_mass_x)*x(hung_mass_y))
 
     Args:
         momentum_hung: Impulse through a hinge whose point does not change its velocity, kg*m/s
         hung_mass_x: Impulse along x that a hinge takes for velocities of its point, kg
         hung_mass_y: Impulse along y that a hinge takes for velocities of its point, kg
 
-    Source: DD71, srs/models/hinge_tree.md:109.
+    Source: DD71, srs/models/hinge_tree.md:112.
     """
     momentum_hung_x, momentum_hung_y = momentum_hung
     hung_mass_x_x, hung_mass_x_y = hung_mass_x
     hung_mass_y_x, hung_mass_y_y = hung_mass_y
-    return (
-        (hung_mass_y_x * momentum_hung_y - hung_mass_y_y * momentum_hung_x)
-        / (hung_mass_x_x * hung_mass_y_y - hung_mass_x_y * hung_mass_y_x),
-        (hung_mass_x_y * momentum_hung_x - hung_mass_x_x * momentum_hung_y)
-        / (hung_mass_x_x * hung_mass_y_y - hung_mass_x_y * hung_mass_y_x),
+    root_change_y = (hung_mass_x_y * momentum_hung_x - hung_mass_x_x * momentum_hung_y) / (
+        hung_mass_x_x * hung_mass_y_y - hung_mass_x_y * hung_mass_y_x
     )
+    return ((-(momentum_hung_x + hung_mass_x_y * root_change_y)) / hung_mass_x_x, root_change_y)
 
 
 def spin_change(
@@ -587,7 +584,7 @@ def spin_change(
         turning_yield: Change of the rate of turning for one unit of angular momentum at a
             hinge, 1/(kg*m^2)
 
-    Source: DD71, srs/models/hinge_tree.md:113.
+    Source: DD71, srs/models/hinge_tree.md:115.
     """
     hinge_change_x, hinge_change_y = hinge_change
     hinge_lever_x, hinge_lever_y = hinge_lever
@@ -608,7 +605,7 @@ def change(hinge_change: Vector, spin_change: Scalar, hinge_arm: Vector) -> Vect
         spin_change: Change of the rate of turning of a body by its hinges, rad/s
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
 
-    Source: DD71, srs/models/hinge_tree.md:116.
+    Source: DD71, srs/models/hinge_tree.md:118.
     """
     hinge_change_x, hinge_change_y = hinge_change
     hinge_arm_x, hinge_arm_y = hinge_arm
@@ -638,7 +635,7 @@ def hinge_impulse(
         turned_share: Share of the turning of the body above that laws pass on to a node, 1
         momentum_hung: Impulse through a hinge whose point does not change its velocity, kg*m/s
 
-    Source: DD71, srs/models/hinge_tree.md:117.
+    Source: DD71, srs/models/hinge_tree.md:119.
     """
     hinge_change_x, hinge_change_y = hinge_change
     hung_mass_x_x, hung_mass_x_y = hung_mass_x
@@ -667,7 +664,7 @@ def velocity_hinged(velocity: Vector, hinge_impulse: Vector, inverse_mass: Scala
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD71, srs/models/hinge_tree.md:120.
+    Source: DD71, srs/models/hinge_tree.md:122.
     """
     velocity_x, velocity_y = velocity
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
@@ -691,7 +688,7 @@ def angular_velocity_hinged(
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD71, srs/models/hinge_tree.md:121.
+    Source: DD71, srs/models/hinge_tree.md:123.
     """
     hinge_arm_x, hinge_arm_y = hinge_arm
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
@@ -709,7 +706,7 @@ def momentum_hinged(momentum: Vector, hinge_impulse: Vector) -> Vector:
         momentum: Mass times velocity, kg*m/s
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
 
-    Source: DD71, srs/models/hinge_tree.md:123.
+    Source: DD71, srs/models/hinge_tree.md:125.
     """
     momentum_x, momentum_y = momentum
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
@@ -728,7 +725,7 @@ def angular_momentum_hinged(
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
 
-    Source: DD71, srs/models/hinge_tree.md:124.
+    Source: DD71, srs/models/hinge_tree.md:126.
     """
     hinge_arm_x, hinge_arm_y = hinge_arm
     hinge_impulse_x, hinge_impulse_y = hinge_impulse

@@ -1,5 +1,5 @@
-"""Joint step: Row of a joint; Impulse of a row of a joint; Joint in a substep; Spring of a joint
-in a substep; Energy of a mechanism.
+"""Joint step: Row of a joint; Impulse of a row of a joint; Joint in a substep; Rows that yield;
+Spring of a joint in a substep; Energy of a mechanism.
 
 Generated from srs/models/joint_step.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -424,6 +424,57 @@ def kept_way(kinetic_energy_start: Scalar, lift_work: Scalar, work: Scalar) -> S
     return least((-(kinetic_energy_start + lift_work)) / work, 1)
 
 
+def spring_change(row_impulse: Scalar, row_yield: Scalar) -> Scalar:
+    """Energy of the motion that an impulse gives a row by itself (J).
+
+    spring_change = row_impulse**2*row_yield/2
+
+    Args:
+        row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
+        row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
+            1/kg
+
+    Source: DD86, srs/models/joint_step.md:224.
+    """
+    return row_impulse * row_impulse * row_yield / 2
+
+
+def change_most(
+    mass: Scalar, rates_squared: Scalar, spring_change: Scalar, amplification: Scalar
+) -> Scalar:
+    """Energy that the motion may have which errors of rows give a mechanism (J).
+
+    change_most = amplification**2*mass*rates_squared/2 + spring_change
+
+    Args:
+        mass: Mass of a body, kg
+        rates_squared: Sum of the squares of the rates that rows have too much, as lengths,
+            m^2/s^2
+        spring_change: Energy of the motion that an impulse gives a row by itself, J
+        amplification: How many times the rate that rows have too much is a likely change of
+            velocity, 1
+
+    Source: DD86, srs/models/joint_step.md:225.
+    """
+    return amplification * amplification * mass * rates_squared / 2 + spring_change
+
+
+def firmness_most(mass: Scalar, row_arm: Scalar, amplification: Scalar) -> Scalar:
+    """Firmness of a row that yields (kg).
+
+    firmness_most = amplification**2*mass*row_arm**2
+
+    Args:
+        mass: Mass of a body, kg
+        row_arm: At how many metres a row that is an angle counts as a length; 1 for a length, 1
+        amplification: How many times the rate that rows have too much is a likely change of
+            velocity, 1
+
+    Source: DD86, srs/models/joint_step.md:226.
+    """
+    return amplification * amplification * mass * row_arm * row_arm
+
+
 def implicit_share(
     row_stiffness: Scalar, row_damping: Scalar, row_yield: Scalar, time_step: Scalar
 ) -> Scalar:
@@ -439,7 +490,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:250.
+    Source: IM19, srs/models/joint_step.md:297.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -461,7 +512,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:254.
+    Source: IM19, srs/models/joint_step.md:301.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -496,7 +547,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:256.
+    Source: IM19, srs/models/joint_step.md:303.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -512,7 +563,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:257.
+    Source: IM19, srs/models/joint_step.md:304.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -526,7 +577,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:358.
+    Source: DD79, srs/models/joint_step.md:405.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -551,7 +602,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:359.
+    Source: DD79, srs/models/joint_step.md:406.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -570,7 +621,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:361.
+    Source: DD79, srs/models/joint_step.md:408.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -594,7 +645,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:363.
+    Source: DD79, srs/models/joint_step.md:410.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -609,7 +660,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:365.
+    Source: DD79, srs/models/joint_step.md:412.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -625,6 +676,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:366.
+    Source: DD79, srs/models/joint_step.md:413.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

@@ -195,6 +195,22 @@ def resisting_impulse(
     )
 
 
+def early_share(early_share_a: Scalar, early_share_b: Scalar) -> Scalar:
+    """Share of half a step by which a force acts before the middle of the step, on the mean (1).
+
+    early_share = (early_share_a + early_share_b)/2
+
+    Args:
+        early_share_a: Share of half a step by which a force acts before the middle of the step,
+            on the mean; of body A, 1
+        early_share_b: Share of half a step by which a force acts before the middle of the step,
+            on the mean; of body B, 1
+
+    Source: DD53, srs/models/spring_step.md:189.
+    """
+    return (early_share_a + early_share_b) / 2
+
+
 def velocity_later(
     velocity: Vector,
     inverse_mass: Scalar,
@@ -217,7 +233,7 @@ def velocity_later(
         early_share: Share of half a step by which a force acts before the middle of the step,
             on the mean, 1
 
-    Source: DD53, srs/models/spring_step.md:188.
+    Source: DD53, srs/models/spring_step.md:190.
     """
     velocity_x, velocity_y = velocity
     force_x, force_y = force
@@ -251,7 +267,7 @@ def angular_velocity_later(
         early_share: Share of half a step by which a force acts before the middle of the step,
             on the mean, 1
 
-    Source: DD53, srs/models/spring_step.md:191.
+    Source: DD53, srs/models/spring_step.md:193.
     """
     return angular_velocity + (1 - early_share) * time_step / 2 * inverse_inertia * (
         torque_later - torque
@@ -272,7 +288,7 @@ def critical_step(
         force_later: Applied force on a body, without its weight; after the bodies have moved, N
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD54, srs/models/spring_step.md:294.
+    Source: DD54, srs/models/spring_step.md:297.
     """
     force_x, force_y = force
     force_later_x, force_later_y = force_later
@@ -305,6 +321,6 @@ def critical_step_turning(
             the bodies have moved, N*m
         turn: How far a body has turned since the step began, rad
 
-    Source: DD54, srs/models/spring_step.md:297.
+    Source: DD54, srs/models/spring_step.md:300.
     """
     return 2 * sqrt(abs(turn) / largest(inverse_inertia * abs(torque_later - torque), 1e-150))

@@ -2503,6 +2503,60 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1539,
     ),
+    "amplification": Symbol(
+        "amplification",
+        "1",
+        "how many times the rate that rows have too much is a likely change of velocity",
+        range=Range("> 0", low=0.0),
+        tex="c",
+        file="srs/symbols.md",
+        line=1543,
+    ),
+    "row_arm": Symbol(
+        "row_arm",
+        "1",
+        "at how many metres a row that is an angle counts as a length; 1 for a length",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="a",
+        file="srs/symbols.md",
+        line=1548,
+    ),
+    "rates_squared": Symbol(
+        "rates_squared",
+        "m^2/s^2",
+        "sum of the squares of the rates that rows have too much, as lengths",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\Sigma",
+        file="srs/symbols.md",
+        line=1553,
+    ),
+    "firmness_most": Symbol(
+        "firmness_most",
+        "kg",
+        "firmness of a row that yields",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="k_y",
+        file="srs/symbols.md",
+        line=1558,
+    ),
+    "spring_change": Symbol(
+        "spring_change",
+        "J",
+        "energy of the motion that an impulse gives a row by itself",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_s",
+        file="srs/symbols.md",
+        line=1563,
+    ),
+    "change_most": Symbol(
+        "change_most",
+        "J",
+        "energy that the motion may have which errors of rows give a mechanism",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_c",
+        file="srs/symbols.md",
+        line=1568,
+    ),
     "energy_regained": Symbol(
         "energy_regained",
         "J",
@@ -2510,7 +2564,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1543,
+        line=1573,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2518,7 +2572,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1548,
+        line=1578,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2527,7 +2581,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1552,
+        line=1582,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2536,7 +2590,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1557,
+        line=1587,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2545,7 +2599,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1562,
+        line=1592,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2553,7 +2607,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1567,
+        line=1597,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2562,7 +2616,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1571,
+        line=1601,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2570,7 +2624,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1576,
+        line=1606,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2578,7 +2632,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1580,
+        line=1610,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2587,7 +2641,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1584,
+        line=1614,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2596,7 +2650,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1589,
+        line=1619,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2605,7 +2659,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1594,
+        line=1624,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2613,7 +2667,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1599,
+        line=1629,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2621,7 +2675,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1603,
+        line=1633,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2629,7 +2683,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1607,
+        line=1637,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2638,7 +2692,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1611,
+        line=1641,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2647,7 +2701,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1616,
+        line=1646,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2656,7 +2710,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1621,
+        line=1651,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2665,7 +2719,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1626,
+        line=1656,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2674,7 +2728,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1631,
+        line=1661,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2683,7 +2737,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1636,
+        line=1666,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2692,7 +2746,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1641,
+        line=1671,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2701,7 +2755,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1646,
+        line=1676,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2709,7 +2763,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1651,
+        line=1681,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2718,7 +2772,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1655,
+        line=1685,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2726,7 +2780,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1660,
+        line=1690,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2735,7 +2789,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1664,
+        line=1694,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2744,7 +2798,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1669,
+        line=1699,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2753,7 +2807,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1674,
+        line=1704,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2762,7 +2816,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1679,
+        line=1709,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2771,7 +2825,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1684,
+        line=1714,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2779,7 +2833,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1689,
+        line=1719,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2788,7 +2842,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1693,
+        line=1723,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2797,7 +2851,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1698,
+        line=1728,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2806,7 +2860,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1703,
+        line=1733,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2815,7 +2869,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1708,
+        line=1738,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2823,7 +2877,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1713,
+        line=1743,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2831,7 +2885,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1717,
+        line=1747,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2840,7 +2894,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1721,
+        line=1751,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2849,7 +2903,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1726,
+        line=1756,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2858,7 +2912,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1731,
+        line=1761,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2867,7 +2921,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1736,
+        line=1766,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2876,7 +2930,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1741,
+        line=1771,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2885,7 +2939,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1746,
+        line=1776,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2894,7 +2948,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1751,
+        line=1781,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2903,7 +2957,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1756,
+        line=1786,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2912,7 +2966,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1761,
+        line=1791,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2920,7 +2974,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1766,
+        line=1796,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2928,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1770,
+        line=1800,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2937,7 +2991,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1774,
+        line=1804,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2945,7 +2999,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1779,
+        line=1809,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2953,7 +3007,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1783,
+        line=1813,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2962,7 +3016,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1787,
+        line=1817,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2971,7 +3025,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1792,
+        line=1822,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2980,7 +3034,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1797,
+        line=1827,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2988,7 +3042,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1802,
+        line=1832,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2997,7 +3051,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1806,
+        line=1836,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3005,7 +3059,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1811,
+        line=1841,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3014,7 +3068,15 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1815,
+        line=1845,
+    ),
+    "root_change_y": Symbol(
+        "root_change_y",
+        "m/s",
+        "the second component of the change of a root that nothing ties",
+        tex="\\Delta u_{0y}",
+        file="srs/symbols.md",
+        line=1850,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3023,7 +3085,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1820,
+        line=1854,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3031,7 +3093,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1825,
+        line=1859,
     ),
     "change": Symbol(
         "change",
@@ -3040,7 +3102,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1829,
+        line=1863,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3049,7 +3111,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1834,
+        line=1868,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3058,7 +3120,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1839,
+        line=1873,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3066,7 +3128,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1844,
+        line=1878,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3075,7 +3137,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1848,
+        line=1882,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3083,7 +3145,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1853,
+        line=1887,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3091,7 +3153,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1857,
+        line=1891,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3099,7 +3161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1861,
+        line=1895,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3108,7 +3170,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1865,
+        line=1899,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3116,7 +3178,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1870,
+        line=1904,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3125,6 +3187,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1874,
+        line=1908,
     ),
 }

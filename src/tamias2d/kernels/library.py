@@ -3,6 +3,9 @@
 Serves: the engine, and `tamias2d warm`. Hides: assembling and compiling.
 """
 
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from types import SimpleNamespace
@@ -53,17 +56,30 @@ class Library:
 
 
 _LOADED: set[Library] = set()
+_SELDOM = 50_000
+"""New objects before a search for cycles: of numba's many objects nearly all stay, and searches at
+Python's own pace take a sixteenth of the time of compiling."""
 
 
 @cache
 def _compiled(library: Library) -> SimpleNamespace:
     text = _text(library)
-    with progress(library.name, text):
+    with progress(library.name, text), _seldom_collected():
         module = loaded(text)
     _LOADED.add(library)
     return SimpleNamespace(
         **{entry.__name__: getattr(module, entry.__name__) for entry in library.entries}
     )
+
+
+@contextmanager
+def _seldom_collected() -> Iterator[None]:
+    before = gc.get_threshold()
+    gc.set_threshold(before[0] and max(_SELDOM, before[0]), *before[1:])  # 0: never
+    try:
+        yield
+    finally:
+        gc.set_threshold(*before)
 
 
 @cache

@@ -15,6 +15,7 @@ from tamias2d.motion.joint_events import STRIKES, JointEvent, Mode, Of
 from tamias2d.motion.joint_instant import Cause, Now, Side
 from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.mechanism import JointError
+from tamias2d.scene.freedoms import last_tooth
 from tamias2d.state import Array
 
 _NOISE = 1e-10  # of the speeds that make up a rate
@@ -116,8 +117,7 @@ class Decision:
         for of, each in mechanism.freedoms.items():
             if each.pitch is not None and of not in teeth:
                 values = mechanism.measures.values(self._now.time, self._now.position)
-                teeth[of] = float(np.floor(values[mechanism.row[of]] / each.pitch + 1e-9))
-                teeth[of] *= each.pitch
+                teeth[of] = last_tooth(float(values[mechanism.row[of]]), each.pitch)
         return replace(mode, teeth=tuple(teeth.items()))
 
     def _noises(self) -> Array:

@@ -194,20 +194,25 @@ class Attraction:
     def __init__(self, scene: Scene, bodies: Sequence[int]) -> None:
         mass = np.array([scene.bodies[body].mass for body in bodies])
         self._constant = scene.attraction
-        self._first, self._second = np.triu_indices(len(bodies), k=1)
-        self._masses = mass[self._first], mass[self._second]
+        self.first, self.second = np.triu_indices(len(bodies), k=1)
+        """(p,), of each pair its bodies"""
+        self._masses = mass[self.first], mass[self.second]
 
     def add(self, time: float, position: Array, velocity: Array, loads: Array) -> None:  # noqa: ARG002
         """Add to each body of a pair the pull of the other, exactly opposite."""
+        rows = self.pulls(position)
+        ends = np.stack((self.first, self.second), axis=-1)
+        np.add.at(loads[:, :2], ends, np.stack((rows, -rows), axis=1))
+
+    def pulls(self, position: Array) -> Array:
+        """Return the forces (p, 2) on the first bodies of all pairs, N."""
         force = gravitation.attraction(
             self._constant,
             *self._masses,
-            _vector(position[self._first]),
-            _vector(position[self._second]),
+            _vector(position[self.first]),
+            _vector(position[self.second]),
         )
-        rows = np.stack(force, axis=-1)
-        ends = np.stack((self._first, self._second), axis=-1)
-        np.add.at(loads[:, :2], ends, np.stack((rows, -rows), axis=1))
+        return np.stack(force, axis=-1)
 
 
 def _row(

@@ -13,6 +13,7 @@ from tamias2d.scene.rules import RuleError, number, shown
 from tamias2d.suggestions import suggests
 
 _T = TypeVar("_T")
+_ON_TOOTH = 1e-9  # of the pitch: as near to a tooth as that is on it
 Measure: TypeAlias = Literal["angle", "travel", "distance"]
 VALUE_OF = {"angle": "joint_angle", "travel": "joint_travel", "distance": "joint_length"}
 """The parameter at which each measure, as a constraint, is kept."""
@@ -122,6 +123,11 @@ def ratchet(of: str, *, pitch: object, restitution: object) -> tuple[Freedom, ..
     remedy = "Give the share of the speed that is left, from 0 to 1."
     kept = number(restitution, "restitution", of, remedy, at=("restitution",))
     return (Freedom(measure="angle", limits=Limits(restitution=kept), pitch=step),)
+
+
+def last_tooth(angle: float, pitch: float) -> float:
+    """Return the last tooth, rad, of a ratchet at an angle, rad, but for rounding."""
+    return math.floor(angle / pitch + _ON_TOOTH) * pitch
 
 
 def target(of: str, *, spring: object) -> tuple[Freedom, Freedom]:

@@ -73,7 +73,7 @@ class Joint:
         if self.model == "groove" and "angle" in measures:
             return "wheel"
         if self.model == "angle":
-            return "ratchet" if self.freedoms[0].pitch is not None else "rotary"
+            return "ratchet" if self.pitch else "rotary"
         return self.model
 
     @property
@@ -87,14 +87,15 @@ class Joint:
         return self.break_force is not None or self.break_torque is not None
 
     @property
+    def pitch(self) -> float:
+        """From one tooth to the next, rad, of a ratchet; 0 of what is none."""
+        return (self.freedoms[0].pitch or 0.0) if self.freedoms else 0.0
+
+    @property
     def beyond_steps(self) -> str | None:
         """What the frame loop does not know of it, or None (R13)."""
         if self.equations:
             return OWN_EQUATION
-        if self.breaks:
-            return "breaking of joints"
-        if any(each.pitch is not None for each in self.freedoms):
-            return "ratchets"
         if any(each.limits and each.limits.restitution > 0 for each in self.freedoms):
             return "restitution of limits but 0"
         return None

@@ -31,10 +31,10 @@ def too_stiff(
     return None
 
 
-def apart(layout: JointLayout) -> tuple[Joint, float, bool] | None:
+def apart(layout: JointLayout) -> tuple[Joint, float, str] | None:
     """Return a joint that was far apart within the last steps, and by how much; or None.
 
-    It is said, too, whether what it holds was moved by hand.
+    It is said, too, why: its mechanism "yields", what it holds was moved "by hand", or neither.
     """
     counts, numbers = layout.counts, layout.numbers
     if not counts[tb.JOINTS_APART]:
@@ -42,16 +42,17 @@ def apart(layout: JointLayout) -> tuple[Joint, float, bool] | None:
     counts[tb.JOINTS_APART] = 0
     found = numbers[layout.places, tb.J_APART : tb.J_APART + MOST_ROWS]
     numbers[:, tb.J_APART : tb.J_APART + MOST_ROWS] = 0.0
-    lengths = np.linalg.norm(np.where(layout.are_lengths, found, 0.0), axis=1)
-    angles = np.linalg.norm(np.where(layout.are_lengths, 0.0, found), axis=1)
+    lengths = np.hypot.reduce(np.where(layout.are_lengths, found, 0.0), axis=1)
+    angles = np.hypot.reduce(np.where(layout.are_lengths, 0.0, found), axis=1)
     shares = np.maximum(lengths / layout.sizes, angles)
     worst = int(np.argmax(shares))
     if not shares[worst] > APART:
         return None
     is_length = lengths[worst] / layout.sizes[worst] > angles[worst]
     far = lengths[worst] if is_length else angles[worst]
-    pulled = bool(numbers[layout.first_rows[worst], tb.J_PULLED] > 0)
-    return layout.joints[layout.owner[worst]], float(far), pulled
+    first = numbers[layout.first_rows[worst]]
+    why = "yields" if first[tb.J_FIRMEST] > 0.0 else "by hand" if first[tb.J_PULLED] > 0.0 else ""
+    return layout.joints[layout.owner[worst]], float(far), why
 
 
 def turned(layout: JointLayout) -> Joint | None:

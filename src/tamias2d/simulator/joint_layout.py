@@ -14,7 +14,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.placement import PULLED
-from tamias2d.engine.joints.rows import mechanism_of, move_anchor
+from tamias2d.engine.joints.rows import mechanism_of, move_anchor, set_angle
 from tamias2d.generated.joint_rows import MOST_ROWS
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import Vector
@@ -33,13 +33,18 @@ APART = 1e-3
 class JointLayout:
     """Joints (j,) of an engine, and their rows (r,) in its arrays."""
 
-    def __init__(self, engine: Engine, joints: Sequence[Joint], kept: Array | None) -> None:
-        """Tell the engine which joints there are, with what a step left of their rows, if known."""
+    def __init__(
+        self, engine: Engine, joints: Sequence[Joint], kept: Array | None, *, restored: bool
+    ) -> None:
+        """Tell the engine which joints there are, with what a step left of their rows, if known.
+
+        An engine that was restored with them knows which pairs these keep apart.
+        """
         self.joints = joints
         self._engine = engine
         rows = [(k, row) for k, joint in enumerate(joints) for row in joint_rows(joint)]
         order = sorted(range(len(rows)), key=lambda n: place_of_row(rows[n][1], engine.rank))
-        places = engine.set_joints([rows[n][1] for n in order], restored=kept is not None)
+        places = engine.set_joints([rows[n][1] for n in order], restored=restored)
         self.owner = np.array([k for k, _ in rows], dtype=np.int64)
         """(r,), of each row its joint"""
         self.places = np.zeros(len(rows), dtype=np.int64)
@@ -61,9 +66,13 @@ class JointLayout:
     def _begin(self, kept: Array | None) -> None:
         """Give the rows what a step left of them, or begin to pull together what is apart."""
         numbers = self.numbers
-        size = np.where(self.are_lengths, self.sizes[:, None], 1.0)
+        size = np.broadcast_to(self.sizes[:, None], self.are_lengths.shape)
         slight = slice(tb.J_SLIGHT, tb.J_SLIGHT + MOST_ROWS)
-        numbers[self.places, slight] = APART / math.sqrt(MOST_ROWS) * size
+        numbers[self.places, slight] = (
+            APART / math.sqrt(MOST_ROWS) * np.where(self.are_lengths, size, 1.0)
+        )
+        arms = slice(tb.J_ARM, tb.J_ARM + MOST_ROWS)
+        numbers[self.places, arms] = np.where(self.are_lengths | np.isinf(size), 1.0, size)
         if kept is not None:
             numbers[self.places, _KEPT] = kept
         else:
@@ -72,6 +81,10 @@ class JointLayout:
         most = np.zeros(len(numbers))
         np.maximum.at(most, self.first_rows, numbers[self.places, tb.J_PULLED])
         numbers[:, tb.J_PULLED] = most
+        firmest = slice(tb.J_FIRMEST, tb.J_FIRMEST + MOST_ROWS)
+        least = np.full(len(numbers), np.inf)
+        np.minimum.at(least, self.first_rows, numbers[self.places, tb.J_FIRMEST])
+        numbers[self.places[least[self.first_rows] == 0.0], firmest] = 0.0  # a joint has come
 
     @property
     def counts(self) -> IntArray:
@@ -119,6 +132,12 @@ class JointLayout:
             if row.law != tb.SPRING:
                 first = joints.mechanisms[mechanism_of(self._engine, place), tb.M_JOINT]
                 joints.numbers[first, tb.J_PULLED] = PULLED
+
+    def move_lower_limit(self, name: str, angle: float) -> None:
+        """Let the lower limit of a joint's angle be at another one, rad."""
+        for place, row in self._rows_of[name]:
+            if row.law == tb.LOWER_LIMIT:
+                set_angle(self._engine, place, angle)
 
 
 def kept_of_new(joints: Sequence[Joint], engine: Engine) -> Array:

@@ -2,8 +2,10 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.read_only import read_only
 from tamias2d.scene.joints import Joint
@@ -42,6 +44,37 @@ class Reactions:
         return self.names.index(name)
 
 
+class Held(NamedTuple):
+    """What joints hold, and where: the plane is the body after the last one."""
+
+    bodies: NDArray[np.intp]
+    """(j, 3)"""
+    anchors: Array
+    """(j, 3, 2), m"""
+
+    @classmethod
+    def by(cls, joints: Sequence[Joint]) -> "Held":
+        """Return what is held by joints (j,)."""
+        bodies = [[-1 if body is None else body for body in joint.ends] for joint in joints]
+        anchors = np.array([joint.anchors for joint in joints], dtype=np.float64)
+        shape = (len(joints), len(ENDS))
+        return cls(np.array(bodies, dtype=np.intp).reshape(shape), anchors.reshape(*shape, 2))
+
+
+def forces_and_torques(
+    held: Held, impulses: Array, pose: Array, time_step: float
+) -> tuple[Array, Array]:
+    """Return the mean forces (j, 3, 2), N, and torques about anchors (j, 3), N m, of a step, s.
+
+    The impulses (j, 3, 3), N s, N s and N m s, are about the centres of bodies at poses (n, 3).
+    """
+    force = impulses[:, :, :2] / time_step
+    turns = np.append(pose[:, 2], 0.0)[held.bodies.ravel()]
+    anchor_x, anchor_y = held.anchors.reshape(-1, 2).T
+    x, y = np.reshape(arm((anchor_x, anchor_y), turns), (2, *held.bodies.shape))
+    return force, impulses[:, :, 2] / time_step - (x * force[..., 1] - y * force[..., 0])
+
+
 def reactions_of(
     joints: Sequence[Joint], totals: Array, pose: Array, time_step: float
 ) -> Reactions:
@@ -49,12 +82,7 @@ def reactions_of(
     owner = [k for k, joint in enumerate(joints) for _ in joint_rows(joint)]
     impulses = np.zeros((len(joints), len(ENDS), 3))
     np.add.at(impulses, owner, totals[:, : 3 * len(ENDS)].reshape(-1, len(ENDS), 3))
-    torque = impulses[:, :, 2] / time_step
-    force = impulses[:, :, :2] / time_step
-    for k, joint in enumerate(joints):
-        for i, (body, anchor) in enumerate(zip(joint.ends, joint.anchors, strict=True)):
-            x, y = arm(anchor, 0.0 if body is None else float(pose[body, 2]))
-            torque[k, i] -= x * force[k, i, 1] - y * force[k, i, 0]
+    force, torque = forces_and_torques(Held.by(joints), impulses, pose, time_step)
     lengths, angles = separations(joints, pose)
     told = {
         "impulse": impulses[:, :, :2].copy(),

@@ -43,6 +43,6 @@ def separations(joints: Sequence[Joint], pose: Array) -> tuple[Array, Array]:
         with np.errstate(all="ignore"):
             rows = np.array(CONSTRAINTS[model].constraint(values))
         kinds = np.array(CONSTRAINTS[model].units)
-        lengths[own] = np.linalg.norm(rows[kinds == "m"], axis=0)
-        angles[own] = np.linalg.norm(rows[kinds == "1"], axis=0)
+        lengths[own] = np.hypot.reduce(rows[kinds == "m"], axis=0)
+        angles[own] = np.hypot.reduce(rows[kinds == "1"], axis=0)
     return lengths, angles

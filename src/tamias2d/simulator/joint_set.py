@@ -1,14 +1,25 @@
 """The joints of a simulator: which there are, by their names."""
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from tamias2d.engine.engine import Engine
+from tamias2d.motion.joint_events import BREAKS, CLICKS
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.joint_checks import checked_joint
 from tamias2d.scene.joint_kinds import Equation
 from tamias2d.scene.joints import OWN_EQUATION, End, Joint
 from tamias2d.scene.rules import RuleError, Vector, shown
+from tamias2d.simulator.joint_events import (
+    JointEvent,
+    JointWatch,
+    on_tooth,
+    tooth_of,
+    tooth_reached,
+)
 from tamias2d.simulator.joint_layout import JointLayout, kept_of_new
 from tamias2d.simulator.joint_reactions import Reactions, reactions_of
 from tamias2d.simulator.joint_rows import beyond_steps, refuse_unknown
@@ -24,7 +35,9 @@ class JointSet:
         self._joints = {joint.name: joint for joint in joints}
         refuse_unknown(self._joints.values())
         self._layout: JointLayout | None = None
+        self._watch: JointWatch | None = None  # where something may happen to them
         self._saved = kept  # until a step is taken, or they change
+        self._restored = kept is not None
         self.new = bool(self._joints)
         """Whether the engine has to be told of them."""
 
@@ -48,8 +61,11 @@ class JointSet:
         name: str | None,
         collide: object,
         bodies: Sequence[Body],
+        bears: tuple[object, object],
     ) -> Joint:
         """Add a joint that fits the places of its bodies; what moves is made to fit by a step.
+
+        It `bears` a force, N, and a torque, N m, or None for any.
 
         Raises:
             RuleError: it breaks a rule, or its name is taken.
@@ -57,7 +73,7 @@ class JointSet:
         name = self._free_name(name)
         if isinstance(kind, Equation):
             raise beyond_steps(name, "equation", OWN_EQUATION)
-        joint = checked_joint(kind, name, ends, anchors, collide, bodies, at_rest=True)
+        joint = checked_joint(kind, name, ends, anchors, collide, bodies, bears, at_rest=True)
         refuse_unknown([joint])
         self._joints[name] = joint
         self._change()
@@ -116,14 +132,59 @@ class JointSet:
 
     def settle(self, engine: Engine) -> None:
         """Tell the engine which joints there are."""
-        self._layout = JointLayout(engine, list(self), self._saved)
-        self.new = False
+        for joint in self:
+            if joint.pitch and not math.isfinite(tooth_of(joint)):
+                self._joints[joint.name] = on_tooth(joint, tooth_reached(joint, engine.pose))
+        joints = list(self)
+        self._layout = JointLayout(engine, joints, self._saved, restored=self._restored)
+        watched = any(joint.breaks or joint.pitch for joint in joints)
+        self._watch = JointWatch(self._layout) if watched else None
+        self.new = self._restored = False
 
     @property
     def layout(self) -> JointLayout:
         """Where the engine has them, since it was told of them last."""
         assert self._layout is not None
         return self._layout
+
+    @property
+    def watched(self) -> bool:
+        """Whether steps may break one, or let one click."""
+        return self._watch is not None
+
+    def look(self, pose: Array, time: float, time_step: float) -> tuple[list[JointEvent], set[int]]:
+        """Take over what a step did to joints; return that, and the bodies that are free of one.
+
+        It was one of so many s, which ended at a time, s, with bodies at poses (n, 3).
+        """
+        if self._watch is None:
+            return [], set()
+        events = list(self._watch.events(pose, time, time_step))
+        for event in events:
+            if event.what == CLICKS:
+                self._click(event)
+        broken = [event.joint for event in events if event.what == BREAKS]
+        return events, self._break(broken) if broken else set()
+
+    def _click(self, event: JointEvent) -> None:
+        self._joints[event.joint] = on_tooth(self._joints[event.joint], event.value)
+        if event.joint in self.layout.alike:
+            self._change(self.layout.kept())
+        else:
+            self.layout.move_lower_limit(event.joint, event.value)
+
+    def _break(self, names: Sequence[str]) -> set[int]:
+        """Take joints out; the others go on with what the step left of them."""
+        there = [joint.name not in names for joint in self]
+        self._change(self.layout.kept()[np.array(there)[self.layout.owner]])
+        return {body for name in names for body in self._joints.pop(name).bodies}
+
+    def begin_anew_if_infinite(self) -> bool:
+        """Forget what a step left of joints if float64 could not hold it; return whether so."""
+        infinite = not bool(np.isfinite(self.layout.kept()).all())
+        if infinite:
+            self._change()
+        return infinite
 
     def forget_report(self) -> None:
         """Note that a step is taken."""
@@ -140,8 +201,9 @@ class JointSet:
         """Return what joints exerted in the last step, and how well they hold now."""
         return reactions_of(list(self), self.kept(engine), engine.pose, time_step)
 
-    def _change(self) -> None:
-        self.new, self._saved = True, None
+    def _change(self, kept: Array | None = None) -> None:
+        """Note that the engine has to be told of joints, with what a step left of their rows."""
+        self.new, self._saved, self._restored = True, kept, False
 
     def _free_name(self, name: object) -> str:
         if name is None:

@@ -36,11 +36,14 @@ class Jointing(Stepping):
         third_anchor: VectorLike = (0.0, 0.0),
         name: str | None = None,
         collide: bool = False,
+        break_force: float | None = None,
+        break_torque: float | None = None,
     ) -> str:
         """Tie two bodies, or a body and the plane, and return the joint's name (TM7).
 
         The words are those of `Scene.add_joint`. The places of the bodies have to fit the joint;
-        their velocities do after the next step.
+        their velocities do after the next step. The joint breaks as a step ends over which the mean
+        of its reaction, impulses included, was beyond `break_force`, N, or `break_torque`, N m.
 
         Raises:
             InputError: a body is not there, a value breaks a rule (R4), the joint moves nothing or
@@ -53,7 +56,9 @@ class Jointing(Stepping):
         )
         anchors = (anchor, other_anchor, third_anchor)
         standing: Any = StandingBodies(self._engine, self._names)
-        joint = self._joints.add(kind, ends, anchors, name, collide, standing)
+        joint = self._joints.add(
+            kind, ends, anchors, name, collide, standing, (break_force, break_torque)
+        )
         self._engine.wake(np.array(joint.bodies, dtype=np.int64))
         self._unsettled = True
         return joint.name

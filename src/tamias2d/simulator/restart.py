@@ -4,8 +4,12 @@ Serves: ensembles, which step one scene with other values many times. Hides: tha
 engine lie in one piece of memory then, and what becomes of those that had to grow.
 """
 
+import numpy as np
+
+from tamias2d.engine.steps_per_call import StepsPerCall
 from tamias2d.engine.world import gathered
 from tamias2d.simulator.simulator import Simulator
+from tamias2d.state import Array, IntArray
 
 
 class Restart:
@@ -18,6 +22,7 @@ class Restart:
         """Note where a simulator is, which has taken no step."""
         sim._settle_between()
         self._sim = sim
+        self._worlds_per_call = StepsPerCall()
         self._gather()
 
     def __call__(self) -> None:
@@ -28,6 +33,23 @@ class Restart:
         self._memory[:] = self._start
         engine.forget_steps()
         self._sim._forget()
+
+    def step_worlds(self, given: Array, stops: IntArray, states: Array) -> int:
+        """Step worlds from what is `given` to all `stops`, as `engine.world_batch` says.
+
+        Returns how many are done: up to one that is refused, needs longer arrays, or has something
+        to tell. The simulator is to be put back before it is used.
+        """
+        engine = self._sim._engine
+        memory, start = self._memory.view(np.int64), self._start.view(np.int64)
+        done, taken = 0, self._worlds_per_call.most
+        while done < len(given) and taken == self._worlds_per_call.most:
+            asked = slice(done, done + taken)
+            self._worlds_per_call.begin()
+            taken = engine.step_worlds(memory, start, given[asked], stops, states[asked])
+            self._worlds_per_call.end(taken)
+            done += taken
+        return done
 
     def _gather(self) -> None:
         engine = self._sim._engine

@@ -1,5 +1,6 @@
 """Joints as plain data, as they are saved with a simulator."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, cast
@@ -67,6 +68,10 @@ def _joint_of(data: Mapping[str, Any]) -> Joint:
         raise ValueError(joint.model)
     if not isinstance(joint.name, str) or not isinstance(joint.collide, bool):
         raise TypeError(joint.name)
+    ratchets = [each.pitch for each in freedoms]
+    for most in (joint.break_force, joint.break_torque, *ratchets):
+        if most is not None and not 0.0 < float(most) < math.inf:
+            raise ValueError(most)
     return replace(
         joint,
         ends=(ends[0], ends[1], ends[2]),

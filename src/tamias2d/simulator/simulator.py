@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from copy import deepcopy
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,7 @@ from tamias2d.engine.saved_state import restored_engine, rewind, saved_arrays
 from tamias2d.engine.tables import DYNAMIC
 from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene, scene_text
-from tamias2d.scene.joints import kept_apart
+from tamias2d.scene.joints import Joint, kept_apart
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
 from tamias2d.simulator.acting_scene import acts_on_all
@@ -33,6 +33,15 @@ from tamias2d.simulator.settings import checked_flag, checked_substeps, checked_
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.simulator.varying_loads import VaryingLoads
 from tamias2d.suggestions import suggests
+
+
+class Start(NamedTuple):
+    """A simulator before its first step."""
+
+    arrays: Mapping[str, NDArray[Any]]
+    """Of the engine."""
+    joints: tuple[Joint, ...]
+
 
 _SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
 _LONGEST_WAIT = 2**31 - 1  # steps
@@ -172,13 +181,14 @@ class Simulator(Pushing, Changing, Jointing, Asking):
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
         self._pushed = saving.pushed_of(arrays, engine.size)
 
-    def _start(self) -> dict[str, NDArray[Any]]:
+    def _start(self) -> Start:
         """Return the state before the first step, to which `_rewind` leads back."""
         self._settle_between()
-        return saved_arrays(self._engine)
+        return Start(saved_arrays(self._engine), tuple(self._joints))
 
-    def _rewind(self, start: Mapping[str, NDArray[Any]]) -> None:
-        rewind(self._engine, start)
+    def _rewind(self, start: Start) -> None:
+        self._joints = JointSet(start.joints)
+        rewind(self._engine, start.arrays)
         self._forget()
 
     @exclusive

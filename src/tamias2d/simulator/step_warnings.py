@@ -50,22 +50,26 @@ def too_long_for_contacts(
         yield "masses", text
 
 
+_REMEDIES = {
+    "yields": "It cannot hold, and yields (DD86): bring what drives it back into its reach, or "
+    "drive it by a Target.",
+    "by hand": "It follows what was moved by hand within some steps: move that in smaller ones, or "
+    "give a kinematic body a velocity.",
+    "": "Give a shorter step or more substeps.",
+}
+
+
 def too_long_for_joints(layout: JointLayout, time: float, time_step: float) -> Iterator[Told]:
     """Yield joints that were apart before a time, s (R13), turned far, or made energy (IM15)."""
     if (found := apart(layout)) is not None:
-        joint, much, moved = found
-        remedy = (
-            "It follows what was moved by hand within some steps: move that in smaller ones, or "
-            "give a kinematic body a velocity."
-            if moved
-            else "Give a shorter step or more substeps."
-        )
+        joint, much, why = found
+        remedy = _REMEDIES[why]
         text = (
             f"joint '{joint.name}' ({joint.kind}), before {time:.6g} s: it was {much:.2g} "
             f"apart (m or rad) in a step of {time_step:.6g} s, more than {APART:g} of "
             f"its size (R13). {remedy}"
         )
-        yield f"joint {joint.name}{' by hand' * moved}", text
+        yield f"joint {joint.name} {why}", text
     if (whirled := turned(layout)) is not None:
         text = (
             f"joint '{whirled.name}' ({whirled.kind}), before {time:.6g} s: what it holds turned "
@@ -102,7 +106,7 @@ def too_long_for_gravity(engine: Engine, time_step: float) -> Iterator[Told]:
     Then each step takes as many parts as there may be, and none of them is short enough.
     """
     size, pull = engine.largest_radius, math.hypot(*engine.gravity.tolist())
-    if size > 0.0 and pull * (_SHORTEST * time_step) * (_SHORTEST * time_step) > size:
+    if pull > strongest_gravity(engine, time_step):
         text = (
             f"gravity of {pull:.6g} m/s^2: in 1/1024 of a time step of {time_step:.6g} s, its "
             f"shortest part, it moves bodies farther than any is wide ({size:.6g} m): each step "
@@ -110,6 +114,12 @@ def too_long_for_gravity(engine: Engine, time_step: float) -> Iterator[Told]:
             f"at most {math.sqrt(size / pull):.3g} s."
         )
         yield "gravity", text
+
+
+def strongest_gravity(engine: Engine, time_step: float) -> float:
+    """Return the gravity, m/s^2, that moves the largest body by its radius in the shortest part."""
+    size, shortest = engine.largest_radius, _SHORTEST * time_step
+    return size / shortest / shortest if size > 0.0 else math.inf
 
 
 def too_thin_for_corners(engine: Engine, name_of: Callable[[int], str]) -> Iterator[Told]:

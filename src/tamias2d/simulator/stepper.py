@@ -1,7 +1,7 @@
 """A scene followed step by step: its states at given times, and what began to touch."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +9,7 @@ import numpy as np
 from tamias2d.engine.contact_report import Contacts
 from tamias2d.generated import impact
 from tamias2d.scene import Scene
+from tamias2d.simulator.joint_events import JointEvent
 from tamias2d.simulator.simulator import Simulator
 from tamias2d.state import Array, History, place_between
 
@@ -56,6 +57,7 @@ class Stepper:
         self.contacts = 0
         """Points of contact that were solved, summed over all steps."""
         self.met: list[Met] = []
+        self.joint_events: list[JointEvent] = []
         self.deepest: Overlap | None = None
         """The deepest overlap of all steps."""
         self.split, self.most_parts = 0, 1
@@ -75,6 +77,7 @@ class Stepper:
             before = self._state()
             self._sim.step()
             self.steps += 1
+            self.joint_events += self._sim.joint_events
             self.split += self._sim.parts > 1
             self.most_parts = max(self.most_parts, self._sim.parts)
             self._tell(before, self._state(), self._sim.time)
@@ -135,32 +138,52 @@ def states_at(
 ) -> History:
     """Return the states at sorted times (k,), s, that a `Stepper` tells, without its contacts."""
     sim = Simulator(scene, time_step=time_step, substeps=substeps)
-    return states_of(sim, times=times, duration=duration)
+    sampling = Sampling(times.tolist(), duration, time_step)
+    return sampling.history(states_of(sim, sampling))
 
 
-def states_of(sim: Simulator, *, times: Array, duration: float) -> History:
-    """Return the states of a simulator, which has taken no step, at sorted times (k,), s.
+class Sampling:
+    """After how many steps states are needed, to tell those at sorted times, s, up to an end, s."""
 
-    Steps between two times are taken in one call, up to the end of the duration, s.
+    def __init__(self, times: Sequence[float], duration: float, time_step: float) -> None:
+        self._time_step = time_step
+        self._told: list[tuple[int, int, float]] = []  # steps before and after, share left
+        steps = before = after = 0
+        for time in times:
+            last = _steps_until(time, time_step)
+            if last > steps:
+                if (last * time_step - time) / time_step >= _ROUNDED:
+                    before = last - 1
+                steps = after = last
+            self._told.append((before, after, (steps * time_step - time) / time_step))
+        end = max(math.ceil(duration / time_step - _ROUNDED), steps)
+        self.stops = sorted({0, end, *(k for told in self._told for k in told[:2])})
+
+    def history(self, states: Array) -> History:
+        """Return the history of states (..., s, 6, n) at the stops."""
+        place = {step: k for k, step in enumerate(self.stops)}
+        rows = [
+            _between(
+                states[..., place[before], :, :], states[..., place[after], :, :], left,
+                self._time_step,
+            )
+            for before, after, left in self._told
+        ]  # fmt: skip
+        return _history(np.stack(rows, axis=-3))
+
+
+def states_of(sim: Simulator, sampling: Sampling) -> Array:
+    """Return the states (s, 6, n) of a simulator, which has taken no step, at the stops.
 
     Raises:
         InputError: a number goes beyond float64 on the way.
         SimulationError: a force that varies has no finite value.
     """
-    time_step = sim.time_step
-    steps, before, after = 0, _state(sim), _state(sim)
-    rows = np.zeros((len(times), *after.shape))
-    for k, time in enumerate(times.tolist()):
-        last = _steps_until(time, time_step)
-        if last > steps:
-            if (last * time_step - time) / time_step >= _ROUNDED:
-                sim.step(last - 1 - steps)
-                steps, before = last - 1, _state(sim)
-            sim.step(last - steps)
-            steps, after = last, _state(sim)
-        rows[k] = _between(before, after, (sim.time - time) / time_step, time_step)
-    sim.step(max(math.ceil(duration / time_step - _ROUNDED) - steps, 0))
-    return _history(rows)
+    states = []
+    for stop in sampling.stops:
+        sim.step(stop - sim._engine.steps)
+        states.append(_state(sim))
+    return np.stack(states)
 
 
 def _steps_until(time: float, time_step: float) -> int:
@@ -176,8 +199,10 @@ def _between(before: Array, after: Array, left: float, time_step: float) -> Arra
     if left < _ROUNDED:
         return after
     share = np.array(1.0 - left)
-    places = place_between(before[:3], after[:3], before[3:], after[3:], time_step, share)
-    return np.concatenate((places, before[3:] + share * (after[3:] - before[3:])))
+    place, rate = np.split(before, 2, axis=-2)
+    next_place, next_rate = np.split(after, 2, axis=-2)
+    places = place_between(place, next_place, rate, next_rate, time_step, share)
+    return np.concatenate((places, rate + share * (next_rate - rate)), axis=-2)
 
 
 def _state(sim: Simulator) -> Array:
@@ -186,8 +211,8 @@ def _state(sim: Simulator) -> Array:
 
 
 def _history(rows: Array) -> History:
-    """Return the history of states (k, 6, n)."""
-    x, y, turn, u, v, spin = rows.transpose(1, 0, 2)
+    """Return the history of states (..., k, 6, n)."""
+    x, y, turn, u, v, spin = np.moveaxis(rows, -2, 0)
     return History(np.stack((x, y), axis=-1), turn, np.stack((u, v), axis=-1), spin)
 
 

@@ -4,6 +4,8 @@ from collections.abc import Iterable, Mapping
 from threading import Lock
 from warnings import warn
 
+import numpy as np
+
 from tamias2d.engine.contact_report import Touching
 from tamias2d.engine.engine import Engine
 from tamias2d.errors import StepWarning
@@ -12,6 +14,7 @@ from tamias2d.scene.rules import RuleError, shown
 from tamias2d.simulator.acting_scene import acting_scene
 from tamias2d.simulator.exclusive import busy
 from tamias2d.simulator.invalid_state import invalid_state
+from tamias2d.simulator.joint_events import JointEvent
 from tamias2d.simulator.joint_set import JointSet
 from tamias2d.simulator.selection import Bodies, selected
 from tamias2d.simulator.settings import checked_count
@@ -39,6 +42,7 @@ class Stepping(Views):
     """What is stepped: an engine, and what acts on its bodies besides."""
 
     __slots__ = (
+        "_happened",
         "_jointed",
         "_joints",
         "_limits",
@@ -71,6 +75,7 @@ class Stepping(Views):
         """Forget what was asked for and told so far."""
         self._varying: VaryingLoads | None = None
         self._warned: dict[str, str] = {}
+        self._happened: tuple[JointEvent, ...] = ()
         self._limits = 0  # of which was told
         self._pushed: Array | None = None  # loads for the next step only
         self._touching: Touching | None = None
@@ -93,16 +98,24 @@ class Stepping(Views):
         if not self._lock.acquire(False):
             raise busy("step")
         try:
+            self._happened = ()
             while count:
                 if self._unsettled:
                     self._settle()
                 self._touching = None
                 if self._jointed:
                     self._joints.forget_report()
-                if self._varying is None and self._pushed is None:
+                loaded = self._varying is not None or self._pushed is not None
+                watched = self._jointed and self._joints.watched
+                if not loaded and not watched:
                     self._advance(count)
                     return
-                self._step_loaded()
+                if loaded:
+                    self._step_loaded()
+                else:
+                    self._advance(1)
+                if watched:
+                    self._look_at_joints()
                 count -= 1
         finally:
             self._lock.release()
@@ -112,6 +125,8 @@ class Stepping(Views):
         engine, step = self._engine, self._time_step
         untouched = self._sleeps and self._untouched
         if (invalid := engine.step(count, untouched=untouched)) is not None:
+            if self._jointed and self._joints.begin_anew_if_infinite():
+                self._unsettled = True
             raise invalid_state(invalid, engine.kind, self._name_of)
         self._seen = False
         if (limits := engine.limits) > self._limits:
@@ -177,6 +192,15 @@ class Stepping(Views):
         if varying is not None:
             varying.end(engine, self.time, self._time_step)
 
+    def _look_at_joints(self) -> None:
+        """Take over what the step did to joints; what was held by one that broke wakes."""
+        engine = self._engine
+        found, freed = self._joints.look(engine.pose, self.time, self._time_step)
+        self._happened = (*self._happened, *found)
+        if freed:
+            engine.wake(np.array(sorted(freed), dtype=np.int64))
+        self._unsettled |= self._joints.new
+
     def _report(self) -> Touching:
         if self._touching is None:
             self._touching = self._engine.contact_report()
@@ -205,6 +229,14 @@ class Stepping(Views):
         so that none passes another or stands still; each costs about as much as a step (IM12).
         """
         return self._engine.parts
+
+    @property
+    def joint_events(self) -> tuple[JointEvent, ...]:
+        """What happened to joints in the last call of `step`: some broke (GD23), ratchets clicked.
+
+        A joint that broke is gone.
+        """
+        return self._happened
 
     @property
     def warnings(self) -> tuple[str, ...]:

@@ -18,6 +18,7 @@ REMEDIES = {
     "began": _PUSH,
     "ended": _PUSH,
     "reactions": _PUSH,
+    "joint_events": _PUSH,
     "joints": "Call add_joint or remove_joint.",
     "time": "Call step.",
     "time_step": _NEW,

@@ -54,6 +54,7 @@ class VaryingLoads:
         self._name_of = name_of
         self._rows = np.array(list(bodies), dtype=np.int64)
         self._terms = _terms(scene, indices)
+        self._pulls = next((term for term in self._terms if isinstance(term, Attraction)), None)
         self._of_velocity = any(term.names & _VELOCITIES for term in self._terms)
         self._drag = np.array([scene.bodies[k].quadratic_drag for k in indices])
         self._warned = warned
@@ -119,7 +120,8 @@ class VaryingLoads:
         velocity, last = reached, reached
         for _ in range(_MOST_ROUNDS):
             last, loads = velocity, self._loads(time, pose, velocity)
-            velocity = self._later(engine, reached, before.loads, loads, time_step)
+            after = _State(time, pose, last, loads)
+            velocity = self._later(engine, reached, before, after, time_step)
             velocity[~awake] = reached[~awake]
             close = np.all(np.abs(velocity - last) <= _AGREED * np.abs(velocity))
             if close or not self._of_velocity:
@@ -143,15 +145,36 @@ class VaryingLoads:
         engine.velocity[self._rows[slows], :2] = np.stack(slower, axis=-1)[slows]
 
     def _later(
-        self,
-        engine: Engine,
-        velocity: Array,
-        first: Sequence[Array],
-        last: Sequence[Array],
-        time_step: float,
+        self, engine: Engine, velocity: Array, before: _State, after: _State, time_step: float
     ) -> Array:
         """Return velocities (n, 3) with what the change of the loads puts right (DD53)."""
-        was, now = sum(first[1:], first[0]), sum(last[1:], last[0])
+        by_pairs = self._pulls is not None and np.ptp(engine.early[self._rows]) > 0.0
+        count = len(self._terms) - by_pairs
+        was, now = (sum(state.loads[:count], np.zeros_like(velocity)) for state in (before, after))
+        later = self._later_alone(engine, velocity, was, now, time_step)
+        return self._later_by_pairs(engine, later, before, after, time_step) if by_pairs else later
+
+    def _later_by_pairs(
+        self, engine: Engine, velocity: Array, before: _State, after: _State, time_step: float
+    ) -> Array:
+        """Return velocities with what the change of pulls puts right, on both bodies alike."""
+        assert self._pulls is not None
+        early, mass = engine.early[self._rows], engine.inverse_mass[self._rows]
+        ends = self._pulls.first, self._pulls.second
+        share = spring_step.early_share(*(early[end] for end in ends))
+        was, now = self._pulls.pulls(before.pose).T, self._pulls.pulls(after.pose).T
+        later = velocity.copy()
+        for end, side in zip(ends, (1.0, -1.0), strict=True):
+            change = spring_step.velocity_later(
+                (0.0, 0.0), mass[end], tuple(side * was), tuple(side * now), time_step, share
+            )
+            np.add.at(later[:, :2], end, np.stack(change, axis=-1))
+        return later
+
+    def _later_alone(
+        self, engine: Engine, velocity: Array, was: Array, now: Array, time_step: float
+    ) -> Array:
+        """Return velocities with what the change of loads on each body puts right."""
         mass, inertia = engine.inverse_mass[self._rows], engine.inverse_inertia[self._rows]
         early = engine.early[self._rows]
         x, y = spring_step.velocity_later(

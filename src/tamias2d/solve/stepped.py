@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 
 from tamias2d.errors import InputError, SimulationError
-from tamias2d.motion import Stepped, Tally
+from tamias2d.motion import JointEvents, Stepped, Tally, joint_events
+from tamias2d.motion.joint_events import JointEvent
 from tamias2d.run import Impacts, Run
 from tamias2d.scene import Scene
 from tamias2d.simulator import Overlap, Stepper
@@ -47,7 +48,7 @@ def _reached(plan: Plan, stepper: Stepper) -> Run:
         history, times = start_of(plan), np.zeros(1)
     plan = plan._replace(times=times)
     tally = Tally(steps=stepper.steps, force_evaluations=stepper.steps)
-    run = run_of(plan, history, _impacts(stepper), (), tally)
+    run = run_of(plan, history, _impacts(stepper), (), tally, _joint_events(stepper, plan.scene))
     names = [body.name for body in plan.scene.bodies]
     notes = (
         f"contacts: told at the ends of steps; over all steps, {stepper.contacts} had an impulse",
@@ -87,6 +88,15 @@ def _parts(stepper: Stepper) -> tuple[str, ...]:
     return (
         f"parts: {stepper.split} of {stepper.steps} steps, in which many bodies went farther than "
         f"they are thick, were taken in up to {stepper.most_parts} parts",
+    )
+
+
+def _joint_events(stepper: Stepper, scene: Scene) -> JointEvents:
+    """Return what happened to joints, at the end of the step in which it did."""
+    index = {joint.name: k for k, joint in enumerate(scene.joints)}
+    return joint_events(
+        JointEvent(event.time, index[event.joint], 0, event.what, event.value)
+        for event in stepper.joint_events
     )
 
 

@@ -23,8 +23,7 @@ def choose_frame(
     It stands still where something touches, and where bodies are in flight within a step.
     """
     frame = broad_phase.frame
-    for k in range(FRAME_COLUMNS):
-        frame[k] = 0.0
+    stand_still(broad_phase)
     if touching.counts[tb.TOUCHING] > 0 or control.counts[tb.STAGE] == tb.OUT_OF_BOUNDS:
         return
     gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
@@ -45,6 +44,12 @@ def choose_frame(
         for k in range(FRAME_COLUMNS):
             frame[k] /= number
         frame[tb.FRAME_MOVES] = 1.0
+
+
+def stand_still(broad_phase: BroadPhase) -> None:
+    """Let the frame stand at the origin."""
+    for k in range(FRAME_COLUMNS):
+        broad_phase.frame[k] = 0.0
 
 
 def move_frame(broad_phase: BroadPhase) -> None:

@@ -16,7 +16,9 @@ def current_contacts(broad_phase: BroadPhase, buffers: ContactBuffers) -> Contac
 
 def buffered(side: int, buffers: ContactBuffers) -> Contacts:
     """Return the contacts of one of the buffers."""
-    return Contacts(buffers.pairs[side], buffers.manifolds[side], buffers.flags[side])
+    return Contacts(
+        buffers.pairs[side], buffers.manifolds[side], buffers.axes[side], buffers.flags[side]
+    )
 
 
 def replace_contacts(
@@ -147,11 +149,12 @@ def copy_contact(
 ) -> None:
     """Copy a contact; its manifold only if it has points, touched, will, or knows its side.
 
-    In a step in parts, and after an impact in flight, the columns of a second point tell of it. Of
-    others the cached axis is kept: to find those of a crowd costs more than all else here.
+    In a step in parts, and after an impact in flight, the columns of a second point tell of it. The
+    cached axis is kept of all: to find those of a crowd costs more than all else here.
     """
     for k in range(4):
         following.pairs[new, k] = contacts.pairs[old, k]
+        following.axes[new, k] = contacts.axes[old, k]
     touches = contacts.flags[old, tb.TOUCHES] + contacts.flags[old, tb.LOCATED] != 0
     points, known = contacts.flags[old, tb.POINT_COUNT], contacts.flags[old, tb.KNOWN_SIDE]
     if points > 0 or touches or known == 1:
@@ -162,17 +165,8 @@ def copy_contact(
             following.flags[new, k] = contacts.flags[old, k]
     else:
         clear_flags(new, following.flags)
-        following.flags[new, tb.SENSES] = contacts.flags[old, tb.SENSES]
-        if contacts.flags[old, tb.CACHED_AXIS] != 0:
-            copy_axis(old, contacts, following, new)
-
-
-def copy_axis(old: int, contacts: Contacts, following: Contacts, new: int) -> None:
-    """Copy the cached axis of a contact."""
-    for k in range(2):
-        following.flags[new, tb.CACHED_AXIS + k] = contacts.flags[old, tb.CACHED_AXIS + k]
-    for k in range(4):
-        following.manifolds[new, tb.AXIS_CACHE + k] = contacts.manifolds[old, tb.AXIS_CACHE + k]
+        for k in (tb.SENSES, tb.CACHED_AXIS, tb.CACHED_AXIS + 1):
+            following.flags[new, k] = contacts.flags[old, k]
 
 
 def begin_contact(
@@ -183,6 +177,8 @@ def begin_contact(
     pair[0], pair[1] = shape_of_rank[a], shape_of_rank[b]
     pair[tb.SLOT_A], pair[tb.SLOT_B] = shapes.slot[pair[0]], shapes.slot[pair[1]]
     clear_flags(new, contacts.flags)
+    for k in range(4):
+        contacts.axes[new, k] = 0.0
     sensors = shapes.filters[pair[0], tb.SENSOR] + shapes.filters[pair[1], tb.SENSOR]
     contacts.flags[new, tb.SENSES] = 1 if sensors > 0 else 0
 

@@ -1,9 +1,10 @@
 """The contact list kept valid: updated where few bodies left their bounds, otherwise rebuilt.
 
-It is made for as many steps ahead as has been worth while.
+It is made for as many steps ahead as has been worth while; of few shapes for all steps to come.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.broad_phase.all_pairs import few_shapes, find_all_pairs
 from tamias2d.engine.broad_phase.candidates import find_candidates, sort_candidates
 from tamias2d.engine.broad_phase.comoving_frame import choose_frame
 from tamias2d.engine.broad_phase.contact_list import replace_contacts
@@ -11,13 +12,21 @@ from tamias2d.engine.broad_phase.fat_bounds import fatten_all_bounds
 from tamias2d.engine.broad_phase.fat_box import fatten_box
 from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.broad_phase.update import update_incrementally
-from tamias2d.engine.tables import Integers, World
+from tamias2d.engine.tables import BroadPhase, Integers, World
+from tamias2d.kernels.assembled import inlined
 
 LONGEST_HORIZON = 64  # steps
 SHORTEST_HORIZON = 3  # steps, for a list that is crowded
 CROWDED = 3  # contacts to a shape, above which a list is made for fewer steps
 TOO_CROWDED = 16  # contacts to a shape, above which it is made anew for less time
 MOST_UPDATED = 0.125  # of all bodies: if more leave their bounds, the list is rebuilt
+
+
+@inlined
+def list_stays(left: int, broad_phase: BroadPhase) -> bool:
+    """Return whether the list holds as it is, since none of the bodies has left its bounds."""
+    counts = broad_phase.counts
+    return bool((left == 0) & (counts[tb.LIST_HOLDS] == 1) & (counts[tb.UPDATED] == 0))
 
 
 def update_pairs(left: int, world: World) -> bool:
@@ -30,6 +39,7 @@ def update_pairs(left: int, world: World) -> bool:
     in_flight = world.control.counts[tb.STAGE] == tb.OUT_OF_BOUNDS
     many = left + counts[tb.UPDATED] > MOST_UPDATED * len(bodies.kind)
     moves = broad_phase.frame[tb.FRAME_MOVES] != 0.0
+    many = many or (left > 0 and few_shapes(bodies.kind, world.shapes))
     if counts[tb.LIST_HOLDS] == 0 or many or (moves and in_flight):
         counts[tb.LIST_HOLDS] = 0
         for i in range(len(broad_phase.left) if left > 0 else 0):
@@ -45,12 +55,8 @@ def rebuild_pairs(world: World) -> int:
     bodies, shapes, broad_phase = world.bodies, world.shapes, world.broad_phase
     control = world.control
     counts = broad_phase.counts
-    choose_horizon(len(shapes.slot), counts)
-    choose_frame(control, bodies, broad_phase, world.touching)
-    total = find_ahead(world)
-    while total > TOO_CROWDED * len(shapes.slot) and counts[tb.HORIZON] > 1:
-        counts[tb.HORIZON] //= 2
-        total = find_ahead(world)
+    few = few_shapes(bodies.kind, shapes)
+    total = find_all_pairs(world) if few else find_for_long(world)
     total = without_kept_apart(total, world.state, broad_phase, world.joints)
     if total > len(broad_phase.candidates):
         control.counts[tb.ROWS_NEEDED] = total
@@ -63,6 +69,18 @@ def rebuild_pairs(world: World) -> int:
     counts[tb.LIST_HOLDS], counts[tb.UPDATED] = 1, 0
     world.touching.counts[tb.ARRANGED] = world.touching.counts[tb.ISLANDS_KNOWN] = 0
     return tb.DONE
+
+
+def find_for_long(world: World) -> int:
+    """Find the pairs that may meet for as long as is worth while; return how many."""
+    shapes, counts = len(world.shapes.slot), world.broad_phase.counts
+    choose_horizon(shapes, counts)
+    choose_frame(world.control, world.bodies, world.broad_phase, world.touching)
+    total = find_ahead(world)
+    while total > TOO_CROWDED * shapes and counts[tb.HORIZON] > 1:
+        counts[tb.HORIZON] //= 2
+        total = find_ahead(world)
+    return total
 
 
 def find_ahead(world: World) -> int:

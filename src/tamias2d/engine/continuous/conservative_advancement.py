@@ -163,7 +163,9 @@ def place_vertices(p: Core, turn: float, vertices: Array, to: int, rows: Array) 
 
     Of a half-plane, whose row holds its offset and its normal, the normal turns alone.
     """
-    c, d = cosine_sine(turn)
+    c, d = 1.0, 0.0
+    if turn != 0.0 and not is_centred_disc(p, vertices):
+        c, d = cosine_sine(turn)
     fixed = p.kind == tb.HALF_PLANE
     for k in range(p.vertex_count):
         v = p.first + k
@@ -171,6 +173,12 @@ def place_vertices(p: Core, turn: float, vertices: Array, to: int, rows: Array) 
         rows[to + k, 0] = x if fixed else c * x - d * y
         rows[to + k, 1] = y if fixed else d * x + c * y
         rows[to + k, 2], rows[to + k, 3] = c * nx - d * ny, d * nx + c * ny
+
+
+def is_centred_disc(p: Core, vertices: Array) -> bool:
+    """Return whether a core is a point at the centre of its body, which does not turn."""
+    first = vertices[p.first]
+    return bool((p.vertex_count == 1) & (p.kind == tb.DISC) & (first[0] == 0.0) & (first[1] == 0.0))
 
 
 def vertex_radius(p: Core, vertices: Array) -> float:

@@ -16,6 +16,7 @@ from tamias2d.engine.continuous.trajectory import relative_path, relative_place
 from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.chain import is_piece
 from tamias2d.engine.narrow_phase.core import core_of
+from tamias2d.engine.narrow_phase.half_plane import is_above
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.touching import BULLET, opening
@@ -208,6 +209,7 @@ def relative_motion(i: int, j: int, bodies: Bodies) -> float:
     return float(by + turning_reach(i, j, motion, bodies.properties))
 
 
+@inlined
 def next_event(
     p: int,
     s: int,
@@ -219,7 +221,24 @@ def next_event(
     contacts: Contacts,
     events: Events,
 ) -> float:
-    """Return the fraction of the step, from `now` on, at which two shapes meet, or `MISSED`.
+    """Return the fraction of the step, from `now` on, at which two shapes meet, or `MISSED`."""
+    if keep_away(s, t, now, bodies, shapes):  # most do, and are not asked more
+        return MISSED
+    return event_on_path(p, s, t, now, control, bodies, shapes, contacts, events)
+
+
+def event_on_path(
+    p: int,
+    s: int,
+    t: int,
+    now: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+    events: Events,
+) -> float:
+    """Return the same of shapes that may come near.
 
     A pair that is close now meets now if it approaches by more than counts as close; or by more
     than its gap, if its impact is located: nothing else holds it.
@@ -230,9 +249,6 @@ def next_event(
         s, t = t, s
     i, j = shapes.slot[s], shapes.slot[t]
     near = NEAR * smaller_radius(s, t, shapes.material)
-    reach = shapes.material[s, tb.SHAPE_RADIUS] + shapes.material[t, tb.SHAPE_RADIUS] + near
-    if passes_by(i, j, now, reach, bodies.pose, bodies.motion):
-        return MISSED
     gap = manifold_at(s, t, now, held, bodies, shapes, events)
     rest = 1.0 - now
     if gap <= near:
@@ -246,6 +262,34 @@ def next_event(
     return now + ahead * rest if ahead <= 1.0 else MISSED
 
 
+@inlined
+def keep_away(s: int, t: int, now: float, bodies: Bodies, shapes: Shapes) -> bool:
+    """Return whether the circles around two shapes do not come near in the rest of a part."""
+    if shapes.kind[t] == tb.HALF_PLANE:
+        s, t = t, s
+    i, j = shapes.slot[s], shapes.slot[t]
+    near = NEAR * smaller_radius(s, t, shapes.material)
+    if shapes.kind[s] == tb.HALF_PLANE:
+        return bodies.kind[i] == tb.STATIC and stays_above(s, t, now, near, bodies, shapes)
+    reach = shapes.material[s, tb.SHAPE_RADIUS] + shapes.material[t, tb.SHAPE_RADIUS] + near
+    return passes_by(i, j, now, reach, bodies.pose, bodies.motion)
+
+
+@inlined
+def stays_above(
+    plane: int, t: int, now: float, near: float, bodies: Bodies, shapes: Shapes
+) -> bool:
+    """Return whether a shape is farther from a half-plane now, m, and at the end of its path."""
+    i, j, motion = shapes.slot[plane], shapes.slot[t], bodies.motion
+    by = (motion[j, tb.DX] - motion[i, tb.DX], motion[j, tb.DY] - motion[i, tb.DY])
+    x, y = relative_place(i, j, now, bodies.pose, motion)
+    rest = 1.0 - now
+    side, radius = shapes.world_vertices[shapes.first[plane]], shapes.material[t, tb.SHAPE_RADIUS]
+    after = is_above(x + rest * by[0], y + rest * by[1], radius, near, side)
+    return after & is_above(x, y, radius, near, side)
+
+
+@inlined
 def passes_by(i: int, j: int, now: float, reach: float, pose: Array, motion: Array) -> bool:
     """Return whether the centres of two bodies come no nearer to each other than a reach, m."""
     by_x, by_y = motion[j, tb.DX] - motion[i, tb.DX], motion[j, tb.DY] - motion[i, tb.DY]

@@ -1,8 +1,9 @@
 """A lower bound of the gap between two cores that move on, and how far it stays positive.
 
 The bound (DD48), phi below, is concave in the fraction of the step, so that it is positive before
-its root, and secants find the root from below. A body that turns far is taken as a disc around its
-centre where that allows a longer advance. Cost: linear in the vertices for each value.
+its root, and secants find the root from below. Where that allows a longer advance, a body that
+turns far is taken as a disc around its centre, or the normal turns with a body, whose side then
+rests. Cost: linear in the vertices for each value.
 """
 
 from math import sqrt
@@ -20,7 +21,7 @@ from tamias2d.generated.continuous_collision import (
     normal_turned,
     separation_least,
 )
-from tamias2d.state import Array
+from tamias2d.state import Array, Vector
 
 UNBOUNDED = 1e100  # m, farther than anything
 BISECTIONS = 6  # of the fraction that is not known to be free
@@ -70,7 +71,7 @@ def safe_advance(
     spin = a.turn if a.vertex_count == 0 else 0.0  # of the normal
     rate = gap_change((path.dx, path.dy), (nx, ny), spin, (x, y))
     if spin != 0.0:
-        curvature_a = half_plane_curvature(a.turn, b, x, y, path, rest)
+        curvature_a = turning_curvature(a.turn, b, x, y, path, rest)
     base = nx * x + ny * y - radii - (rows[0, 0] if a.vertex_count == 0 else 0.0)
     free = 0.0
     for choice in range(4):
@@ -93,14 +94,47 @@ def safe_advance(
         )
         free = max(free, fraction_below_root(bound, rest, rows))
         if free >= rest:
-            break
+            return free
+    if a.vertex_count > 1 and a.turn != 0.0:
+        free = max(free, advance_seen_from(a, b, (nx, ny), (x, y), path, radii, rest, rows))
+    if free < rest and a.vertex_count > 0 and b.vertex_count > 1 and b.turn != 0.0:
+        back = RelativePath(-path.x, -path.y, -path.dx, -path.dy, path.turn_b, path.turn_a)
+        free = max(free, advance_seen_from(b, a, (-nx, -ny), (-x, -y), back, radii, rest, rows))
     return free
 
 
-def half_plane_curvature(
+def advance_seen_from(
+    a: Sweep,
+    b: Sweep,
+    normal: Vector,
+    at: Vector,
+    path: RelativePath,
+    radii: float,
+    rest: float,
+    rows: Array,
+) -> float:
+    """Return the same along a normal that turns with A; B is at a place from A, m."""
+    nx, ny = normal
+    reach_a = -least_along(a.first, a.vertex_count, -nx, -ny, rows)
+    bound = GapBound(
+        nx,
+        ny,
+        nx * at[0] + ny * at[1] - radii - reach_a,
+        gap_change((path.dx, path.dy), normal, a.turn, at),
+        turning_curvature(a.turn, b, at[0], at[1], path, rest) + arc_bend(b.turn, b.lever),
+        0.0,
+        b.turn - a.turn,
+        0,
+        b.first,
+        b.vertex_count,
+    )
+    return fraction_below_root(bound, rest, rows)
+
+
+def turning_curvature(
     turn: float, b: Sweep, x: float, y: float, path: RelativePath, rest: float
 ) -> float:
-    """Return the largest part of second order in a gap over a half-plane that turns, m."""
+    """Return the largest part of second order in a gap along a normal that turns with A, m."""
     centre = motion_bound((path.dx, path.dy), 0.0, 0.0)
     far = distance_bound(sqrt(x * x + y * y), b.lever, rest, centre)
     speed = motion_bound((path.dx, path.dy), b.turn, b.lever)

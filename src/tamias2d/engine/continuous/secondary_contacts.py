@@ -13,7 +13,7 @@ from tamias2d.engine.islands import both_sleep
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.narrow_phase.touching import BULLET, opening_speed, speculative_margins
-from tamias2d.engine.tables import Bodies, Contacts, Islands, Touching, World
+from tamias2d.engine.tables import Bodies, Contacts, Islands, Shapes, Touching, World
 
 
 def add_secondary_contacts(world: World, contacts: Contacts) -> bool:
@@ -31,7 +31,8 @@ def add_secondary_contacts(world: World, contacts: Contacts) -> bool:
         points = contacts.flags[p, tb.POINT_COUNT]
         if points < 2 and is_driven(p, contacts, touching, world.islands):
             if points == 1:
-                more += 1 if collide_driven(p, world, contacts) > 1 else 0
+                if not touches_disc(p, contacts, world.shapes):
+                    more += 1 if collide_driven(p, world, contacts) > 1 else 0
                 continue
             found = meets_driven(p, world, contacts)
             contacts.flags[p, tb.LOCATED] = tb.SECONDARY if found else 0
@@ -73,6 +74,12 @@ def is_driven(p: int, contacts: Contacts, touching: Touching, islands: Islands) 
     i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
     driven = touching.approach[i] + touching.approach[j] != 0.0
     return bool(driven and not both_sleep(i, j, islands))
+
+
+def touches_disc(p: int, contacts: Contacts, shapes: Shapes) -> bool:
+    """Return whether a contact is with a disc, which has no second corner."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    return bool((shapes.kind[s] == tb.DISC) | (shapes.kind[t] == tb.DISC))
 
 
 def meets_driven(p: int, world: World, contacts: Contacts) -> bool:

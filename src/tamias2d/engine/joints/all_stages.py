@@ -11,6 +11,7 @@ from tamias2d.engine.joints.activity import (
     join_slabs,
     note_mechanisms,
 )
+from tamias2d.engine.joints.island_charge import charge_joined, support_joined
 from tamias2d.engine.joints.placement import note_places
 from tamias2d.engine.joints.stages import (
     begin_joints,
@@ -24,7 +25,6 @@ from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
 from tamias2d.engine.sleep import note_joined_support, wake_tied
 from tamias2d.engine.solver.angular_momentum import add_given_by_joints
 from tamias2d.engine.solver.joined_gains import joints_disagree, note_gains, noted_if_free
-from tamias2d.engine.solver.support import charge_joined, support_joined
 
 JOINT_STAGES = (
     activate_joined,

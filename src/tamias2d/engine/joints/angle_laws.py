@@ -60,7 +60,7 @@ def add_law(j: int, root: int, substep: float, bodies: Bodies, joints: Joints) -
     spin = angular_velocity_later(0.0, 1.0, turning, held)
     spins = (spin, angular_velocity_later(0.0, 1.0, far, held_above))
     hinged = yield_at_hinge(m, root, yielding, (0.0, 0.0), spins, bodies, joints)
-    firm = firmness_by_law(yielding, hinged, j, substep, joints)
+    firm = firmness_by_law(yielding, hinged, numbers[tb.J_FIRMEST], j, substep, joints)
     numbers[tb.J_FIRMNESS] = firm
     joints.hinges[m, tb.H_FIRM] += coupled_inertia(turning, turning, firm)
 

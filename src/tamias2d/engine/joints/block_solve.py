@@ -6,7 +6,6 @@ What `hinge_solve` does for one tree is done here for those of a block.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
-    REMOVED_BY_JOINTS,
     SLOWLY,
     SOLVED_RATE,
 )
@@ -39,6 +38,7 @@ from tamias2d.engine.joints.tree_lanes import (
     some_lanes,
     store_node,
 )
+from tamias2d.engine.joints.yielding import REMOVED_BY_JOINTS
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.kernels.lanes import LANES
 from tamias2d.state import Array

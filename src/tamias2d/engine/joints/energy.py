@@ -3,7 +3,7 @@
 What is too much is taken from the motion of all bodies in proportion: relative to what the
 mechanism is tied to, or else to its motion as one. Energies are those seen from there; what turns
 a mechanism, moves against another thing to which it is tied, or has another velocity than before,
-may give it any. Rows that have no rate have none afterwards.
+may give it any, unless its rows yield (DD86). Rows that have no rate have none afterwards.
 One that is tied and has not the energy for its way keeps a part of it.
 What was lost may be gained again (DD79): a scheme of order two goes to and fro about the right
 energy, and would lose by a bound that is blind to it. Springs have energies, too.
@@ -12,18 +12,15 @@ Cost: a visit to each body and spring, and two more where there is too much.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.island_charge import may_get_any, support_mechanism
+from tamias2d.engine.joints.yielding import energy_driven, yields
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
     add_to_island,
     find_rigid_motion,
     place_from,
 )
-from tamias2d.engine.solver.support import (
-    FREE,
-    SUPPORTED_BY_ONE,
-    may_get_any,
-    support_mechanism,
-)
+from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_ONE
 from tamias2d.engine.tables import Bodies, Control, Islands, Joints
 from tamias2d.generated.definitions import (
     kinetic_energy,
@@ -63,17 +60,17 @@ def bound_mechanism(
     first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
     row = islands.energy[joints.sparse[first, tb.N_BODY]]
     tied, governed = joints.mechanisms[n, tb.M_TIED] == 1, joints.mechanisms[n, tb.M_GOVERNED] == 1
-    row[tb.SUPPORT] = SUPPORTED_BY_ONE if tied else FREE
-    row[tb.REFERENCE] = row[tb.REFERENCE + 1] = row[tb.REFERENCE + 2] = 0.0
     carried = joints.mechanisms[n, tb.M_CARRIED] == 1
-    if carried:
-        row[tb.SUPPORT] = FREE
-        support_mechanism(n, joints.sparse[first, tb.N_BODY], bodies, islands, joints)
+    see_from_support(n, bodies, joints, islands)
     base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
     start, given, now = energies_of_part(first, last, base, control, bodies, joints)
     numbers = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
     sprung, reserve = energy_of_springs(n, joints), numbers[tb.J_RESERVE]
     if (carried and is_changed(start, numbers)) or may_get_any(n, row, joints):
+        if yields(n, joints):
+            driven = energy_driven(n, row, control, bodies, joints)
+            most = max(start + given + numbers[tb.J_ENERGY] - sprung, driven)
+            now = damp_to(n, now, most, base, bodies, joints, row)
         note_balance(start, now, sprung, now, numbers)
         return
     if tied and not governed and start + given + reserve < 0.0:
@@ -82,13 +79,67 @@ def bound_mechanism(
         given *= share
     balance = mechanism_energy_balance(start, given, numbers[tb.J_ENERGY], sprung, reserve)
     most = max(balance, 0.0)
-    if now > most:
-        row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND] = now, most
-        damp_mechanism(first, last, row, bodies, joints)
-        damped = row[tb.DAMPED_SHARE] > 0.0
-        now = most if damped else energy_of_motion(first, last, base, bodies, joints)
+    now = damp_to(n, now, most, base, bodies, joints, row)
     energy[tb.TOTAL_ENERGY_START] += energy_regained(now, start, given)
     note_balance(start, now, sprung, balance, numbers)
+
+
+def damp_to(
+    n: int, now: float, most: float, base: Vector, bodies: Bodies, joints: Joints, row: Array
+) -> float:
+    """Let a mechanism have at most an energy, J; return that which it has then."""
+    if not now > most:
+        return now
+    first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
+    row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND] = now, most
+    damp_mechanism(first, last, row, bodies, joints)
+    damped = row[tb.DAMPED_SHARE] > 0.0
+    return most if damped else energy_of_motion(first, last, base, bodies, joints)
+
+
+def rise_of_yielding(
+    n: int, before: float, control: Control, bodies: Bodies, joints: Joints, islands: Islands
+) -> None:
+    """Let a mechanism that yields have no more energy than before, J, but what drives it gives."""
+    first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
+    row = islands.energy[joints.sparse[first, tb.N_BODY]]
+    see_from_support(n, bodies, joints, islands)
+    most = max(before, energy_driven(n, row, control, bodies, joints))
+    base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
+    now = energy_of_motion(first, last, base, bodies, joints)
+    if now > most:
+        add_motions(n, -1.0, bodies, joints)
+        damp_to(n, now, most, base, bodies, joints, row)
+        add_motions(n, 1.0, bodies, joints)
+
+
+def add_motions(n: int, sign: float, bodies: Bodies, joints: Joints) -> None:
+    """Add the velocities of a mechanism, with a sign, to what contacts have not done."""
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        i = joints.sparse[node, tb.N_BODY]
+        for k in range(3):
+            bodies.substep_state[i, tb.SUBSTEP_START + k] += sign * bodies.motion[i, k]
+
+
+def energy_of_mechanism(n: int, bodies: Bodies, joints: Joints, islands: Islands) -> float:
+    """Return the kinetic energy of a mechanism, J, as seen from what ties it."""
+    first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
+    row = islands.energy[joints.sparse[first, tb.N_BODY]]
+    see_from_support(n, bodies, joints, islands)
+    base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
+    return energy_of_motion(first, last, base, bodies, joints)
+
+
+def see_from_support(n: int, bodies: Bodies, joints: Joints, islands: Islands) -> None:
+    """Write the motion from which a mechanism is seen: that of what ties it, if it moves."""
+    root = joints.sparse[joints.sparse[n, tb.I_NODE], tb.N_BODY]
+    row = islands.energy[root]
+    tied = joints.mechanisms[n, tb.M_TIED] == 1
+    row[tb.SUPPORT], row[tb.DRIVEN_RATE] = SUPPORTED_BY_ONE if tied else FREE, 0.0
+    row[tb.REFERENCE] = row[tb.REFERENCE + 1] = row[tb.REFERENCE + 2] = 0.0
+    if joints.mechanisms[n, tb.M_CARRIED] == 1:
+        row[tb.SUPPORT] = FREE
+        support_mechanism(n, root, bodies, islands, joints)
 
 
 def energies_of_part(

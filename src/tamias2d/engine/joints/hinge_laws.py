@@ -6,11 +6,12 @@ Cost: for each choice that changes, a visit more to each body, and a solution.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.hinge_solve import (
+    answer_tree,
     begin_errors,
     bring_tree_to_aims,
+    energy_asked_of_tree,
     find_gap_errors,
     rates_of_hinge,
-    solve_hinges,
 )
 from tamias2d.engine.joints.hinge_tree import first_besides, hang_tree
 from tamias2d.engine.joints.solve import MOST_CHOICES, rate_of_row
@@ -34,7 +35,7 @@ def keep_tree_positions(
         if not choose_rows(n, substep, bodies, joints):
             return
         hang_tree(n, substep, bodies, joints)
-        return_tree_to_rates(n, bodies, joints)
+        return_tree_to_rates(n, substep, bodies, joints)
         bring_tree_to_aims(n, substep, bodies, joints)
 
 
@@ -48,7 +49,7 @@ def note_tree_rates(n: int, bodies: Bodies, joints: Joints) -> None:
             joints.numbers[j, tb.J_RESIDUAL + r] = rate_of_row(j, r, bodies, joints)
 
 
-def return_tree_to_rates(n: int, bodies: Bodies, joints: Joints) -> None:
+def return_tree_to_rates(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Let the rows of a tree that hold have the rates again that were noted."""
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         row = joints.hinges[m]
@@ -58,4 +59,4 @@ def return_tree_to_rates(n: int, bodies: Bodies, joints: Joints) -> None:
         for r in range(joints.joints[j, tb.J_ROWS]):
             rate = rate_of_row(j, r, bodies, joints)
             joints.numbers[j, tb.J_ERROR + r] = rate - joints.numbers[j, tb.J_RESIDUAL + r]
-    solve_hinges(n, bodies, joints)
+    answer_tree(n, substep, energy_asked_of_tree(n, substep, bodies, joints), bodies, joints)

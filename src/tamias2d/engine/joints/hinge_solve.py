@@ -17,18 +17,28 @@ from tamias2d.engine.joints.angle_laws import (
 from tamias2d.engine.joints.hinge_tree import (
     arms_of_hinge,
     first_besides,
+    hang_tree,
     place_tree,
     turn_tree,
 )
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
-    REMOVED_BY_JOINTS,
     SLOWLY,
     SOLVED_RATE,
     aim_joint,
     errors_of_joint,
     rate_of_row,
+)
+from tamias2d.engine.joints.yielding import (
+    REMOVED_BY_JOINTS,
+    energy_asked,
+    gain_of_node,
+    has_motor,
+    let_yield,
+    may_yield,
+    slight_rates,
+    yields,
 )
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.definitions import point_velocity
@@ -78,27 +88,50 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
     Arms turn meanwhile; where that matters, it is done again, and with the arms of the end where
     errors do not become much less.
     """
-    turning = joints.mechanisms[n, tb.M_CHOOSING] == 0  # trial impulses of motors may go anywhere
-    first, before, turned = 0.0, inf, False
+    choosing = joints.mechanisms[n, tb.M_CHOOSING] == 1  # trial impulses may go anywhere
+    first, before, most, turned = 0.0, inf, 0.0, False
     root = joints.sparse[n, tb.I_NODE] + 1
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_gap_errors(n, substep, bodies, joints)
         if k == 0:
-            first = size
+            first, most = size, energy_asked_of_tree(n, substep, bodies, joints)
         if turned and not size < before:
             take_solution_back(n, bodies, joints)
             return
-        if size <= SOLVED_RATE * SOLVED_RATE * first or not (turning or size < before):
+        if size <= SOLVED_RATE * SOLVED_RATE * first:
             return
-        turned = turning and size > SLOWLY * before
+        if choosing and not size < before:
+            reject_in_tree(n, k == 1, size, substep, bodies, joints)
+            return
+        turned = not choosing and size > SLOWLY * before
         if turned:
             turn_tree(n, substep, bodies, joints)
         before = size
         if (
-            not substep * substep * solve_hinges(n, bodies, joints)
+            not substep * substep * answer_tree(n, substep, most, bodies, joints)
             > joints.hinges[root, tb.H_SLIGHT]
         ):
             return
+        if yields(n, joints):
+            return
+
+
+def reject_in_tree(
+    n: int, first: bool, size: float, substep: float, bodies: Bodies, joints: Joints
+) -> None:
+    """Take back a solution after which the errors of a tree, whose size is m^2/s^2, are no less.
+
+    After the first one its rows yield. What parts none in a substep, s, by what is told, stays.
+    """
+    slight = slight_rates(n, first_besides(n, joints), substep, joints)
+    if has_motor(n, joints) or not size > slight:
+        return
+    take_solution_back(n, bodies, joints)
+    if first and not yields(n, joints):
+        let_yield(n, joints)
+        hang_tree(n, substep, bodies, joints)
+        find_gap_errors(n, substep, bodies, joints)
+        solve_hinges(n, bodies, joints)
 
 
 def take_solution_back(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -115,7 +148,43 @@ def take_solution_back(n: int, bodies: Bodies, joints: Joints) -> None:
             apply_joint_impulse(j, r, -joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
 
 
-def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
+def answer_tree(n: int, ahead: float, most: float, bodies: Bodies, joints: Joints) -> float:
+    """Give a tree the impulses that take its errors away, or yield where it would be thrown.
+
+    It is if they give it more than an energy, J. Springs count as `hang_tree` says.
+    """
+    largest = solve_hinges(n, bodies, joints)
+    if most < inf and not yields(n, joints) and not gain_of_tree(n, joints) <= most:
+        take_solution_back(n, bodies, joints)
+        let_yield(n, joints)
+        hang_tree(n, ahead, bodies, joints)
+        for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+            row = joints.hinges[m]
+            begin_errors(row, row[tb.H_ERROR], row[tb.H_ERROR + 1])
+        return solve_hinges(n, bodies, joints)
+    return largest
+
+
+def energy_asked_of_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Return the most energy that the errors of a tree may give it, J: any where none is firm."""
+    besides, rates = first_besides(n, joints), 0.0
+    if not may_yield(n, besides, joints):
+        return inf
+    for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
+        row = joints.hinges[m]
+        rates += row[tb.H_ERROR] * row[tb.H_ERROR] + row[tb.H_ERROR + 1] * row[tb.H_ERROR + 1]
+    return energy_asked(n, besides, rates, substep, bodies, joints)
+
+
+def gain_of_tree(n: int, joints: Joints) -> float:
+    """Return the energy of what the last solution of a tree changes, J."""
+    gain = 0.0
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        gain += gain_of_node(joints.hinges[node + 1], tb.H_CHANGE, joints.factors[node])
+    return gain
+
+
+def fit_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of its rows from the velocities of a tree."""
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         rate_x, rate_y = rates_of_hinge(m, bodies, joints)
@@ -127,7 +196,7 @@ def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
                 if joints.joints[j, tb.J_LAW] == tb.MOTOR:
                     rate = drive_error(rate, joints.laws[j, tb.LAW_RATE])
                 joints.numbers[j, tb.J_ERROR + r] = rate
-    solve_hinges(n, bodies, joints)
+    answer_tree(n, 0.0, energy_asked_of_tree(n, substep, bodies, joints), bodies, joints)
 
 
 @inlined

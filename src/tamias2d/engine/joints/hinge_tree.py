@@ -105,7 +105,9 @@ def hang_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
             for r in range(ends[tb.J_ROWS]):
                 yielding = yield_of_row(r, ends, numbers, bodies, joints)
                 hinged = yield_of_tie(r, first, yielding, ends, numbers, bodies, joints)
-                numbers[tb.J_FIRMNESS + r] = firmness_by_law(yielding, hinged, j, substep, joints)
+                numbers[tb.J_FIRMNESS + r] = firmness_by_law(
+                    yielding, hinged, numbers[tb.J_FIRMEST + r], j, substep, joints
+                )
                 add_tie(j, r, joints)
         if ends[tb.J_LAW] == tb.SPRING:
             slight = slight_turn(numbers[tb.J_SHARE])

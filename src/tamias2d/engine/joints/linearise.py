@@ -76,9 +76,23 @@ def has_turned(before: tuple[float, float], now: tuple[float, float]) -> bool:
 
 
 def note_apart(ends: Integers, numbers: Array) -> None:
-    """Note by how much the rows of a joint are apart, if that is more than before."""
-    for r in range(ends[tb.J_ROWS] if ends[tb.J_LAW] == tb.KEPT else 0):
-        numbers[tb.J_APART + r] = max(numbers[tb.J_APART + r], abs(numbers[tb.J_ROW + ROW * r]))
+    """Note by how much the rows of a joint are apart, if that is more than before.
+
+    Limits that bodies pass in a step are not told, but those that yield.
+    """
+    told = ends[tb.J_LAW] == tb.KEPT or numbers[tb.J_FIRMEST] > 0.0
+    for r in range(ends[tb.J_ROWS] if told else 0):
+        numbers[tb.J_APART + r] = max(numbers[tb.J_APART + r], apart_by_law(r, ends, numbers))
+
+
+def apart_by_law(r: int, ends: Integers, numbers: Array) -> float:
+    """Return by how much a row of a joint is apart, m or rad; of a limit, how far it is passed."""
+    law, value = ends[tb.J_LAW], numbers[tb.J_ROW + ROW * r]
+    if law == tb.KEPT:
+        return abs(value)
+    if law == tb.LOWER_LIMIT:
+        return max(-value, 0.0)
+    return max(value, 0.0) if law == tb.UPPER_LIMIT else 0.0
 
 
 def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -94,7 +108,9 @@ def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS]):
             yielding = yield_of_row(r, ends, numbers, bodies, joints)
-            numbers[tb.J_FIRMNESS + r] = firmness_by_law(yielding, yielding, j, substep, joints)
+            most = numbers[tb.J_FIRMEST + r]
+            firm = firmness_by_law(yielding, yielding, most, j, substep, joints)
+            numbers[tb.J_FIRMNESS + r] = firm
             if not meshed:
                 add_joint_row(r, ends, numbers, joints)
     if not meshed:
@@ -102,11 +118,12 @@ def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
 
 
 def firmness_by_law(
-    yielding: float, hinged: float, j: int, substep: float, joints: Joints
+    yielding: float, hinged: float, most: float, j: int, substep: float, joints: Joints
 ) -> float:
     """Return how firm a row is, kg, that yields so much, 1/kg, by itself, and so much with a hinge.
 
-    It is noted after which share a spring answers.
+    A row that yields is no firmer than so much; 0 for one that does not. It is noted after which
+    share a spring answers.
     """
     firm = firmness_that_yields(yielding)
     if joints.joints[j, tb.J_LAW] == tb.SPRING:
@@ -114,7 +131,9 @@ def firmness_by_law(
         share = implicit_share(stiffness, damping, hinged, substep)
         joints.numbers[j, tb.J_SHARE] = share
         return min(firm, spring_firmness(stiffness, damping, share, substep))
-    return firm if joints.joints[j, tb.J_STATE] == tb.HOLDS else 0.0
+    if joints.joints[j, tb.J_STATE] != tb.HOLDS:
+        return 0.0
+    return min(firm, most) if most > 0.0 else firm
 
 
 def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:

@@ -61,11 +61,11 @@ def fit(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> 
     elif hinged:
         if governed:
             hang_tree(n, 0.0, bodies, joints)
-        fit_tree(n, bodies, joints)
+        fit_tree(n, substep, bodies, joints)
     else:
         if governed:
             factor_mechanism(n, 0.0, bodies, joints)
-        keep_velocities(n, warm, bodies, joints)
+        keep_velocities(n, warm, substep, bodies, joints)
 
 
 def store_mechanism(n: int, joints: Joints) -> None:

@@ -104,6 +104,13 @@ def move_anchor(store: Store, place: int, kind: str, end: str, point: Vector) ->
         joints.tree_blocks[block, tb.T_WRITTEN] = 0
 
 
+def set_angle(store: Store, place: int, angle: float) -> None:
+    """Let a limit of an angle be at another one, rad."""
+    joints = store.world.joints
+    joints.given[place, 0] = angle
+    joints.mechanisms[mechanism_of(store, place), tb.M_WRITTEN] = 0
+
+
 def mechanism_of(store: Store, place: int) -> int:
     """Return the mechanism of a joint."""
     joints = store.world.joints

@@ -18,6 +18,16 @@ from tamias2d.engine.joints.linearise import (
     place_members,
     rows_where_placed,
 )
+from tamias2d.engine.joints.yielding import (
+    REMOVED_BY_JOINTS,
+    REMOVED_YIELDING,
+    energy_asked,
+    gain_of_node,
+    has_motor,
+    let_yield,
+    may_yield,
+    yields,
+)
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.joint_rows import ROW, joint_values
 from tamias2d.generated.joint_step import (
@@ -31,7 +41,6 @@ from tamias2d.generated.joint_step import (
     spring_error,
 )
 
-REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
 MOST_ITERATIONS_OF_JOINTS = 12  # two to three are usual
 SLOWLY = 0.1  # by which share errors become less: else rows are found anew
 MOST_CHOICES = 4  # of the limits that hold, and of the motors that give the most
@@ -58,6 +67,8 @@ def aim_joint(j: int, length: float, joints: Joints) -> None:
         elif law == tb.UPPER_LIMIT:
             value = max(value, 0.0)
         removed = 0.0 if law == tb.SPRING else REMOVED_BY_JOINTS * length
+        if numbers[tb.J_FIRMEST] > 0.0:
+            removed *= REMOVED_YIELDING
         numbers[tb.J_AIM + r] = row_aim(value, removed)
         numbers[tb.J_GIVEN + r] = -numbers[tb.J_LEFT] if law == tb.SPRING else 0.0
 
@@ -76,7 +87,7 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
         if not choose_rows(n, substep, bodies, joints):
             return
         factor_mechanism(n, substep, bodies, joints)
-        return_to_rates(n, bodies, joints)
+        return_to_rates(n, substep, bodies, joints)
         bring_to_aims(n, True, substep, bodies, joints)
 
 
@@ -87,7 +98,7 @@ def note_rates(n: int, bodies: Bodies, joints: Joints) -> None:
             joints.numbers[j, tb.J_RESIDUAL + r] = rate_of_row(j, r, bodies, joints)
 
 
-def return_to_rates(n: int, bodies: Bodies, joints: Joints) -> None:
+def return_to_rates(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Let the rows that hold have the rates again that they had before some changed their state.
 
     Else what changed would tear the joints, and positions would be looked for far away.
@@ -97,7 +108,8 @@ def return_to_rates(n: int, bodies: Bodies, joints: Joints) -> None:
         for r in range(joints.joints[j, tb.J_ROWS]):
             rate = rate_of_row(j, r, bodies, joints)
             joints.numbers[j, tb.J_ERROR + r] = rate - joints.numbers[j, tb.J_RESIDUAL + r]
-    solve_joint_errors(n, bodies, joints)
+    most = energy_asked_of_rows(n, substep, bodies, joints)
+    solve_joint_errors(n, substep, most, bodies, joints)
 
 
 def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -109,26 +121,56 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         find_position_errors(n, substep, bodies, joints)
         share = 0.5 if joints.mechanisms[n, tb.M_HALF] == 1 else 1.0
         start_impulses(n, 0.0 if again else share, joints)
-        solve_joint_errors(n, bodies, joints)
+        solve_joint_errors(n, substep, inf, bodies, joints)
         if not again:
             keep_impulses(n, share, joints)
         return
-    turning = joints.mechanisms[n, tb.M_CHOOSING] == 0  # trial impulses of motors may go anywhere
-    first, before, turned = 0.0, inf, False
+    choosing = joints.mechanisms[n, tb.M_CHOOSING] == 1  # trial impulses may go anywhere
+    first, before, most, turned = 0.0, inf, 0.0, False
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_position_errors(n, substep, bodies, joints)
         if k == 0:
-            first = size
+            first, most = size, energy_asked_of_rows(n, substep, bodies, joints)
         if turned and not size < before:
             take_impulses_back(n, bodies, joints)
             return
-        if size <= SOLVED_RATE * SOLVED_RATE * first or not (turning or size < before):
+        if size <= SOLVED_RATE * SOLVED_RATE * first:
             return
-        turned = turning and size > SLOWLY * before
+        if choosing and not size < before:
+            reject_impulses(n, k == 1, most, substep, bodies, joints)
+            return
+        turned = not choosing and size > SLOWLY * before
         if turned:
             turn_rows(n, substep, bodies, joints)
-        solve_joint_errors(n, bodies, joints)
+        solve_joint_errors(n, substep, most, bodies, joints)
+        if yields(n, joints):
+            return
         before = size
+
+
+def reject_impulses(
+    n: int, first: bool, most: float, substep: float, bodies: Bodies, joints: Joints
+) -> None:
+    """Take back a solution after which errors ask for more than an energy, J, as they did at first.
+
+    After the first one the rows of the mechanism yield.
+    """
+    if has_motor(n, joints) or most >= energy_asked_of_rows(n, substep, bodies, joints):
+        return
+    take_impulses_back(n, bodies, joints)
+    if first and not yields(n, joints):
+        let_yield(n, joints)
+        factor_mechanism(n, substep, bodies, joints)
+        find_position_errors(n, substep, bodies, joints)
+        solve_joint_errors(n, substep, most, bodies, joints)
+
+
+def energy_asked_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Return the most energy that the errors of a mechanism may give it, J: any, of a mesh."""
+    first = joints.mechanisms[n, tb.M_JOINT]
+    if joints.mechanisms[n, tb.M_MESHED] == 1 or not may_yield(n, first, joints):
+        return inf
+    return energy_asked(n, first, 0.0, substep, bodies, joints)
 
 
 def take_impulses_back(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -145,7 +187,7 @@ def turn_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     factor_mechanism(n, substep, bodies, joints)
 
 
-def keep_velocities(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
+def keep_velocities(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of its rows from the velocities of a mechanism.
 
     Of a mesh, the impulses are about so many times those of the last substep.
@@ -158,7 +200,8 @@ def keep_velocities(n: int, warm: float, bodies: Bodies, joints: Joints) -> None
                 if joints.joints[j, tb.J_LAW] == tb.MOTOR:
                     rate = drive_error(rate, joints.laws[j, tb.LAW_RATE])
                 joints.numbers[j, tb.J_ERROR + r] = rate
-        solve_joint_errors(n, bodies, joints)
+        most = energy_asked_of_rows(n, substep, bodies, joints)
+        solve_joint_errors(n, 0.0, most, bodies, joints)
 
 
 def start_impulses(n: int, share: float, joints: Joints) -> None:
@@ -241,15 +284,31 @@ def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:
     return rate
 
 
-def solve_joint_errors(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Give a mechanism the impulses that take the errors of its rows away."""
+def solve_joint_errors(n: int, ahead: float, most: float, bodies: Bodies, joints: Joints) -> None:
+    """Give a mechanism the impulses that take the errors of its rows away, or let these yield.
+
+    They do where these would give it more than an energy, J. Springs count as `factor_mechanism`
+    says.
+    """
     if joints.mechanisms[n, tb.M_MESHED] == 1:
         iterate_mesh(n, bodies, joints)
     else:
         solve_directly(n, joints)
+        if most < inf and not yields(n, joints) and not gain_of_rows(n, joints) <= most:
+            let_yield(n, joints)
+            factor_mechanism(n, ahead, bodies, joints)
+            solve_directly(n, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         for r in range(joints.joints[j, tb.J_ROWS]):
             apply_joint_impulse(j, r, joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
+
+
+def gain_of_rows(n: int, joints: Joints) -> float:
+    """Return the energy of what the last solution of a mechanism changes, J."""
+    gain = 0.0
+    for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
+        gain += gain_of_node(joints.factors[node], tb.CHANGE, joints.factors[node])
+    return gain
 
 
 def solve_directly(n: int, joints: Joints) -> None:

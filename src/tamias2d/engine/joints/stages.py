@@ -10,7 +10,12 @@ from tamias2d.engine.joints.block_gather import begin_blocks
 from tamias2d.engine.joints.block_left import give_left_of_blocks, note_left_of_blocks
 from tamias2d.engine.joints.block_scatter import store_blocks
 from tamias2d.engine.joints.block_solve import aim_blocks, bring_blocks_to_aims, fit_blocks
-from tamias2d.engine.joints.energy import bound_mechanism, note_energy_of_springs
+from tamias2d.engine.joints.energy import (
+    bound_mechanism,
+    energy_of_mechanism,
+    note_energy_of_springs,
+    rise_of_yielding,
+)
 from tamias2d.engine.joints.governed import begin_motors, begin_rows
 from tamias2d.engine.joints.half_kick import kick_half
 from tamias2d.engine.joints.hinge_net import begin_net
@@ -26,6 +31,7 @@ from tamias2d.engine.joints.mechanism import (
 from tamias2d.engine.joints.moments import note_after_joints, note_before_joints
 from tamias2d.engine.joints.step_impulses import begin_impulses
 from tamias2d.engine.joints.tree_blocks import write_blocks
+from tamias2d.engine.joints.yielding import hold_again, yields
 from tamias2d.engine.tables import Bodies, Joints, World
 
 
@@ -81,7 +87,12 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
             if not again:
                 aim_mechanism(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
+            before = (
+                energy_of_mechanism(n, bodies, joints, world.islands) if yields(n, joints) else -1.0
+            )
             bring_to_end(n, again, length, substep, bodies, joints)
+            if before >= 0.0:
+                rise_of_yielding(n, before, control, bodies, joints, world.islands)
             joints.mechanisms[n, tb.M_HALF] = 0
     note_after_joints(least, tb.IN_CONTACT, world)
 
@@ -96,7 +107,12 @@ def relax_joints(world: World) -> None:
     for n in range(joints.counts[tb.MECHANISMS]):
         alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
         if alone and joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
+            yielded = yields(n, joints)
             write_mechanism(n, bodies, joints)
+            if yielded:
+                hold_again(n, joints)
+            if yielded and not yields(n, joints):
+                write_mechanism(n, bodies, joints)
             if joints.mechanisms[n, tb.M_GOVERNED] == 1:
                 note_left(n, joints)
 

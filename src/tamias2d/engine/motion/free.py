@@ -14,6 +14,7 @@ from tamias2d.generated.definitions import (
     coordinate_velocity_gain,
     coordinate_velocity_later,
 )
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 
@@ -40,6 +41,16 @@ def integrate_free(control: Control, bodies: Bodies) -> bool:
 
 def integrate_body(i: int, control: Control, bodies: Bodies) -> None:
     """Find the displacement of a body on which no contact acts, and its new velocity."""
+    look_ahead(i, control, bodies)
+    motion, ahead, flight = bodies.motion[i], bodies.ahead[i], bodies.flight[i]
+    for n in range(3):
+        flight[tb.FORCE_GAIN + n] = ahead[n] - motion[n]
+        motion[n], motion[tb.DX + n] = ahead[n], ahead[tb.DX + n]
+
+
+@inlined
+def look_ahead(i: int, control: Control, bodies: Bodies) -> None:
+    """Find the motion that a body has as the step ends, if no contact acts on it."""
     by_x = by_y = turning = 0.0
     if bodies.kind[i] == tb.DYNAMIC:
         gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
@@ -47,20 +58,19 @@ def integrate_body(i: int, control: Control, bodies: Bodies) -> None:
         by_x, by_y = acceleration(gravity, force, bodies.properties[i, tb.INVERSE_MASS])
         turning = angular_acceleration(torque, bodies.properties[i, tb.INVERSE_INERTIA])
     propagator = bodies.propagators[int(bodies.properties[i, tb.PROPAGATOR])]
-    motion, flight = bodies.motion, bodies.flight
-    integrate_coordinate(i, 0, tb.WHOLE_STEP, by_x, propagator, motion, flight)
-    integrate_coordinate(i, 1, tb.WHOLE_STEP, by_y, propagator, motion, flight)
-    integrate_coordinate(i, 2, tb.WHOLE_STEP + tb.ANGULAR, turning, propagator, motion, flight)
+    motion, ahead = bodies.motion, bodies.ahead
+    look_along(i, 0, tb.WHOLE_STEP, by_x, propagator, motion, ahead)
+    look_along(i, 1, tb.WHOLE_STEP, by_y, propagator, motion, ahead)
+    look_along(i, 2, tb.WHOLE_STEP + tb.ANGULAR, turning, propagator, motion, ahead)
 
 
-def integrate_coordinate(
-    i: int, axis: int, at: int, by: float, propagator: Array, motion: Array, flight: Array
+@inlined
+def look_along(
+    i: int, axis: int, at: int, by: float, propagator: Array, motion: Array, ahead: Array
 ) -> None:
     """Take one coordinate of a body through the step, under an acceleration (DD41)."""
     before, gain = motion[i, axis], propagator[at + tb.GAIN]
-    after = coordinate_velocity_later(
+    ahead[i, axis] = coordinate_velocity_later(
         propagator[at + tb.DECAY], before, coordinate_velocity_gain(gain, by)
     )
-    motion[i, tb.DX + axis] = coordinate_displacement(gain, propagator[at + tb.LIFT], before, by)
-    motion[i, axis] = after
-    flight[i, tb.FORCE_GAIN + axis] = after - before
+    ahead[i, tb.DX + axis] = coordinate_displacement(gain, propagator[at + tb.LIFT], before, by)

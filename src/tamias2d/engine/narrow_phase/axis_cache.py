@@ -46,7 +46,7 @@ def relative_pose(first_a: int, first_b: int, x: float, y: float, vertices: Arra
 
 
 def cached_sides(
-    manifold: Array, flags: Integers, pose: RelativePose, cutoff: float
+    cache: Array, flags: Integers, pose: RelativePose, cutoff: float
 ) -> tuple[int, int, int]:
     """Return the state of the cached axis and its sides of A and B.
 
@@ -59,37 +59,33 @@ def cached_sides(
     turn, other = (pose.cosine, pose.sine) if code % 2 == 1 else (pose.sine, pose.cosine)
     if code >= 2:
         other = -other
-    moved = abs(pose.along - manifold[tb.AXIS_CACHE]) + abs(
-        pose.across - manifold[tb.AXIS_CACHE + 1]
-    )
+    moved = abs(pose.along - cache[tb.CACHED_ALONG]) + abs(pose.across - cache[tb.CACHED_ACROSS])
     if state == SEPARATED:
         moved += cutoff
     holds = (
         (other >= LEAST_COSINE)
-        & (abs(turn - manifold[tb.AXIS_CACHE + 2]) * CHORD_UNITS <= flags[tb.CACHED_AXIS + 1])
-        & (moved <= manifold[tb.AXIS_CACHE + 3])
+        & (abs(turn - cache[tb.CACHED_TURN]) * CHORD_UNITS <= flags[tb.CACHED_AXIS + 1])
+        & (moved <= cache[tb.CACHED_WAY])
     )
     return state if holds else NOT_CACHED, sides % SIDES, sides // SIDES
 
 
-def moved_too_far(manifold: Array, flags: Integers, pose: RelativePose) -> bool:
+def moved_too_far(cache: Array, flags: Integers, pose: RelativePose) -> bool:
     """Return whether a pair has moved so far since its last search that a cache is not worth it."""
-    moved = abs(pose.along - manifold[tb.AXIS_CACHE]) + abs(
-        pose.across - manifold[tb.AXIS_CACHE + 1]
-    )
+    moved = abs(pose.along - cache[tb.CACHED_ALONG]) + abs(pose.across - cache[tb.CACHED_ACROSS])
     turned = 0.0
     if int(flags[tb.CACHED_AXIS]) // STATES % TURNS % 2 == 0:
-        turned = abs(pose.sine - manifold[tb.AXIS_CACHE + 2])
+        turned = abs(pose.sine - cache[tb.CACHED_TURN])
     far = moved > TOO_FAR_MOVED * (abs(pose.along) + abs(pose.across))
     return bool(far or turned > TOO_FAR_MOVED)
 
 
 def cache_guess(
-    manifold: Array, flags: Integers, pose: RelativePose, side_a: int, side_b: int
+    cache: Array, flags: Integers, pose: RelativePose, side_a: int, side_b: int
 ) -> None:
     """Keep two sides, and where they were found, as a guess for the next search."""
-    manifold[tb.AXIS_CACHE], manifold[tb.AXIS_CACHE + 1] = pose.along, pose.across
-    manifold[tb.AXIS_CACHE + 2] = pose.sine
+    cache[tb.CACHED_ALONG], cache[tb.CACHED_ACROSS] = pose.along, pose.across
+    cache[tb.CACHED_TURN] = pose.sine
     known = side_a < SIDES and side_b < SIDES
     sides = side_a + SIDES * side_b
     flags[tb.CACHED_AXIS] = SEPARATED + STATES * TURNS * sides if known else 0
@@ -97,16 +93,16 @@ def cache_guess(
 
 
 def cache_separation(
-    manifold: Array, flags: Integers, pose: RelativePose, lever: float, axis: Axis, cutoff: float
+    cache: Array, flags: Integers, pose: RelativePose, lever: float, axis: Axis, cutoff: float
 ) -> None:
     """Cache an axis with a separation that is larger than the cutoff, m."""
     half = 0.5 * (axis.separation - cutoff) - ROUNDING * lever
-    cache_axis(manifold, flags, pose, SEPARATED, axis.side_a, axis.side_b, half / lever)
-    manifold[tb.AXIS_CACHE + 3] = cutoff + half
+    cache_axis(cache, flags, pose, SEPARATED, axis.side_a, axis.side_b, half / lever)
+    cache[tb.CACHED_WAY] = cutoff + half
 
 
 def cache_sides(
-    manifold: Array,
+    cache: Array,
     flags: Integers,
     pose: RelativePose,
     lever: float,
@@ -116,12 +112,12 @@ def cache_sides(
 ) -> None:
     """Cache two sides that are ahead of all others by a slack, m."""
     quarter = 0.25 * slack - ROUNDING * lever
-    cache_axis(manifold, flags, pose, state, axis.side_a, axis.side_b, quarter / lever)
-    manifold[tb.AXIS_CACHE + 3] = quarter
+    cache_axis(cache, flags, pose, state, axis.side_a, axis.side_b, quarter / lever)
+    cache[tb.CACHED_WAY] = quarter
 
 
 def cache_axis(
-    manifold: Array,
+    cache: Array,
     flags: Integers,
     pose: RelativePose,
     state: int,
@@ -131,7 +127,7 @@ def cache_axis(
 ) -> None:
     """Cache two sides with the chord by which B may turn, or as a guess if that is not positive."""
     if chord <= 0.0 or side_a >= SIDES or side_b >= SIDES:
-        cache_guess(manifold, flags, pose, side_a, side_b)
+        cache_guess(cache, flags, pose, side_a, side_b)
         return
     code, turn, other = 0, pose.sine, pose.cosine
     if abs(pose.sine) > abs(pose.cosine):
@@ -140,8 +136,8 @@ def cache_axis(
         code += 2
     flags[tb.CACHED_AXIS] = state + STATES * (code + TURNS * (side_a + SIDES * side_b))
     flags[tb.CACHED_AXIS + 1] = int(CHORD_UNITS * LEAST_COSINE * min(chord, 1.0))
-    manifold[tb.AXIS_CACHE], manifold[tb.AXIS_CACHE + 1] = pose.along, pose.across
-    manifold[tb.AXIS_CACHE + 2] = turn
+    cache[tb.CACHED_ALONG], cache[tb.CACHED_ACROSS] = pose.along, pose.across
+    cache[tb.CACHED_TURN] = turn
 
 
 def largest_lever(a: Core, b: Core, x: float, y: float, vertices: Array) -> float:

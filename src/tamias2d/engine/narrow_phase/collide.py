@@ -43,8 +43,11 @@ def collide(
     dx, dy = float(x), float(y)
     if is_piece(a) or is_piece(b):
         return collide_piece(contact, s, t, dx, dy, margin, shapes, contacts)
-    manifold, flags = contacts.manifolds[contact], contacts.flags[contact]
-    first, second = find_points(manifold, flags, a, b, dx, dy, margin, shapes.world_vertices)
+    manifold, cache = contacts.manifolds[contact], contacts.axes[contact]
+    flags, vertices = contacts.flags[contact], shapes.world_vertices
+    first, second = find_points(manifold, cache, flags, a, b, dx, dy, margin, vertices)
+    if first > 0:
+        manifold[tb.FORESEEN] = 0.0
     if second > 0:
         manifold[tb.KNOWN_WAY] = NEVER  # unless the pose is noted
     return match_impulses(manifold, flags, first, second)
@@ -61,11 +64,13 @@ def collide_piece(
     contacts: Contacts,
 ) -> int:
     """Do the same where one of the shapes is a piece of a chain."""
-    manifold, flags = contacts.manifolds[contact], contacts.flags[contact]
+    manifold, cache = contacts.manifolds[contact], contacts.axes[contact]
+    flags = contacts.flags[contact]
     a, b, vertices = core_of(s, shapes), core_of(t, shapes), shapes.world_vertices
     held = held_normal(manifold, flags)
-    first, second = find_points(manifold, flags, a, b, x, y, margin, vertices)
+    first, second = find_points(manifold, cache, flags, a, b, x, y, margin, vertices)
     if first > 0:
+        manifold[tb.FORESEEN] = 0.0
         verdict = judge(s, t, a, b, (x, y), margin, held, manifold, vertices, shapes)
         if not verdict.stays:
             first, second = verdict.first, verdict.second
@@ -75,6 +80,7 @@ def collide_piece(
 @inlined
 def find_points(
     manifold: Array,
+    cache: Array,
     flags: Integers,
     a: Core,
     b: Core,
@@ -85,7 +91,7 @@ def find_points(
 ) -> tuple[int, int]:
     """Write the points of two shapes; return their features, 0 for one that is not there."""
     if a.vertex_count > 1 and b.vertex_count > 1:
-        return collide_cached(manifold, flags, a, b, x, y, margin, vertices)
+        return collide_cached(manifold, cache, flags, a, b, x, y, margin, vertices)
     return collide_cores(manifold, a, b, x, y, margin, (0.0, 0.0), vertices)
 
 

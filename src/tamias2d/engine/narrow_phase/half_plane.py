@@ -4,7 +4,10 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.clip import FEATURES
 from tamias2d.engine.narrow_phase.core import Core, next_vertex
 from tamias2d.engine.narrow_phase.separation import incident_side
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
+
+ROUNDED_OFF = 2.0**-48  # of lengths along a normal: more than rounding does to their sum
 
 
 def collide_half_plane(
@@ -47,6 +50,16 @@ def collide_half_plane(
         manifold, tb.POINT, q.first + other, x, y, base + height, q.radius, vertices, plane
     )
     return first, 1 + (other * FEATURES if swapped else other)
+
+
+@inlined
+def is_above(x: float, y: float, radius: float, margin: float, side: Array) -> bool:
+    """Return whether a circle is farther from a half-plane than a margin, m; also after rounding.
+
+    Its centre is at (x, y) from the body of the half-plane, whose side is a row of vertices.
+    """
+    height = side[2] * x + side[3] * y - side[0] - radius
+    return bool(height > margin + ROUNDED_OFF * (abs(x) + abs(y) + abs(side[0])))
 
 
 def lowest_vertex(q: Core, nx: float, ny: float, vertices: Array) -> tuple[int, float]:

@@ -31,6 +31,7 @@ from tamias2d.state import Array, Vector
 
 def collide_cached(
     manifold: Array,
+    cache: Array,
     flags: Integers,
     a: Core,
     b: Core,
@@ -42,13 +43,13 @@ def collide_cached(
     """Write the points between two shapes with sides; search for an axis if none is cached."""
     cutoff = margin + a.radius + b.radius
     pose = relative_pose(a.first, b.first, x, y, vertices)
-    state, side_a, side_b = cached_sides(manifold, flags, pose, cutoff)
+    state, side_a, side_b = cached_sides(cache, flags, pose, cutoff)
     if state == NOT_CACHED:
         if flags[tb.CACHED_AXIS] == 0:
             side_a = foremost_side(a, x, y, vertices)
             side_b = foremost_side(b, -x, -y, vertices)
         state, side_a, side_b = search(
-            manifold, flags, a, side_a, b, side_b, pose, cutoff, vertices
+            manifold, cache, flags, a, side_a, b, side_b, pose, cutoff, vertices
         )
     if state == SEPARATED:
         return 0, 0
@@ -57,6 +58,7 @@ def collide_cached(
 
 def search(
     manifold: Array,
+    cache: Array,
     flags: Integers,
     a: Core,
     guess_a: int,
@@ -77,12 +79,12 @@ def search(
     else:
         axis = find_axis(a, guess_a, b, guess_b, pose.x, pose.y, cutoff, vertices)
     state, side_a, side_b = axis.state, axis.side_a, axis.side_b
-    if moved_too_far(manifold, flags, pose) or (thin and state != SEPARATED):
-        cache_guess(manifold, flags, pose, side_a, side_b)
+    if moved_too_far(cache, flags, pose) or (thin and state != SEPARATED):
+        cache_guess(cache, flags, pose, side_a, side_b)
         return state, side_a, side_b
     lever = largest_lever(a, b, pose.x, pose.y, vertices)
     if state == SEPARATED:
-        cache_separation(manifold, flags, pose, lever, axis, cutoff)
+        cache_separation(cache, flags, pose, lever, axis, cutoff)
         return state, side_a, side_b
     if state == REFERENCE_A:
         either, slack = side_slack(a, side_a, b, side_b, pose.x, pose.y, lever, axis, vertices)
@@ -90,7 +92,7 @@ def search(
         either, slack = side_slack(b, side_b, a, side_a, -pose.x, -pose.y, lever, axis, vertices)
     if either:
         state = EITHER_IS_REFERENCE
-    cache_sides(manifold, flags, pose, lever, state, axis, slack)
+    cache_sides(cache, flags, pose, lever, state, axis, slack)
     return state, side_a, side_b
 
 

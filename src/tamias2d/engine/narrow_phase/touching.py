@@ -6,6 +6,7 @@ from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.chain_sides import note_sides
 from tamias2d.engine.narrow_phase.collide import collide
+from tamias2d.engine.narrow_phase.half_plane import is_above
 from tamias2d.engine.narrow_phase.reuse import move_gaps, note_pose
 from tamias2d.engine.tables import (
     Bodies,
@@ -124,7 +125,9 @@ def find_manifold(
         ):
             return 2
     radii = radius_s + radius_t + margin
-    if x * x + y * y > radii * radii and points == 0:
+    if points == 0 and (
+        x * x + y * y > radii * radii or over_plane(p, x, y, margin, shapes, contacts)
+    ):
         return 0
     far = further if points > 0 else 0.0
     count = collide(p, s, t, x, y, margin + far, shapes, contacts)
@@ -133,11 +136,29 @@ def find_manifold(
         return 0
     if count == 1 and further > far:
         count = collide(p, s, t, x, y, margin + further, shapes, contacts)
-    if contacts.manifolds[p, tb.FORESEEN] != 0.0:
-        contacts.manifolds[p, tb.FORESEEN] = 0.0
     if count == 2 and plain:  # which side of a thin shape the other one is on, is asked anew
         note_pose(x, y, angle_a, angle_b, 0.0, contacts.manifolds[p])
     return count
+
+
+@inlined
+def over_plane(
+    p: int, x: float, y: float, margin: float, shapes: Shapes, contacts: Contacts
+) -> bool:
+    """Return whether a shape is farther from a half-plane than a margin, m, and keeps no feature.
+
+    The body of the second shape is at (x, y) from that of the first one.
+    """
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    if contacts.flags[p, tb.FEATURE] != 0:
+        return False
+    if shapes.kind[s] == tb.HALF_PLANE:
+        side = shapes.world_vertices[shapes.first[s]]
+        return is_above(x, y, shapes.material[t, tb.SHAPE_RADIUS], margin, side)
+    if shapes.kind[t] == tb.HALF_PLANE:
+        side = shapes.world_vertices[shapes.first[t]]
+        return is_above(-x, -y, shapes.material[s, tb.SHAPE_RADIUS], margin, side)
+    return False
 
 
 def known_gap(manifold: Array, flags: Integers) -> float:

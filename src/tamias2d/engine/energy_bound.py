@@ -10,6 +10,7 @@ in all than there may be. Cost: some visits to each body.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.island_charge import charge_joined, support_joined
 from tamias2d.engine.solver.angular_momentum import keep_angular_momentum
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
@@ -20,11 +21,9 @@ from tamias2d.engine.solver.island_damping import (
 from tamias2d.engine.solver.joined_gains import note_gains
 from tamias2d.engine.solver.support import (
     SUPPORTED_BY_MORE,
-    charge_joined,
     find_references,
     is_root,
     reference_at,
-    support_joined,
 )
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import kinetic_energy

@@ -1,0 +1,118 @@
+"""What joints may give and take of the energy of islands: what ties a mechanism, and its weight.
+
+The energy of an island is seen from what supports it, joints included. One that goes against the
+forces on it pays for that (IM15); one that is driven may give any, or what is likely (DD86).
+"""
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.yielding import energy_driven, yields
+from tamias2d.engine.solver.energy import UNLIMITED
+from tamias2d.engine.solver.support import SUPPORTED_BY_MORE, SUPPORTED_BY_ONE, support_island
+from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
+from tamias2d.generated.island_energy import lift_work
+from tamias2d.generated.joint_step import kept_way, kinetic_energy_most
+from tamias2d.state import Array
+
+
+def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
+    """Let the islands of mechanisms that are tied to what nothing pushes be seen from there."""
+    for n in range(joints.counts[tb.MECHANISMS]):
+        root = islands.links[
+            joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT], tb.ROOT
+        ]
+        support_mechanism(n, root, bodies, islands, joints)
+
+
+def support_mechanism(n: int, root: int, bodies: Bodies, islands: Islands, joints: Joints) -> None:
+    """Let the island at a root be seen from what ties a mechanism of it."""
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        for end in range(tb.ENDS_OF_JOINT):
+            if joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED:
+                support = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
+                support_island(support, root, bodies, islands)
+
+
+def may_get_any(n: int, row: Array, joints: Joints) -> bool:
+    """Return whether what ties a mechanism may give it any energy: it turns, or was moved by hand.
+
+    So may things that move against each other.
+    """
+    turns = (row[tb.SUPPORT] == SUPPORTED_BY_ONE) & (row[tb.REFERENCE + 2] != 0.0)
+    pulled = joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_PULLED] > 0.0
+    return bool(turns | pulled | (row[tb.SUPPORT] == SUPPORTED_BY_MORE))
+
+
+def charge_joined(
+    control: Control,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+    joints: Joints,
+) -> None:
+    """Charge the islands of mechanisms for what they do against gravity and forces (IM15).
+
+    Joints and contacts that are solved in turns would otherwise lift them for nothing, again and
+    again. One that has not the energy for its way, with what overlaps may give back, keeps a part
+    of it. One that is driven may give any energy, and one that no contact touches has its own
+    bound; what carries one that yields, or that contacts hold, gives what is likely (DD86).
+    """
+    if joints.counts[tb.MECHANISMS] == 0:
+        return
+    sum_lift_work(control, bodies, touching, constraints, islands)
+    for n in range(joints.counts[tb.MECHANISMS]):
+        root = islands.links[
+            joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT], tb.ROOT
+        ]
+        row = islands.energy[root]
+        bounded = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
+        powered = joints.mechanisms[n, tb.M_DRIVEN] == 1
+        driven = powered or may_get_any(n, row, joints)
+        carried = joints.mechanisms[n, tb.M_CARRIED] == 1 and row[tb.SUPPORT] == SUPPORTED_BY_MORE
+        if not bounded and ((carried and not powered) or yields(n, joints)):
+            driven_energy = energy_driven(n, row, control, bodies, joints)
+            most = row[tb.ENERGY_START] + max(row[tb.WORK], 0.0)
+            row[tb.ENERGY_START] = max(most, driven_energy)
+            row[tb.WORK] = 0.0
+            if row[tb.SUPPORT] == SUPPORTED_BY_MORE:
+                row[tb.SUPPORT] = SUPPORTED_BY_ONE
+        elif bounded or driven:
+            row[tb.WORK] = UNLIMITED
+        elif row[tb.WORK] < 0.0:
+            least = kept_way(row[tb.ENERGY_START], row[tb.LIFT_WORK], row[tb.WORK])
+            row[tb.KEPT_WAY] = least if rests_on_ground(row) else 1.0
+            row[tb.ENERGY_START] = kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK])
+            row[tb.WORK] = 0.0
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        row = islands.energy[islands.links[i, tb.ROOT]]
+        if bodies.kind[i] == tb.DYNAMIC and row[tb.KEPT_WAY] < 1.0 and row[tb.WORK] == 0.0:
+            for m in range(3):
+                bodies.motion[i, tb.DX + m] *= row[tb.KEPT_WAY]
+
+
+def sum_lift_work(
+    control: Control,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+) -> None:
+    """Add up what the overlaps of each island may give back, J; let it keep its way at first."""
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
+    for k in range(constraints.counts[tb.ACTIVE]):
+        row = islands.energy[touching.active[k]]
+        row[tb.KEPT_WAY], row[tb.LIFT_WORK] = 1.0, 0.0
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        if bodies.kind[i] == tb.DYNAMIC:
+            load, mass = bodies.load[i], 1.0 / bodies.properties[i, tb.INVERSE_MASS]
+            of_substep = lift_work(mass, gravity, (load[0], load[1]), control.settings[tb.SUBSTEP])
+            substeps = control.counts[tb.PART_SUBSTEPS]
+            islands.energy[islands.links[i, tb.ROOT], tb.LIFT_WORK] += substeps * of_substep
+
+
+def rests_on_ground(row: Array) -> bool:
+    """Return whether an island is seen from a support that stands still."""
+    moves = abs(row[tb.REFERENCE]) + abs(row[tb.REFERENCE + 1]) + abs(row[tb.REFERENCE + 2])
+    return bool(row[tb.SUPPORT] == SUPPORTED_BY_ONE and moves == 0.0)
