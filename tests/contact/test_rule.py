@@ -362,6 +362,28 @@ def test_lemke_solves_what_it_is_given():
         assert abs(found @ slack) < 1e-9
 
 
+def test_lemke_tells_faint_pushes_beside_fast_sliding():
+    """Coulomb's bounds on two drags, N s, of contacts that slide at about 1 m/s (DD67)."""
+    faint, friction = 1e-7, 0.03
+    for seed in range(500):
+        rng = np.random.default_rng(seed)
+        jacobian = rng.normal(size=(4, 6))  # two normals, two tangents
+        matrix = jacobian @ jacobian.T
+        across = np.linalg.inv(matrix[:2, :2]) @ matrix[:2, 2:]
+        effect = np.linalg.inv(matrix[2:, 2:] - matrix[2:, :2] @ across)
+        both = friction * across
+        limits = np.vstack([across, both + np.eye(2), both - np.eye(2)])
+        pushes = faint * rng.uniform(size=2)
+        most = np.concatenate([pushes, friction * pushes, friction * pushes])
+        coupled = limits @ effect @ limits.T
+        size = np.sqrt(np.diag(coupled))
+        problem = coupled / np.outer(size, size)
+        vector = (most + limits @ effect @ rng.normal(size=2)) / size
+        found = lemke(problem, vector)
+        assert found is not None
+        assert (problem @ found + vector).min() > -1e-11  # what counts as a tie
+
+
 def test_friction_ends_sliding_where_contacts_settle_and_does_not_turn_it_round():
     """Two boxes, one on the other, are left with more approach than it takes to stop them."""
     slow, approach = 1e-9, -1e-8
