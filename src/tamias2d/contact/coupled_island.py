@@ -15,7 +15,6 @@ from tamias2d.contact.coupled_constraint import (
     rows_of,
 )
 from tamias2d.contact.force_problem import ForceProblem
-from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.inelastic_impact import JammedError
 from tamias2d.contact.lasting_contact import Island
 from tamias2d.contact.manifold import Contact, tangential_velocity
@@ -64,9 +63,8 @@ class CoupledIsland(Island):
         self._states = {i: body.state for i, body in placed.items()}
         self._mode: Mode = ()
         self._rests = False
-        pull = max(abs(x) + abs(y) for x, y, _ in free.values())
-        self._unseen_speed = 64 * EPSILON * pair_friction.time * pull
-        self._patches = self._patches_of(contacts, pair_friction)
+        self._unseen_speed = pair_friction.unseen_speed(free)
+        self._patches = pair_friction.patches(contacts, placed, free)
         if self._stands(pair_friction.noise):
             self._rest()
         elif self._moves_on(self._states) or self._rubs():
@@ -153,18 +151,6 @@ class CoupledIsland(Island):
                 "scene.",
                 time=time,
             )
-
-    def _patches_of(self, contacts: Sequence[Contact], pair_friction: PairFriction) -> list[Patch]:
-        found = []
-        for a, b in dict.fromkeys((contact.a, contact.b) for contact in contacts):
-            own = tuple(contact for contact in contacts if (contact.a, contact.b) == (a, b))
-            speed = tangential_velocity(own[0], self._placed[a].state, self._placed[b].state)
-            coefficient = pair_friction.of(a, b)
-            slides = coefficient > 0 and (
-                abs(speed) > pair_friction.unseen(own[0]) + self._unseen_speed
-            )
-            found.append(Patch(own, coefficient, int(math.copysign(1, speed)) if slides else 0))
-        return found
 
     def _stands(self, noise: Callable[[Contact], float]) -> bool:
         """Whether nothing moves, and forces within the friction cones keep it so."""
