@@ -17,7 +17,7 @@ from tamias2d.contact.coupled_constraint import (
 from tamias2d.contact.force_problem import ForceProblem
 from tamias2d.contact.inelastic_impact import JammedError
 from tamias2d.contact.lasting_contact import Island
-from tamias2d.contact.manifold import Contact, tangential_velocity
+from tamias2d.contact.manifold import Contact, tangent_of, tangential_velocity
 from tamias2d.contact.modes import (
     Mode,
     Part,
@@ -37,6 +37,8 @@ _MOST = 12
 """The most moving bodies in contact that go on together: the work grows as their cube."""
 _PRESSED = 1e-10
 """Of the largest force: one that is none."""
+_HELD = 1e-10
+"""Of a direction: what is left of it where others hold it."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
@@ -200,6 +202,7 @@ class CoupledIsland(Island):
             self._part(patch, pushes, drag)
             for patch, (pushes, drag) in zip(self._patches, found, strict=True)
         )
+        mode = self._held_by_others(mode, [drag for _, drag in found])
         by = self._accelerated(mode)
         closed_parts = [self._with_unpressed(part, by) for part in mode]
         self._mode = tuple(part for part in closed_parts if part.pressed)
@@ -216,6 +219,29 @@ class CoupledIsland(Island):
             if abs(drag) >= bound * (1 - _PRESSED) - least:
                 sense = -int(math.copysign(1, drag))
         return Part(patch, pressed, sense)
+
+    def _held_by_others(self, mode: Mode, drags: Sequence[float]) -> Mode:
+        """Return a mode without the friction of pairs that need none, as others hold them.
+
+        As where boxes touch beside a floor: any drag would go with it, and another motion with
+        each, for what slides elsewhere is pressed by it.
+        """
+        for k, drag in enumerate(drags):
+            part = mode[k]
+            if part.sticks and abs(drag) <= _PRESSED * self._largest:
+                smooth = part._replace(patch=part.patch._replace(coefficient=0.0))
+                others = (*mode[:k], smooth, *mode[k + 1 :])
+                if self._holds(others, tangent_of(part.pressed[0])):
+                    mode = others
+        return mode
+
+    def _holds(self, mode: Mode, tangent: Contact) -> bool:
+        """Return whether bodies cannot move along a tangent where contacts stay closed."""
+        weights = np.sqrt(inverse_masses(self._cores, self.bodies))
+        rows = rows_of(closed_directions(closed(mode)), self.bodies) * weights
+        row = rows_of([tangent], self.bodies)[0] * weights
+        left = row - np.linalg.lstsq(rows.T, row)[0] @ rows
+        return bool(np.abs(left).max() <= _HELD * np.abs(row).max())
 
     def _with_unpressed(self, part: Part, by: Mapping[int, Acceleration]) -> Part:
         """Return a part with the contacts that neither press nor open; those rub on nothing."""
