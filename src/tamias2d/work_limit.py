@@ -1,6 +1,7 @@
 """The limit of a run's work: the steps that an adaptive method chooses, and the impacts (R4).
 
-Steps of a length that the user gave are not counted: their number is known before the run.
+Steps of a length that the user gave are not counted: their number is known before the run. Impacts
+are meetings, one for each pair and instant, however many rounds an instant takes (DD67).
 """
 
 import math

@@ -9,6 +9,11 @@ from scipy.integrate import solve_ivp
 
 import tamias2d as t2
 from tamias2d.contact import FrictionError, Refusal
+from tamias2d.contact.core import cores_of, place
+from tamias2d.contact.frictional_rest import island_of, slides_on
+from tamias2d.contact.manifold import manifold
+from tamias2d.contact.pair_friction import PairFriction
+from tamias2d.state import State
 from tests.contact.meetings import Meeting, angles, meetings, sizes, thrown
 
 G = 9.81
@@ -420,3 +425,28 @@ def test_thrown_boxes(size, friction, restitution, slope, angle, spin, speed):
         run = refusal.run
     assert (np.diff(run.energy) <= 1e-11 * (1 + np.abs(run.energy).max())).all()
     assert lowest(box, run.position[:, 1], run.orientation[:, 1]).min() > -1e-11
+
+
+def test_a_corner_that_is_sure_to_slide_does_so_on_its_island():
+    """Rods on a corner, some of which jam (Painleve): no other mode, of all that are tried."""
+    sure = 0
+    for seed in range(300):
+        rng = np.random.default_rng(seed)
+        tilt, push, spin, friction = rng.uniform((-1.5, -2, -4, 0.1), (1.5, 2, 4, 2.5)).tolist()
+        scene = t2.Scene(gravity=(0, -G))
+        scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0))
+        height = (math.cos(tilt) + 0.1 * abs(math.sin(tilt))) / 2
+        scene.add_body(t2.Box(width=0.1, height=1), mass=1, position=(0, height))
+        cores = cores_of(scene)
+        falls = spin * (math.sin(tilt) - 0.1 * math.copysign(math.cos(tilt), tilt)) / 2
+        states = State((0, 0), 0.0, (0, 0), 0.0), State((0, height), tilt, (push, falls), spin)
+        placed = {i: place(core, states[i]) for i, core in enumerate(cores)}
+        contacts = manifold(placed[0], placed[1], 1e-14, 1.0)
+        rough = PairFriction(1.0, lambda *_, mu=friction: mu, lambda _: 1e-13)
+        given = cores, placed
+        free = {1: (0.0, -G, 0.0)}
+        sense = slides_on(*given, contacts[0], free, 0.0, rough)
+        if sense:
+            assert island_of(*given, contacts, free, 0.0, rough).senses == {(0, 1): sense}
+            sure += 1
+    assert 150 < sure < 300

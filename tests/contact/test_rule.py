@@ -8,8 +8,10 @@ from scipy.integrate import solve_ivp
 
 import tamias2d as t2
 from tamias2d.contact.core import Core, cores_of, place
+from tamias2d.contact.coupled_island import CoupledIsland
 from tamias2d.contact.lemke import lemke
 from tamias2d.contact.manifold import manifold, normal_velocity
+from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.simultaneous_impact import Meeting, apply, simultaneous_impulses
 from tamias2d.scene import Shape
 from tamias2d.state import State
@@ -120,7 +122,7 @@ def test_drops_go_on_past_what_lasting_contacts_tremble(seed: int, duration: flo
 
 
 def jammed(friction: float, restitution: float, *bodies: tuple[Shape, float, State]) -> t2.Scene:
-    """Bodies of an ordinary drop on its floor, at an instant at which contacts jam."""
+    """Bodies of an ordinary drop on its floor, at an instant at which it was refused."""
     surface = {"friction": friction, "restitution": restitution}
     scene = t2.Scene(gravity=(0, -G))
     scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), **surface)
@@ -211,12 +213,110 @@ JAMS = {
             ),
         ),
     ),
+    "a heap: what one contact does as it settles holds for the islands of others": jammed(
+        0.4744621605696147,
+        0.13066723661549073,
+        (
+            t2.Box(width=0.3639922677347308, height=0.3639922677347308),
+            1.719470028252207,
+            State(
+                (0.02321569775006516, 0.18199818194770093),
+                4.712377726893659,
+                (1.2730726866716946e-13, 3.9181191447533196e-13),
+                -2.1528826765472623e-12,
+            ),
+        ),
+        (
+            t2.Box(width=0.20684440990483147, height=0.20684440990483147),
+            4.007078779338905,
+            State(
+                (-0.04410770380459394, 0.4674178502338356),
+                6.283168524638337,
+                (0.003706587581367087, 0.0014771734357941926),
+                -0.014283425070861638,
+            ),
+        ),
+        (
+            t2.Disc(radius=0.12289834725385293),
+            2.26489304105717,
+            State((0.32810951381113346, 0.12289834725385293), 8.060920270385783, (0.0, 0.0), 0.0),
+        ),
+        (
+            t2.Box(width=0.3424540556778612, height=0.3424540556778612),
+            2.1540569619158516,
+            State(
+                (0.35244559472658393, 0.5344300669709515),
+                -0.005377214038315977,
+                (1.2333705922171454, -1.054523941519302),
+                -7.161877891691293,
+            ),
+        ),
+        (
+            pentagon(0.11553767428451459),
+            2.6769611609776884,
+            State((0.5445036235998837, 0.10981861041873472), 10.054891032597892, (0.0, 0.0), 0.0),
+        ),
+    ),
+    "boxes side by side: no friction where others keep them from sliding": jammed(
+        0.16474750807743233,
+        0.07753367419806356,
+        (
+            t2.Box(width=0.4542528171197245, height=0.4542528171197245),
+            1.8568412787529276,
+            State(
+                (0.6510870104902858, 0.22712640855986246),
+                6.283185307179587,
+                (-0.21164604139638882, -8.828461599841326e-21),
+                -1.299860619157448e-19,
+            ),
+        ),
+        (
+            t2.Box(width=0.3746882721759556, height=0.3746882721759556),
+            1.378370440443729,
+            State(
+                (1.2958285530650304, 0.1873441360879777),
+                3.141592653589793,
+                (-0.21164716134897296, 1.6543612251060553e-24),
+                0.0,
+            ),
+        ),
+        (
+            t2.Box(width=0.4497624542537042, height=0.4497624542537042),
+            3.872335558900323,
+            State(
+                (0.811585501127517, 0.6791385240742798),
+                4.712321751516724,
+                (-0.012972986307175473, -0.00039798858820580063),
+                0.005771526065523371,
+            ),
+        ),
+        (
+            t2.Box(width=0.23027099792268427, height=0.23027099792268427),
+            4.251270677918753,
+            State(
+                (0.9933489180114905, 0.11513549896134213),
+                9.42477796076938,
+                (-0.21164604139638882, 3.685967607732868e-21),
+                9.441677696108184e-21,
+            ),
+        ),
+        (
+            t2.Disc(radius=0.2407584345024451),
+            3.269554906194667,
+            State(
+                (1.723931123655453, 0.24086041212258477),
+                5.231111916566562,
+                (-0.211647161348973, -0.025601695799957646),
+                1.7899665544986816,
+            ),
+        ),
+    ),
 }
 
 
 @pytest.mark.parametrize("scene", JAMS.values(), ids=JAMS)
-def test_sliding_that_jams_is_ended_by_an_impulse(scene: t2.Scene):
-    """Those contacts are told that loads press, with what turning adds to them (DD68)."""
+def test_sliding_that_jams_or_settles_ends(scene: t2.Scene):
+    """Those contacts are told that loads press, with what turning adds to them (DD68, DD75)."""
     run = t2.simulate(scene, duration=0.01, method=t2.ClosedForm())
     assert max(laws(run).values()) <= ROUNDING
 
@@ -314,3 +414,48 @@ def test_lemke_solves_what_it_is_given():
         slack = matrix @ found + vector
         assert min(found.min(), slack.min()) > -1e-10
         assert abs(found @ slack) < 1e-9
+
+
+def test_lemke_tells_faint_pushes_beside_fast_sliding():
+    """Coulomb's bounds on two drags, N s, of contacts that slide at about 1 m/s (DD67)."""
+    faint, friction = 1e-7, 0.03
+    for seed in range(500):
+        rng = np.random.default_rng(seed)
+        jacobian = rng.normal(size=(4, 6))  # two normals, two tangents
+        matrix = jacobian @ jacobian.T
+        across = np.linalg.inv(matrix[:2, :2]) @ matrix[:2, 2:]
+        effect = np.linalg.inv(matrix[2:, 2:] - matrix[2:, :2] @ across)
+        both = friction * across
+        limits = np.vstack([across, both + np.eye(2), both - np.eye(2)])
+        pushes = faint * rng.uniform(size=2)
+        most = np.concatenate([pushes, friction * pushes, friction * pushes])
+        coupled = limits @ effect @ limits.T
+        size = np.sqrt(np.diag(coupled))
+        problem = coupled / np.outer(size, size)
+        vector = (most + limits @ effect @ rng.normal(size=2)) / size
+        found = lemke(problem, vector)
+        assert found is not None
+        assert (problem @ found + vector).min() > -1e-11  # what counts as a tie
+
+
+def test_friction_ends_sliding_where_contacts_settle_and_does_not_turn_it_round():
+    """Two boxes, one on the other, are left with more approach than it takes to stop them."""
+    slow, approach = 1e-9, -1e-8
+    scene = t2.Scene(gravity=(0, -G))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0))
+    for height in (0.5, 1.5):
+        scene.add_body(t2.Box(width=1, height=1), mass=1, position=(0, height))
+    cores = cores_of(scene)
+    states = {k: State((0, k - 0.5), 0.0, (slow, approach), 0.0) for k in (1, 2)}
+    states[0] = State((0, 0), 0.0, (0, 0), 0.0)
+    placed = {k: place(core, states[k]) for k, core in enumerate(cores)}
+    contacts = [
+        contact
+        for i, j in ((0, 1), (1, 2))
+        for contact in manifold(placed[i], placed[j], 1e-14, 1.0)
+    ]
+    weight = {1: (0.0, -G, 0.0), 2: (0.0, -G, 0.0)}
+    rough = PairFriction(1.0, lambda *_: 0.5, lambda _: 1e-14)
+    after = CoupledIsland(cores, placed, contacts, weight, 0.0, rough).projected(states)
+    for state in after.values():
+        np.testing.assert_allclose((*state.velocity, state.angular_velocity), 0, atol=1e-22)

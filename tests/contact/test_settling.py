@@ -6,7 +6,10 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.event_driven import EventDriven
 from tests.contact.bounces import Bounces, errors
+from tools.measurements.drops import drop
+from tools.measurements.located_drops import ROUNDING, laws
 
 G = 9.81
 EPSILON = 2.0**-52
@@ -140,3 +143,12 @@ def test_certificates_bound_drops_that_slide(seed):
     assert certificate.bound is not None
     way = float(np.hypot(*np.ptp(run.position[:, 1], axis=0)))
     assert errors(run)[0].max() / way <= certificate.bound < 1e-13
+
+
+def test_a_body_that_rocks_is_told_to_rest_when_it_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It comes down on one corner after another; until then the floor pushes by impacts alone."""
+    monkeypatch.setattr(EventDriven, "pays", lambda *_: False)  # which the clock decides
+    times = np.linspace(0.0, 3.0, 721)
+    run = t2.simulate(drop(9600199), duration=3.0, method=t2.ClosedForm(), times=times)
+    assert sum(note.startswith("rest:") for note in run.notes) == 1
+    assert max(laws(run).values()) <= ROUNDING

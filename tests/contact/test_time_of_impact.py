@@ -98,3 +98,25 @@ def test_ordinary_drops_are_located_to_the_end(seed: int) -> None:
     assert run.times[-1] == 3.0
     energy = run.energy
     assert (np.diff(energy) <= 1e-9 * np.ptp(energy)).all()
+
+
+def test_a_corner_comes_down_beside_a_lasting_contact_though_its_angle_stands_still() -> None:
+    """The box is flat at a known time; near it float64 has one angle for 1000 steps and more."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_static(t2.Box(width=4.0, height=4.0))
+    scene.add_body(t2.Box(width=1.0, height=1.0), mass=1.0, position=(0.0, 2.5))
+    floor, box = cores_of(scene)
+    spin, tilt, slope = -0.00018898828628479013, 1.641659605597502e-11, -6.6321392926984e-11
+    state = State((0.0, 0.0), 1.5 * math.pi + slope + tilt, (0.0, 0.0), spin)
+    x, y = min(place(box, state).corners, key=lambda corner: corner[1] - slope * corner[0])
+    state = state._replace(position=(0.0, 2.0 - y + slope * x), velocity=(spin * y, -spin * x))
+    still = State((0.0, 0.0), slope, (0.0, 0.0), 0.0)
+    paths = (
+        Uniform(start=2.0, end=3.0, state=still, acceleration=(0.0, 0.0, 0.0)),
+        Uniform(start=2.0, end=3.0, state=state, acceleration=(0.0, 0.0, 0.0)),
+    )
+    a, b = place(floor, still), place(box, state)
+    lasting = manifold(a, b, 1e-15, 2.0)
+    assert len(lasting) == 1
+    met = Pair(floor, box, *paths, lasting).time_of_impact(2.0, 3.0)
+    assert met == pytest.approx(2.0 + tilt / -spin, rel=0, abs=2e-15 / -spin)  # two last places

@@ -76,6 +76,19 @@ def test_the_limit_counts_steps_and_impacts_and_is_a_number_of_the_user() -> Non
     assert t2.simulate(scene, duration=1.0, work_limit=56).cost.impacts == 56
 
 
+def test_pairs_that_push_each_other_again_and_again_at_an_instant_are_impacts_once() -> None:
+    """A heavy disc drops on a light one, which rests on a floor: the three meet in many rounds."""
+    scene = t2.Scene(gravity=(0, -9.81))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), restitution=0.2)
+    for mass, height in ((0.1, 0.5), (10.0, 2.0)):
+        scene.add_body(t2.Disc(radius=0.5), mass=mass, position=(0, height), restitution=0.2)
+    run = t2.simulate(scene, duration=1.0, method=t2.ClosedForm(), work_limit=2)
+    assert run.cost.impacts == 2
+    assert len(run.impacts) > 100
+    with pytest.raises(WorkLimitError, match="2 impacts: must be at most 1"):
+        t2.simulate(scene, duration=1.0, method=t2.ClosedForm(), work_limit=1)
+
+
 def test_steps_of_a_given_length_do_not_count() -> None:
     run = t2.simulate(
         driven("1[N]*sin(10[rad/s]*time)"),

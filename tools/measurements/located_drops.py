@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 
 from tamias2d.errors import TamiasError
+from tamias2d.event_driven import LIBRARY
 from tamias2d.motion import ClosedForm
 from tamias2d.run import Run
 from tamias2d.simulate import simulate
@@ -53,6 +54,8 @@ def measure(
 ) -> dict[str, Any]:
     """Return a row for each drop."""
     rows = _stored(store)
+    if LIBRARY.is_kept():
+        LIBRARY.compiled()  # here, so that the process of each drop has it at hand
     with until_stopped():
         for seed in each(range(first, first + count), "Drops"):
             if seed not in rows:

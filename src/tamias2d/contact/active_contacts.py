@@ -36,7 +36,7 @@ class ActiveContacts:
             names = self._named(pair)
             if touch.staying and names not in before:
                 before.add(names)  # a chain may have more pieces that it touches
-                since = self.rest_times.time_of(pair, instant.time)
+                since = self.rest_times.time_of(pair, instant)
                 self.notes += (f"rest: {names} stay in contact from {since!r} s",)
             self._drop(pair)
             if touch.staying:

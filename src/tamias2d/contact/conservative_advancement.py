@@ -83,9 +83,19 @@ class Pair:
                 return time
             tiny_steps += self._touching or step < tiny
             if tiny_steps > _TINY_STEPS:
+                if self._lasting and self._closes(time):
+                    return time
                 break
             time += step
         raise self._undecided(time)
+
+    def _closes(self, time: float) -> bool:
+        """Whether a corner that comes down beside a lasting contact is there, but for rounding.
+
+        Angles in float64 may stand still for longer than it takes.
+        """
+        nearest, tolerance = self._nearest(time)
+        return nearest.value <= tolerance and nearest.rate < 0
 
     def _undecided(self, time: float) -> UndecidedContactError:
         return UndecidedContactError(

@@ -5,8 +5,8 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from tamias2d.contact.core import Core, Placed, place
-from tamias2d.contact.friction_constraint import FrictionConstraint
-from tamias2d.contact.frictional_rest import island_of
+from tamias2d.contact.friction_constraint import FrictionConstraint, TurningFrictionConstraint
+from tamias2d.contact.frictional_rest import island_of, slides_on
 from tamias2d.contact.gap import EPSILON, axes, resolution
 from tamias2d.contact.manifold import LASTING_NOISE, Contact, manifold, refreshed, speed_scale
 from tamias2d.contact.pair_friction import PairFriction
@@ -105,6 +105,10 @@ class ContactLossWatch:
             time, self._friction, lambda contact: self._noise(contact, states)
         )
         free = {self._body: self._free(time)}
+        if len(now) == 1 and isinstance(constraint, TurningFrictionConstraint):
+            sense = slides_on(self._cores, placed, now[0], free, self._slight, friction_and_senses)
+            if sense and self._senses_now == {(now[0].a, now[0].b): sense}:
+                return True
         try:
             island = island_of(self._cores, placed, now, free, self._slight, friction_and_senses)
         except Refusal:

@@ -56,14 +56,16 @@ class CoupledConstraint:
         """Return the accelerations (n, 3) of all bodies under which closed contacts stay closed."""
         return self._solved(accelerations, states).accelerations
 
-    def lasts(self, accelerations: Array, states: Sequence[State], slack: Sequence[float]) -> bool:
-        """Return whether Coulomb's law allows the mode in these states, under these loads.
+    def slides_on(self, states: Sequence[State], slack: Sequence[float]) -> bool:
+        """Return whether all parts that slide do so in their senses, in these states.
 
         `slack`, m/s, is how fast each part may slide against its sense (`against`).
         """
         slips = self._slips(states)
-        if any(slip is not None and slip <= -most for slip, most in zip(slips, slack, strict=True)):
-            return False
+        return all(slip is None or slip > -most for slip, most in zip(slips, slack, strict=True))
+
+    def holds(self, accelerations: Array, states: Sequence[State]) -> bool:
+        """Return whether forces obey Coulomb's law in these states, under these loads."""
         found = self._solved(accelerations, states)
         return _within_cones(found) or self._has_forces(found)
 

@@ -15,10 +15,9 @@ from tamias2d.contact.coupled_constraint import (
     rows_of,
 )
 from tamias2d.contact.force_problem import ForceProblem
-from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.inelastic_impact import JammedError
 from tamias2d.contact.lasting_contact import Island
-from tamias2d.contact.manifold import Contact, tangential_velocity
+from tamias2d.contact.manifold import Contact, tangent_of, tangential_velocity
 from tamias2d.contact.modes import (
     Mode,
     Part,
@@ -38,6 +37,8 @@ _MOST = 12
 """The most moving bodies in contact that go on together: the work grows as their cube."""
 _PRESSED = 1e-10
 """Of the largest force: one that is none."""
+_HELD = 1e-10
+"""Of a direction: what is left of it where others hold it."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
@@ -64,13 +65,19 @@ class CoupledIsland(Island):
         self._states = {i: body.state for i, body in placed.items()}
         self._mode: Mode = ()
         self._rests = False
-        pull = max(abs(x) + abs(y) for x, y, _ in free.values())
-        self._unseen_speed = 64 * EPSILON * pair_friction.time * pull
-        self._patches = self._patches_of(contacts, pair_friction)
+        self._unseen_speed = pair_friction.unseen_speed(free)
+        self._patches = pair_friction.patches(contacts, placed, free)
         if self._stands(pair_friction.noise):
             self._rest()
         elif self._moves_on(self._states) or self._rubs():
             self._decide()
+            while stopped := self._turned_round():
+                self.stopped |= stopped
+                self._patches = [
+                    patch._replace(sense=0) if _pair(patch.contacts) in stopped else patch
+                    for patch in self._patches
+                ]
+                self._decide()
         self.senses.update(_senses(self._mode))
 
     def _rubs(self) -> bool:
@@ -91,18 +98,35 @@ class CoupledIsland(Island):
             }
         if self._constant:
             return super().projected(states)
-        rows = rows_of(closed_directions(closed(self._mode)), self.bodies)
+        return self._settled(states)
+
+    def _settled(self, states: Mapping[int, State]) -> dict[int, State]:
+        """Return the states without what is left of velocities that count as none (DD75)."""
+        mode = tuple(part._replace(sense=part.patch.sense) for part in self._mode)
+        rows = rows_of(closed_directions(closed(mode)), self.bodies)
         velocities = np.array(
             [(*states[i].velocity, states[i].angular_velocity) for i in self.bodies]
         )
         inverse = inverse_masses(self._cores, self.bodies)
-        pushes = rows_of(force_directions(self._mode), self.bodies) * inverse
+        pushes = rows_of(force_directions(mode), self.bodies) * inverse
         found = least_forces(rows, pushes, inverse, rows @ velocities.ravel())
         after = velocities + (found @ pushes).reshape(-1, 3)
         return {
             i: states[i]._replace(velocity=(x, y), angular_velocity=spin)
             for i, (x, y, spin) in zip(self.bodies, after.tolist(), strict=True)
         }
+
+    def _turned_round(self) -> set[tuple[int, int]]:
+        """Return the pairs whose sliding friction would turn round as they settle: it ends it."""
+        after = {**self._states, **self._settled(self._states)}
+        found = set()
+        for part in self._mode:
+            if part.pressed and part.patch.coefficient and part.patch.sense:
+                pair = _pair(part.pressed)
+                a, b = (after[i] for i in pair)
+                if part.patch.sense * tangential_velocity(part.pressed[0], a, b) < 0:
+                    found.add(pair)
+        return found
 
     def constraints(self, states: Mapping[int, State], time: float) -> dict[int, Constraint]:
         """Return the constraint of each body by its lasting contacts.
@@ -129,18 +153,6 @@ class CoupledIsland(Island):
                 "scene.",
                 time=time,
             )
-
-    def _patches_of(self, contacts: Sequence[Contact], pair_friction: PairFriction) -> list[Patch]:
-        found = []
-        for a, b in dict.fromkeys((contact.a, contact.b) for contact in contacts):
-            own = tuple(contact for contact in contacts if (contact.a, contact.b) == (a, b))
-            speed = tangential_velocity(own[0], self._placed[a].state, self._placed[b].state)
-            coefficient = pair_friction.of(a, b)
-            slides = coefficient > 0 and (
-                abs(speed) > pair_friction.noise(own[0]) + self._unseen_speed
-            )
-            found.append(Patch(own, coefficient, int(math.copysign(1, speed)) if slides else 0))
-        return found
 
     def _stands(self, noise: Callable[[Contact], float]) -> bool:
         """Whether nothing moves, and forces within the friction cones keep it so."""
@@ -190,6 +202,7 @@ class CoupledIsland(Island):
             self._part(patch, pushes, drag)
             for patch, (pushes, drag) in zip(self._patches, found, strict=True)
         )
+        mode = self._held_by_others(mode, [drag for _, drag in found])
         by = self._accelerated(mode)
         closed_parts = [self._with_unpressed(part, by) for part in mode]
         self._mode = tuple(part for part in closed_parts if part.pressed)
@@ -206,6 +219,29 @@ class CoupledIsland(Island):
             if abs(drag) >= bound * (1 - _PRESSED) - least:
                 sense = -int(math.copysign(1, drag))
         return Part(patch, pressed, sense)
+
+    def _held_by_others(self, mode: Mode, drags: Sequence[float]) -> Mode:
+        """Return a mode without the friction of pairs that need none, as others hold them.
+
+        As where boxes touch beside a floor: any drag would go with it, and another motion with
+        each, for what slides elsewhere is pressed by it.
+        """
+        for k, drag in enumerate(drags):
+            part = mode[k]
+            if part.sticks and abs(drag) <= _PRESSED * self._largest:
+                smooth = part._replace(patch=part.patch._replace(coefficient=0.0))
+                others = (*mode[:k], smooth, *mode[k + 1 :])
+                if self._holds(others, tangent_of(part.pressed[0])):
+                    mode = others
+        return mode
+
+    def _holds(self, mode: Mode, tangent: Contact) -> bool:
+        """Return whether bodies cannot move along a tangent where contacts stay closed."""
+        weights = np.sqrt(inverse_masses(self._cores, self.bodies))
+        rows = rows_of(closed_directions(closed(mode)), self.bodies) * weights
+        row = rows_of([tangent], self.bodies)[0] * weights
+        left = row - np.linalg.lstsq(rows.T, row)[0] @ rows
+        return bool(np.abs(left).max() <= _HELD * np.abs(row).max())
 
     def _with_unpressed(self, part: Part, by: Mapping[int, Acceleration]) -> Part:
         """Return a part with the contacts that neither press nor open; those rub on nothing."""
@@ -252,6 +288,10 @@ class CoupledIsland(Island):
             result.append((pushes[place : place + count], float(drag)))
             place += count
         return result
+
+
+def _pair(contacts: Sequence[Contact]) -> tuple[int, int]:
+    return contacts[0].a, contacts[0].b
 
 
 def _senses(mode: Mode) -> dict[tuple[int, int], int]:

@@ -41,35 +41,36 @@ class CoupledLossWatch:
         states = [self._paths[i].at(before) for i in self._constraint.bodies]
         self._slack = self._constraint.against(states, self._loads(before), path.end - before)
         for time in np.linspace(path.start, path.end, _SAMPLES + 1)[1:].tolist():
-            if not self._lasts(time):
-                return self._bisect(before, time)
+            first: float = time
+            lost = False
+            for lasts in (self._slides_on, self._holds, self._same_features):  # cheap ones first
+                if not lasts(first):
+                    first, lost = _bisect(lasts, before, first), True
+            if lost:
+                return first
             before = time
         return None
 
-    def _bisect(self, low: float, high: float) -> float:
-        while low < (middle := (low + high) / 2) < high:
-            if self._lasts(middle):
-                low = middle
-            else:
-                high = middle
-        return high
+    def _slides_on(self, time: float) -> bool:
+        """Return whether what slides does so in its sense."""
+        return self._constraint.slides_on(self._own(time), self._slack)
 
-    def _lasts(self, time: float) -> bool:
-        states = {i: path.at(time) for i, path in self._paths.items()}
-        if not self._same_features(states, time):
-            return False
-        own = [states[i] for i in self._constraint.bodies]
-        return self._constraint.lasts(self._loads(time), own, self._slack)
+    def _holds(self, time: float) -> bool:
+        """Return whether forces obey Coulomb's law."""
+        return self._constraint.holds(self._loads(time), self._own(time))
+
+    def _own(self, time: float) -> list[State]:
+        return [self._paths[i].at(time) for i in self._constraint.bodies]
 
     def _loads(self, time: float) -> Array:
         return np.array([self._free(i, time) for i in self._constraint.bodies])
 
-    def _same_features(self, states: Mapping[int, State], time: float) -> bool:
+    def _same_features(self, time: float) -> bool:
         """Return whether each pair touches with the corners and sides that it did.
 
         What else touches is found as an impact.
         """
-        placed = {i: place(self._cores[i], state) for i, state in states.items()}
+        placed = {i: place(self._cores[i], path.at(time)) for i, path in self._paths.items()}
         for i, j in dict.fromkeys((contact.a, contact.b) for contact in self._contacts):
             own = [contact for contact in self._contacts if (contact.a, contact.b) == (i, j)]
             a, b = placed[i], placed[j]
@@ -81,6 +82,16 @@ class CoupledLossWatch:
             if not all(_features(contact) in found for contact in own):
                 return False
         return True
+
+
+def _bisect(lasts: Callable[[float], bool], low: float, high: float) -> float:
+    """Return the first time in s at which something does not last any more."""
+    while low < (middle := (low + high) / 2) < high:
+        if lasts(middle):
+            low = middle
+        else:
+            high = middle
+    return high
 
 
 def _features(contact: Contact) -> object:

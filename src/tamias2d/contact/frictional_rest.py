@@ -17,17 +17,16 @@ from tamias2d.contact.friction_constraint import (
     jacobian_row,
     unit_response,
 )
-from tamias2d.contact.gap import EPSILON
-from tamias2d.contact.lasting_contact import Island
+from tamias2d.contact.lasting_contact import Island, scale_of, unseen_opening
 from tamias2d.contact.manifold import (
     Contact,
     normal_velocity,
     tangent_of,
     tangential_acceleration,
-    tangential_velocity,
 )
 from tamias2d.contact.modes import (
     Mode,
+    Part,
     Patch,
     closed,
     closed_directions,
@@ -39,6 +38,7 @@ from tamias2d.contact.modes import (
 )
 from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.refusal import FrictionError, named
+from tamias2d.contact.response import coupling
 from tamias2d.contact.rolling_island import RollingDisc, rolls
 from tamias2d.generated import friction
 from tamias2d.state import Acceleration, Constraint, State
@@ -66,6 +66,28 @@ def island_of(
     return Island(cores, placed, contacts, free, slight)
 
 
+def slides_on(
+    cores: Sequence[Core],
+    placed: Mapping[int, Placed],
+    contact: Contact,
+    free: Mapping[int, Acceleration],
+    slight: float,
+    pair_friction: PairFriction,
+) -> int:
+    """Return the sense in which the one contact of a body is sure to slide, or 0.
+
+    Loads press it, so that it may not open, and friction does not press what it brakes: it is the
+    only mode. What is closer to another one is for an island to decide.
+    """
+    (patch,) = pair_friction.patches([contact], placed, free)
+    if not patch.sense:
+        return 0
+    (edge,) = cone_edges((Part(patch, patch.contacts, patch.sense),))
+    load = opening_acceleration(contact, placed, free)
+    pressed = load < -unseen_opening(scale_of([*free.values()], [load]), slight)
+    return patch.sense if pressed and coupling(cores, contact, edge) > 0 else 0
+
+
 class FrictionalIsland(Island):
     """One moving body, of whose contacts some have friction."""
 
@@ -88,9 +110,8 @@ class FrictionalIsland(Island):
         self._states = {i: body.state for i, body in placed.items()}
         self._free = free
         self._mode: Mode = ()
-        self._find_mode(
-            self._patches(contacts, free, pair_friction), contacts, free, pair_friction.time
-        )
+        patches = pair_friction.patches(contacts, placed, free)
+        self._find_mode(patches, contacts, free, pair_friction.time)
         self.senses.update(_senses(self._mode))
 
     def crept(
@@ -163,25 +184,6 @@ class FrictionalIsland(Island):
         """Return a body's velocity or acceleration, projected on what the closed contacts allow."""
         (body,) = self.bodies
         return constrained_accelerations(self._cores, [body], self._closed, {body: motion})[body]
-
-    def _patches(
-        self,
-        contacts: Sequence[Contact],
-        free: Mapping[int, Acceleration],
-        pair_friction: PairFriction,
-    ) -> list[Patch]:
-        pairs = dict.fromkeys((contact.a, contact.b) for contact in contacts)
-        pull = max(abs(x) + abs(y) for x, y, _ in free.values())
-        unseen = 64 * EPSILON * pair_friction.time * pull
-        found = []
-        for a, b in pairs:
-            own = tuple(contact for contact in contacts if (contact.a, contact.b) == (a, b))
-            speed = tangential_velocity(own[0], self._placed[a].state, self._placed[b].state)
-            slides = (
-                pair_friction.of(a, b) > 0 and abs(speed) > pair_friction.noise(own[0]) + unseen
-            )
-            found.append(Patch(own, pair_friction.of(a, b), int(np.sign(speed)) if slides else 0))
-        return found
 
     def _find_mode(
         self,

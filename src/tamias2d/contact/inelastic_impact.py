@@ -15,6 +15,7 @@ from tamias2d.contact.force_problem import ForceProblem
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.modes import Mode, Part, Patch, closed, closed_directions, force_directions
 from tamias2d.contact.refusal import LastingContactError
+from tamias2d.contact.touching import PairOf
 from tamias2d.generated import friction
 from tamias2d.state import Acceleration, Array, State
 
@@ -51,11 +52,14 @@ class JammedError(LastingContactError):
         self.free = free
 
 
-def jam_impulses(cores: Sequence[Core], jam: JammedError) -> list[tuple[Contact, float, float]]:
+def jam_impulses(
+    cores: Sequence[Core], jam: JammedError
+) -> tuple[list[tuple[Contact, float, float]], set[PairOf]]:
     """Return contacts with the impulses along normal and tangent, N s, that end their sliding.
 
     None are returned where nothing slides. A little of the loads tells which contacts they press.
-    What is left of velocities that count as none, if more than that, would hide it.
+    What is left of velocities that count as none, if more than that, would hide it. Also returned
+    are the pairs that do not slide any more, in the sense in which they did.
     """
     bodies = sorted(jam.free)
     states = {i: jam.placed[i].state for i in bodies}
@@ -67,8 +71,16 @@ def jam_impulses(cores: Sequence[Core], jam: JammedError) -> list[tuple[Contact,
     sliding = np.abs(rates[problem.count :]).max(initial=0.0)
     pull = np.abs(loads).max()
     if not (sliding and pull):
-        return []
-    return _impulses(cores, bodies, problem, states, rates + _SEED * sliding / pull * loads)
+        return [], set()
+    told = problem.solved(rates + _SEED * sliding / pull * loads)
+    if told is None:
+        return [], set()
+    stopped = {
+        (part.pressed[0].a, part.pressed[0].b)
+        for part, before in zip(_mode(problem, *told), jam.patches, strict=True)
+        if part.pressed and not part.sense == before.sense != 0
+    }
+    return _impulses(cores, bodies, problem, states, told), stopped
 
 
 def closing_impulses(
@@ -79,7 +91,8 @@ def closing_impulses(
     bodies = sorted(i for i in touched if cores[i].dynamic)
     problem = ForceProblem(cores, bodies, _loose(patches))
     rates = problem.rows @ _velocities(bodies, states).ravel()
-    return _impulses(cores, bodies, problem, states, rates)
+    told = problem.solved(rates)
+    return [] if told is None else _impulses(cores, bodies, problem, states, told)
 
 
 def _loose(patches: Sequence[Patch]) -> list[Patch]:
@@ -96,16 +109,13 @@ def _impulses(
     bodies: Sequence[int],
     problem: ForceProblem,
     states: Mapping[int, State],
-    rates: Array,
+    told: tuple[Array, Array],
 ) -> list[tuple[Contact, float, float]]:
-    """Return the impulses of the mode that rates lead to.
+    """Return the impulses of the mode that a problem's solution has.
 
     Where rounding told that one sticks which slides, those that told it are taken: they obey
     Coulomb's law.
     """
-    told = problem.solved(rates)
-    if told is None:
-        return []
     mode = _mode(problem, *told)
     inverse = inverse_masses(cores, bodies)
     rows = rows_of(closed_directions(closed(mode)), bodies)

@@ -54,6 +54,7 @@ class Instant:
         """Of lasting pairs with friction: 0 if they stick, else the sense in which they slide."""
         self.separating: dict[PairOf, float] = {}
         """Pairs that separate without normal velocity, with the second derivative of the gap."""
+        self._stopped: set[PairOf] = set()  # of which an impulse has ended the sliding
         self._find_touching(bodies)
         if world.again:
             self._hush()
@@ -240,7 +241,8 @@ class Instant:
 
     def _resolve_jam(self, jam: JammedError) -> bool:
         """Apply the impulses that end the sliding of contacts that jam (DD68), if there are any."""
-        found = jam_impulses(self._world.cores, jam)
+        found, stopped = jam_impulses(self._world.cores, jam)
+        self._stopped |= stopped
         quieten(self.touching_pairs.values())
         self.contact_impulses += [
             ContactImpulse(contact, push, self._rate(contact))
@@ -278,11 +280,14 @@ class Instant:
             slight_opening(placed[contact.a], placed[contact.b], self.time, self._world.until)
             for contact in contacts
         ]
-        pair_friction = PairFriction(self.time, self._world.friction, self._slide_noise)
+        pair_friction = PairFriction(
+            self.time, self._world.friction, self._slide_noise, self._stopped
+        )
         found = []
         for bodies, joined in groups:
             free = {i: self._free(i) for i in sorted(bodies)}
             island = island_of(cores, placed, joined, free, min(slight), pair_friction)
+            self._stopped |= island.stopped  # also of the islands into which it falls
             alone = len(island.bodies) == 1 or len(island.lasting) == len(joined)
             found += [island] if alone else self._islands(island.lasting)
         return found
@@ -327,7 +332,9 @@ class Instant:
         by = self._accelerations(islands)
         placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
         for contact in contacts:
-            self.separating[contact.a, contact.b] = opening_acceleration(contact, placed, by)
+            opening = opening_acceleration(contact, placed, by)
+            if opening > 0:
+                self.separating[contact.a, contact.b] = opening
 
     def _constrain(self, island: Island) -> None:
         states = island.crept(self.states, self._world.restitution)

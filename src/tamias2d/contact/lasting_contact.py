@@ -32,6 +32,16 @@ _ROUNDING = 1e-13
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
+def scale_of(free: Sequence[Acceleration], loads: Sequence[float]) -> float:
+    """Return the largest acceleration of bodies without contacts, and of contacts, m/s^2."""
+    return max(*(math.hypot(*each[:2]) for each in free), *(abs(load) for load in loads))
+
+
+def unseen_opening(scale: float, slight: float) -> float:
+    """Return what counts as no opening, m/s^2."""
+    return max(_ROUNDING * scale, slight)
+
+
 class Island:
     """Moving bodies that contacts connect, at one instant. Static bodies do not connect."""
 
@@ -48,13 +58,13 @@ class Island:
         self._placed = placed
         self.senses: dict[tuple[int, int], int] = {}
         """Of pairs with friction: 0 if they stick, else the sense in which they slide."""
+        self.stopped: set[tuple[int, int]] = set()
+        """Pairs whose sliding friction ends as they settle."""
         self.bodies = sorted({i for c in contacts for i in (c.a, c.b) if cores[i].dynamic})
         loads = [opening_acceleration(contact, placed, free) for contact in contacts]
         matrix = [[coupling(cores, k, m) for m in contacts] for k in contacts]
         normal_forces = complementarity(matrix, loads)
-        accelerations = [math.hypot(*free[i][:2]) for i in self.bodies]
-        scale = max(*accelerations, *(abs(load) for load in loads))
-        self._scale = scale
+        scale = self._scale = scale_of([free[i] for i in self.bodies], loads)
         self._small = _FIXED * scale + slight
         self._pressed = [
             c for c, normal_force in zip(contacts, normal_forces, strict=True) if normal_force > 0
@@ -63,7 +73,7 @@ class Island:
             self.accelerations = constrained_accelerations(cores, self.bodies, self._pressed, free)
         else:
             self.accelerations = self._with_forces(contacts, normal_forces, free)
-        self._unseen = max(_ROUNDING * scale, slight)
+        self._unseen = unseen_opening(scale, slight)
         self.lasting = [
             contact
             for contact, normal_force in zip(contacts, normal_forces, strict=True)

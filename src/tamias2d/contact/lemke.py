@@ -7,7 +7,7 @@ from tamias2d.contact.symmetry import equitable_classes
 from tamias2d.state import Array
 
 _TIED = 1e-11
-"""Of the largest one: by how much equal ratios may differ."""
+"""Of the largest value of a column: what counts as none when the least ratio has been taken."""
 _NEGLIGIBLE = 1e-11
 """A pivot that is none."""
 _PIVOTS = 50  # for each unknown
@@ -70,8 +70,9 @@ def _ratio_test(
     if not len(rows):
         return None
     for place in (-1, *range(len(table))):
-        ratios = table[rows, place] / column[rows]
-        rows = rows[ratios <= ratios.min() + _TIED * max(1.0, np.abs(ratios).max())]
+        values = table[rows, place]
+        least = (values / column[rows]).min()
+        rows = rows[values - least * column[rows] <= _TIED * max(1.0, np.abs(values).max())]
         tied = rows[basis[rows] == artificial]
         if place == -1 and len(tied):
             return int(tied[0])

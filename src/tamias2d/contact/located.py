@@ -269,7 +269,8 @@ class Located:
         instant = self._instant(time, bodies)
         if instant.contact_impulses:
             self._impacts.append(_rows(time, instant.contact_impulses))
-            self._work.impacts(len(instant.contact_impulses), time)
+            met = {(contact.a, contact.b) for contact, *_ in instant.contact_impulses}
+            self._work.impacts(len(met), time)
         self._ruled.update(instant)
         self._active.update(instant)
         self._search.update(instant)

@@ -1,9 +1,15 @@
 """The friction of all pairs at one instant."""
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import NamedTuple
 
-from tamias2d.contact.manifold import Contact
+from tamias2d.contact.core import Placed
+from tamias2d.contact.gap import EPSILON
+from tamias2d.contact.manifold import Contact, tangential_velocity
+from tamias2d.contact.modes import Patch
+from tamias2d.contact.touching import PairOf
+from tamias2d.state import Acceleration
 
 
 class PairFriction(NamedTuple):
@@ -14,3 +20,30 @@ class PairFriction(NamedTuple):
     """The coefficient of friction of a pair."""
     noise: Callable[[Contact], float]
     """What counts as no tangential velocity, m/s."""
+    stopped: Collection[PairOf] = ()
+    """The pairs of which an impulse has just ended the sliding."""
+
+    def unseen(self, contact: Contact) -> float:
+        """Return what counts as no sliding, m/s: where an impulse has just ended it, anything."""
+        return math.inf if (contact.a, contact.b) in self.stopped else self.noise(contact)
+
+    def unseen_speed(self, free: Mapping[int, Acceleration]) -> float:
+        """Return what rounding of time leaves of speeds, m/s, under accelerations by loads."""
+        pull = max(abs(x) + abs(y) for x, y, _ in free.values())
+        return 64 * EPSILON * self.time * pull
+
+    def patches(
+        self,
+        contacts: Sequence[Contact],
+        placed: Mapping[int, Placed],
+        free: Mapping[int, Acceleration],
+    ) -> list[Patch]:
+        """Return the contacts of each pair, and how they slide."""
+        unseen, found = self.unseen_speed(free), []
+        for a, b in dict.fromkeys((contact.a, contact.b) for contact in contacts):
+            own = tuple(contact for contact in contacts if (contact.a, contact.b) == (a, b))
+            speed = tangential_velocity(own[0], placed[a].state, placed[b].state)
+            coefficient = self.of(a, b)
+            slides = coefficient > 0 and abs(speed) > self.unseen(own[0]) + unseen
+            found.append(Patch(own, coefficient, int(math.copysign(1, speed)) if slides else 0))
+        return found

@@ -55,7 +55,15 @@ class RestTimes:
             known = self.of.get(pair, NONE)
             self.of[pair] = Estimate(*better_estimate(*known, touch.rest_at, touch.rest_noise))
 
-    def time_of(self, pair: PairOf, time: float) -> float:
-        """Return when a pair comes to rest, s, which is not before now."""
-        known = self.of.pop(pair, None)
-        return max(known.best, time) if known else time
+    def time_of(self, pair: PairOf, instant: Instant) -> float:
+        """Return when a pair comes to rest that stays from an instant on, s; not before that.
+
+        It is the best estimate, if the last bounce agrees: those of a body that comes down on one
+        corner after another are no geometric series.
+        """
+        known, touch = self.of.pop(pair, None), instant.touching_pairs[pair]
+        if known is None or not touch.rest_at:
+            return instant.time
+        seen = max(touch.rest_noise, touch.rest_at - instant.time)
+        best = known.best if abs(known.best - touch.rest_at) <= seen else touch.rest_at
+        return max(best, instant.time)

@@ -52,7 +52,7 @@ class RollingDisc(Island):
             self._normal,
             self._inverses,
             self._coefficient,
-            pair_friction.noise(contact),
+            pair_friction.unseen(contact),
             pair_friction.time,
         )
         *by, self._sense = rolling_disc.held(

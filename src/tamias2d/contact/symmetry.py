@@ -42,8 +42,10 @@ def equitable_classes(matrix: Array, known: Sequence[Array]) -> NDArray[np.int64
     """Return the class of each row: the coarsest of which all rows of a class have the same numbers
     and the same couplings to each class (equitable partition).
     """
-    couplings = _ranks(matrix)
     classes = _rows(np.stack([_ranks(each) for each in known], axis=1))
+    if classes.max(initial=-1) == len(classes) - 1:  # there are no equal ones
+        return classes
+    couplings = _ranks(matrix)
     while True:
         seen = np.sort(couplings * len(classes) + classes, axis=1)
         finer = _rows(np.column_stack([classes, seen]))
@@ -60,5 +62,9 @@ def _ranks(values: Array) -> NDArray[np.int64]:
 
 
 def _rows(values: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return a number for each row, the same for equal rows."""
-    return np.unique(values, axis=0, return_inverse=True)[1].reshape(-1)
+    """Return the place of each row among all different ones, in order."""
+    order = np.lexsort(values.T[::-1])
+    apart = (values[order[1:]] != values[order[:-1]]).any(axis=1)
+    found = np.zeros(len(values), dtype=np.int64)
+    found[order[1:]] = np.cumsum(apart)
+    return found

@@ -548,7 +548,7 @@ def creep(
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: DD78, srs/models/friction.md:589.
+    Source: DD78, srs/models/friction.md:590.
     """
     return (
         2
@@ -568,6 +568,6 @@ def friction_force_most(contact_force: Scalar, pair_friction: Scalar) -> Scalar:
         contact_force: Size of the force of a resting contact along its normal, N
         pair_friction: The coefficient of friction that holds between two bodies, 1
 
-    Source: IM18, srs/models/friction.md:642.
+    Source: IM18, srs/models/friction.md:643.
     """
     return pair_friction * contact_force
