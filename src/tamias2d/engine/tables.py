@@ -830,13 +830,14 @@ M_STATUS = _mechanisms()  # one of those below
 M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by iteration; with the last
 # column it is a net of hinges
 M_TIED = _mechanisms()  # 1 if a joint ties it to what nothing pushes
+M_TURNED_BY_MOTOR = _mechanisms()  # 1 if a motor that does not stand still may give it energy
 M_TIMED = _mechanisms()  # 1 if an equation that changes with time drives it
 M_CARRIED = _mechanisms()  # 1 if that, or some of it, moves as it is told
 M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
 M_CHOOSING = _mechanisms()  # 1 if it has limits or motors
 M_BOUNCING = _mechanisms()  # 1 if it has limits that bounce
-M_NEAR = _mechanisms()  # 1 if it may reach a limit in this part, or has a motor
+M_NEAR = _mechanisms()  # 1 if it may reach a limit in this part
 M_TOUCHED = _mechanisms()  # 1 if contacts touch it
 M_HINGED = _mechanisms()  # 1 if it is a net or a tree of hinges; of a tree nodes come after those
 # above them, and joints that are no hinges of nodes last
@@ -844,7 +845,7 @@ M_IN_BLOCK = _mechanisms()  # 1 if it is a tree that is solved in a lane of a bl
 M_WRITTEN = _mechanisms()  # 1 if its rows are those of its places and masses
 M_HALF = _mechanisms()  # 1 in the first substep of a step whose forces came half before it
 # status: those of the second kind have no limits, motors and springs, those of the third have some,
-# but motors, and are far from limits
+# and are far from limits
 ASLEEP, FREE_OF_CONTACTS, GOVERNED_ALONE, IN_CONTACT = range(4)
 
 _joint = Columns()  # whole numbers of a joint

@@ -61,8 +61,8 @@ def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
 def activate_joined(world: World) -> None:
     """Make the bodies of mechanisms active, and note which mechanisms contacts touch.
 
-    Those with springs are solved as those that are touched, but once only; limits that are near
-    and motors are chosen twice, too.
+    Those with springs and motors are solved as those that are touched, but once only; limits that
+    are near are chosen twice, too.
     """
     joints, bodies = world.joints, world.bodies
     awake = touched_ones = 0

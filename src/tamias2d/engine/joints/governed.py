@@ -10,6 +10,8 @@ from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.joint_step import row_impulse_most, struck_rate, struck_share
 from tamias2d.state import Array
 
+HALF = 0.5  # of a substep: in the first one and after the last, where loads are kicks at both ends
+
 
 def begin_rows(n: int, joints: Joints) -> None:
     """Let the limits of a mechanism be free as a part of a step begins, and its motors hold."""
@@ -25,11 +27,30 @@ def begin_motors(n: int, substep: float, bodies: Bodies, joints: Joints) -> None
     """Let the motors of a mechanism that gave the most that they can do so again, to begin with."""
     if joints.mechanisms[n, tb.M_GOVERNED] == 0:
         return
+    time = substep * share_of_loads(n, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         state = joints.joints[j, tb.J_STATE]
         if joints.joints[j, tb.J_LAW] == tb.MOTOR and state != tb.HOLDS:
-            most = row_impulse_most(joints.laws[j, tb.LAW_MOST], substep)
-            apply_joint_impulse(j, 0, most if state == tb.AT_MOST else -most, bodies, joints)
+            give_the_most(j, time, bodies, joints)
+
+
+def end_motors(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Let the motors that give the most catch up as a part ends, as the other loads do."""
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.joints[j, tb.J_LAW] == tb.MOTOR and joints.joints[j, tb.J_STATE] != tb.HOLDS:
+            give_the_most(j, HALF * substep, bodies, joints)
+
+
+def give_the_most(j: int, time: float, bodies: Bodies, joints: Joints) -> None:
+    """Let a motor give what it can at most in a time, s."""
+    most = row_impulse_most(joints.laws[j, tb.LAW_MOST], time)
+    forwards = joints.joints[j, tb.J_STATE] == tb.AT_MOST
+    apply_joint_impulse(j, 0, most if forwards else -most, bodies, joints)
+
+
+def share_of_loads(n: int, joints: Joints) -> float:
+    """Return for which share of a substep loads act on a mechanism as it begins."""
+    return HALF if joints.mechanisms[n, tb.M_HALF] == 1 else 1.0
 
 
 def choose_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
@@ -38,6 +59,7 @@ def choose_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
     Values and errors of the rows are those to which the substep leads.
     """
     changed = False
+    time = substep * share_of_loads(n, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         law = joints.joints[j, tb.J_LAW]
         if law == tb.LOWER_LIMIT:
@@ -45,7 +67,7 @@ def choose_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
         elif law == tb.UPPER_LIMIT:
             changed = choose_limit(j, -1.0, bodies, joints) or changed
         elif law == tb.MOTOR:
-            changed = choose_motor(j, substep, bodies, joints) or changed
+            changed = choose_motor(j, time, bodies, joints) or changed
     return changed
 
 
@@ -73,10 +95,13 @@ def note_struck(sign: float, numbers: Array) -> None:
     numbers[tb.J_STRUCK] = struck_rate(before, share, after)
 
 
-def choose_motor(j: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
-    """Let a motor give the most that it can, or less where that is too much; return likewise."""
+def choose_motor(j: int, time: float, bodies: Bodies, joints: Joints) -> bool:
+    """Let a motor give the most that it can in a time, s, or less if that is too much.
+
+    Return whether it changes.
+    """
     ends, numbers = joints.joints[j], joints.numbers[j]
-    given, most = numbers[tb.J_GIVEN], row_impulse_most(joints.laws[j, tb.LAW_MOST], substep)
+    given, most = numbers[tb.J_GIVEN], row_impulse_most(joints.laws[j, tb.LAW_MOST], time)
     if ends[tb.J_STATE] == tb.HOLDS:
         if abs(given) <= most:
             return False

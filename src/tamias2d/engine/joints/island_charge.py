@@ -58,7 +58,8 @@ def is_moved(n: int, row: Array, joints: Joints) -> bool:
     """Return whether what ties a mechanism turns, changes with time, or was moved by hand."""
     turns = (row[tb.SUPPORT] == SUPPORTED_BY_ONE) & (row[tb.REFERENCE + 2] != 0.0)
     pulled = joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_PULLED] > 0.0
-    return bool(turns | pulled | (joints.mechanisms[n, tb.M_TIMED] == 1))
+    timed = joints.mechanisms[n, tb.M_TIMED] + joints.mechanisms[n, tb.M_TURNED_BY_MOTOR]
+    return bool(turns | pulled | (timed > 0))
 
 
 def charge_joined(

@@ -68,8 +68,12 @@ class JointRow(NamedTuple):
     @property
     def driven(self) -> bool:
         """Whether it may give energy."""
-        turned = self.law == MOTOR and self.numbers[0] != 0
-        return turned or self.law == SPRING or self.timed
+        return self.turned or self.law == SPRING or self.timed
+
+    @property
+    def turned(self) -> bool:
+        """Whether it is a motor that does not stand still."""
+        return self.law == MOTOR and self.numbers[0] != 0
 
     @property
     def governed(self) -> bool:

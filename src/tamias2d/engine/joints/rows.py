@@ -205,6 +205,7 @@ def _write_joints(
             joints.mechanisms[n, tb.M_CARRIED] |= (kind[held] == tb.KINEMATIC).any()
             joints.mechanisms[n, tb.M_DRIVEN] |= row.driven
             joints.mechanisms[n, tb.M_TIMED] |= row.timed
+            joints.mechanisms[n, tb.M_TURNED_BY_MOTOR] |= row.turned
             joints.mechanisms[n, tb.M_GOVERNED] |= row.governed
             joints.mechanisms[n, tb.M_CHOOSING] |= row.law in CHOOSING
             joints.mechanisms[n, tb.M_BOUNCING] |= row.numbers[tb.LAW_RESTITUTION] > 0.0

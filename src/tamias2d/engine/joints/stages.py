@@ -17,7 +17,7 @@ from tamias2d.engine.joints.energy import (
     note_energy_of_springs,
     rise_of_yielding,
 )
-from tamias2d.engine.joints.governed import begin_motors, begin_rows
+from tamias2d.engine.joints.governed import begin_motors, begin_rows, end_motors
 from tamias2d.engine.joints.half_kick import kick_half
 from tamias2d.engine.joints.hinge_net import begin_net
 from tamias2d.engine.joints.left_impulses import give_left, note_left
@@ -145,6 +145,7 @@ def fit_touched(world: World) -> None:
     for n in range(joints.counts[tb.MECHANISMS]):
         if joints.mechanisms[n, tb.M_STATUS] == tb.GOVERNED_ALONE:
             kick_half(n, True, world.bodies, joints)
+            end_motors(n, world.control.settings[tb.SUBSTEP], world.bodies, joints)
     note_before_joints(tb.GOVERNED_ALONE, tb.IN_CONTACT, world)
     for n in range(joints.counts[tb.MECHANISMS]):
         alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
