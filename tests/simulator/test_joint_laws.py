@@ -111,3 +111,22 @@ def test_joints_that_are_apart_are_told_by_name() -> None:
     sim.position[0] = (1.5, 0.0)
     with pytest.warns(StepWarning, match=r"joint 'joint0' \(revolute\).*apart.*R13"):
         sim.step()
+
+
+@pytest.mark.parametrize(("speed", "maximum"), [(2.0, None), (3.0, 8.0), (1.0, 1.0), (0.0, 3.0)])
+def test_motors_of_hinges_are_of_order_two(speed: float, maximum: float | None) -> None:
+    """One that holds its speed, and others that give the most; they were of order one."""
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    for x in (1.0, 2.0):
+        scene.add_body(None, mass=1.0, inertia=0.1, position=(x, 0.0))
+    motor = Motor(speed=speed, maximum=maximum)
+    scene.add_joint(t2.Revolute(motor=motor), (0.0, 0.0), 0, other_anchor=(-1.0, 0.0))
+    scene.add_joint(t2.Revolute(), 0, 1, anchor=(0.5, 0.0), other_anchor=(-0.5, 0.0))
+    exact = t2.simulate(scene, duration=0.25, tolerance=1e-9).position[-1]
+    errors = []
+    for steps in (60, 240):
+        sim = plain(scene, time_step=1 / steps)
+        sim.step(steps // 4)
+        errors.append(float(np.abs(sim.position - exact).max()))
+    assert errors[0] < 1e-4
+    assert errors[1] < errors[0] / 8  # 16 of order two, but for when it begins to hold

@@ -13,11 +13,16 @@ SLIGHT_WAYS = 16.0  # beyond that: times what is told, some hundredths of the si
 
 
 def is_near_limits(n: int, time: float, bodies: Bodies, joints: Joints) -> bool:
-    """Return whether a mechanism may reach a limit within a time, s."""
+    """Return whether a mechanism may reach a limit within a time, s, or has a motor in a loop.
+
+    What a motor is tried with, which may be more than it can give, tears a loop apart.
+    """
     if joints.mechanisms[n, tb.M_CHOOSING] == 0:
         return False
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         law = joints.joints[j, tb.J_LAW]
+        if law == tb.MOTOR and joints.mechanisms[n, tb.M_HINGED] == 0:
+            return True
         if law in (tb.LOWER_LIMIT, tb.UPPER_LIMIT) and is_near_limit(j, time, bodies, joints):
             return True
     return False
