@@ -1,6 +1,6 @@
 """Limits that bounce: a row that strikes one leaves it as the step ends (IM15).
 
-Cost: where there are limits, a visit to each of these in a substep.
+Cost: where there are limits that bounce, a visit to each of these in a substep.
 """
 
 from tamias2d.engine import tables as tb

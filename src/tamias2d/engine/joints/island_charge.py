@@ -55,7 +55,10 @@ def may_get_any(n: int, row: Array, joints: Joints) -> bool:
 
 
 def is_moved(n: int, row: Array, joints: Joints) -> bool:
-    """Return whether what ties a mechanism turns, changes with time, or was moved by hand."""
+    """Return whether what ties a mechanism turns, changes with time, or was moved by hand.
+
+    A motor that does not stand still turns it, too.
+    """
     turns = (row[tb.SUPPORT] == SUPPORTED_BY_ONE) & (row[tb.REFERENCE + 2] != 0.0)
     pulled = joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_PULLED] > 0.0
     timed = joints.mechanisms[n, tb.M_TIMED] + joints.mechanisms[n, tb.M_TURNED_BY_MOTOR]
