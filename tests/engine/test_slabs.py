@@ -19,6 +19,7 @@ Stage = Callable[[int, int, float, World, Contacts], None]
 def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where slabs are small, a scene needs not be large; engines as plain Python see that."""
     monkeypatch.setattr(slabs, "CONTACTS_IN_SLAB", 2)
+    monkeypatch.setattr(slabs, "FEWEST_CONTACTS", 4)
 
 
 @pytest.mark.parametrize("upright", [False, True])

@@ -9,7 +9,8 @@ Source: Wonnacott (2002), time skewing.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.tables import Bodies, Constraints, Direct, Integers, Touching
 
-CONTACTS_IN_SLAB = 1024  # about
+CONTACTS_IN_SLAB = 512  # about; a front of nine slabs is 1.5 MB
+FEWEST_CONTACTS = 2048  # for which slabs are made: fewer are in the cache as they are
 WIDTH = 2.5  # bounding radii of the largest body: bodies farther apart do not touch
 
 
@@ -98,9 +99,10 @@ def assign_slabs(
 
     If a body moves that cannot be pushed, there is one slab only: its contacts may be anywhere.
     """
-    wanted = min(touching.counts[tb.TOUCHING] // CONTACTS_IN_SLAB, tb.MOST_SLABS)
-    if wanted < 2:
+    contacts = touching.counts[tb.TOUCHING]
+    if contacts < FEWEST_CONTACTS:
         return 1
+    wanted = min(contacts // CONTACTS_IN_SLAB, tb.MOST_SLABS)
     along, low, extent, radius = find_extent(bodies, touching, constraints)
     number = int(min(extent / (WIDTH * radius), float(wanted)))
     if number < 2 or not all_dynamic(bodies, touching, constraints):
