@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import tamias2d as t2
+from tamias2d.engine import tables as tb
 from tests.rebuilt import arguments, rebuilt
 from tests.simulator.crowd import SHAPES, crowd
 
@@ -89,6 +90,51 @@ def test_what_is_removed_leaves_no_trace() -> None:
     sim.step()
     assert (len(sim.contacts), len(sim.ended)) == (0, 0)
     assert sim.velocity[top, 1] == pytest.approx(speed - 10 / 60, abs=1e-12)
+
+
+def test_what_is_removed_takes_its_contacts_out_of_both_runs_of_the_list() -> None:
+    sim = t2.Simulator(crowd(60, seed=1, overlap=False))
+    world = sim._engine.world
+    counts = world.broad_phase.counts
+    while not 0 < counts[tb.FIRST_RUN] < counts[tb.CONTACTS]:
+        sim.step()
+    runs = [runs_of(world)]
+    gone = int(runs[0][0][len(runs[0][0]) // 2][0])
+    sim.remove(gone)
+    sim._engine.settle()
+    runs.append(runs_of(world))
+    kept = [[pair for pair in run if gone not in pair] for run in runs[0]]
+    assert runs[1] == kept
+    assert len(kept[0]) < len(runs[0][0])
+
+
+def runs_of(world: tb.World) -> list[list[tuple[int, ...]]]:
+    """Return the bodies of the contacts on the list, run by run."""
+    side, first, size = world.broad_phase.counts[[tb.BUFFER, tb.FIRST_RUN, tb.CONTACTS]]
+    slots = world.buffers.pairs[side, :size, tb.SLOT_A : tb.SLOT_B + 1]
+    pairs = [tuple(pair) for pair in world.state.body_of_slot[slots].tolist()]
+    return [pairs[:first], pairs[first:]]
+
+
+@given(
+    st.tuples(st.floats(-50, 50), st.floats(1, 50)),
+    st.floats(-0.0, 1.0),
+    st.floats(0.5, 2.0),
+)
+def test_plain_numbers_and_arrays_of_them_are_one(
+    place: tuple[float, float], friction: float, mass: float
+) -> None:
+    """Plain ones are judged without arrays; -0 is 0 in both ways."""
+    digests = []
+    for made in (float, np.float64):
+        sim = t2.Simulator(t2.Scene(gravity=(0.0, -9.81)), compiled=False)
+        sim.add(
+            SHAPES[1], mass=made(mass), position=tuple(made(x) for x in place),
+            velocity=(made(-0.0), made(1.0)), friction=made(friction), restitution=made(0.5),
+            torque=made(place[0]),
+        )  # fmt: skip
+        digests.append(sim.digest())
+    assert digests[0] == digests[1]
 
 
 def test_a_row_that_is_used_again_knows_nothing_of_who_had_it() -> None:

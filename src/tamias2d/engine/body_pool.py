@@ -128,11 +128,12 @@ class BodyPool:
         store = self.store
         used = [self._free.pop() for _ in range(min(count, len(self._free)))]
         more = count - len(used)
-        store.reserve(more)
-        rows = np.array([*used, *range(store.size, store.size + more)], dtype=np.int64)
-        store.size += more
-        self.rank = np.concatenate((self.rank, np.full(more, -1)))
-        return rows
+        if more:
+            store.reserve(more)
+            used += range(store.size, store.size + more)
+            store.size += more
+            self.rank = np.concatenate((self.rank, np.full(more, -1)))
+        return np.array(used, dtype=np.int64)
 
     def _take_shape(self, vertices: int) -> int:
         """Return a row for a shape with so many vertices."""
@@ -147,7 +148,7 @@ class BodyPool:
     def _add_shapes(self, batch: Batch, rows: IntArray) -> None:
         made = {shape: shape_rows(shape) for shape in dict.fromkeys(batch.shapes)}
         known = self._form_number
-        form = {s: known.setdefault(numbers_of(found), len(known)) for s, found in made.items()}
+        form = {s: known.setdefault(numbers_of(s), len(known)) for s in made}
         self._new.update((row, form[s]) for row, s in zip(rows.tolist(), batch.shapes, strict=True))
         owner = [k for k, shape in enumerate(batch.shapes) for _ in made[shape]]
         found = [part for shape in batch.shapes for part in made[shape]]
@@ -199,9 +200,11 @@ class BodyPool:
     # -- removing
 
     def _let_go(self, rows: IntArray) -> None:
-        self._drop_pairs(rows)
         state = self.store.world.state
-        gone = np.isin(state.body_of_shape, rows)
+        leaves = np.zeros(len(state.kind), dtype=bool)
+        leaves[rows] = True
+        self._drop_pairs(leaves)
+        gone = leaves[state.body_of_shape]
         self._free_rows(np.flatnonzero(gone))
         state.body_of_shape[gone] = self._idle
         self._order = self._order[~gone[self._order]]
@@ -230,25 +233,30 @@ class BodyPool:
         slots = world.buffers.pairs[side, :size, tb.SLOT_A : tb.SLOT_B + 1]
         return world.state.body_of_slot[slots].astype(np.int64)
 
-    def _drop(self, left: NDArray[np.bool_] | np.bool_) -> None:
+    def _drop(self, left: NDArray[np.bool_]) -> None:
         """Take contacts (k,) out of the list, and wake their bodies."""
+        if not left.any():
+            return
         counts, buffers = self.store.world.broad_phase.counts, self.store.world.buffers
         side, size = counts[tb.BUFFER], counts[tb.CONTACTS]
         points = buffers.flags[side, :size, tb.POINT_COUNT] > 0
         self.wake(self._owners()[left & points].ravel())
-        kept = np.flatnonzero(~left)
+        first = int(np.argmax(left))  # those before it stay where they are
+        kept = first + np.flatnonzero(~left[first:])
         for values in (buffers.pairs, buffers.manifolds, buffers.axes, buffers.flags):
-            values[side, : len(kept)] = values[side, kept]
-        counts[tb.FIRST_RUN] = np.count_nonzero(kept < counts[tb.FIRST_RUN])
-        counts[tb.CONTACTS] = len(kept)
+            values[side, first : first + len(kept)] = values[side, kept]
+        counts[tb.FIRST_RUN] -= np.count_nonzero(left[: counts[tb.FIRST_RUN]])
+        counts[tb.CONTACTS] = first + len(kept)
 
-    def _drop_pairs(self, rows: IntArray) -> None:
-        """Take the pairs of bodies out of the list, and their overrides; wake the other bodies."""
+    def _drop_pairs(self, leaves: NDArray[np.bool_]) -> None:
+        """Take the pairs of bodies that leave out of the list, and their overrides; wake others."""
         world = self.store.world
-        self._drop(np.isin(self._owners(), rows).any(axis=1))
+        owners = leaves[self._owners()]
+        self._drop(owners[:, 0] | owners[:, 1])
         overrides = world.shapes.pair_overrides
-        owner = world.state.body_of_shape[overrides[:, :2].astype(np.int64)]
-        self.store.set_pair_overrides(overrides[~np.isin(owner, rows).any(axis=1)])
+        if len(overrides):
+            owner = world.state.body_of_shape[overrides[:, :2].astype(np.int64)]
+            self.store.set_pair_overrides(overrides[~leaves[owner].any(axis=1)])
 
     # -- canonical order
 

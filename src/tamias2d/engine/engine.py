@@ -281,6 +281,11 @@ class Engine(Store):
         super().forget_addresses()
         self._course_known, self._take = False, None
 
+    def forget_pairs(self) -> None:
+        """Look for pairs, and for where bodies may be, anew at the next step."""
+        super().forget_pairs()
+        self._course_known = False
+
     def step(self, count: int = 1, *, untouched: bool = False) -> Invalid | None:
         """Take some steps; return the value that keeps one from being taken, or None.
 

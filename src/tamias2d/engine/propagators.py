@@ -25,16 +25,14 @@ class Propagators:
 
     def assign(self, rows: NDArray[np.int64], rates: Array) -> None:
         """Let bodies slow down at their rates (k, 2), 1/s: of the velocity, and of the spin."""
-        known = self._store.world.state.drag_rates
-        kinds, which = np.unique(rates, axis=0, return_inverse=True)
-        wanted = [tuple(rate) for rate in kinds.tolist()]
-        new = [rate for rate in wanted if rate not in self._row]
+        wanted = [tuple(rate) for rate in rates.tolist()]
+        new = sorted(set(wanted).difference(self._row))
         if new:
             self._row.update(zip(new, count(len(self._row)), strict=False))
+            known = self._store.world.state.drag_rates
             self._set(np.concatenate((known, np.array(new))))
-        places = np.array([self._row[rate] for rate in wanted])
         properties = self._store.world.state.properties
-        properties[rows, tb.PROPAGATOR] = places[which.ravel()] if len(rows) else 0
+        properties[rows, tb.PROPAGATOR] = [self._row[rate] for rate in wanted]
 
     def forget_unused(self) -> None:
         """Give up the rows that no body uses, where these are most."""

@@ -39,6 +39,7 @@ class Store:
         self.world = allocated(capacities)
         self._addresses = Addresses()
         self._argument: Any = None
+        self._slots = 0  # that it tells of
         state = self.world.state
         state.slot_of_body[:] = state.body_of_slot[:] = np.arange(capacities.slots, dtype=np.uint32)
 
@@ -47,7 +48,7 @@ class Store:
         """The world as compiled code takes it, a table of addresses, or as plain code does."""
         if self._argument is None:
             self._reserve_clip()
-            slots = self.size + 1  # an idle slot follows those of the bodies
+            self._slots = slots = self.size + 1  # an idle slot follows those of the bodies
             self._argument = self._table(slots) if self.compiled else in_use(self.world, slots)
         return self._argument
 
@@ -138,7 +139,9 @@ class Store:
         """Look for pairs anew at the next step."""
         self.world.broad_phase.counts[tb.LIST_HOLDS] = 0
         self.revision += 1
-        self.forget_addresses()
+        self._reserve_clip()
+        if self._slots != self.size + 1:
+            self.forget_addresses()
 
     def _reserve_clip(self) -> None:
         """Reserve rows to clip the two shapes with most vertices."""

@@ -114,11 +114,11 @@ class Changing(Stepping):
             InputError: a body is not there.
         """
         rows = np.unique(self._rows(bodies))
-        self._engine.wake(np.array(self._joints.drop_bodies(set(rows.tolist())), dtype=np.int64))
+        gone = set(rows.tolist())
+        self._engine.wake(np.array(self._joints.drop_bodies(gone), dtype=np.int64))
         self._engine.remove(rows)
         if self._pushed is not None:
             self._pushed[rows[rows < len(self._pushed)]] = 0.0
-        gone = set(rows.tolist())
-        self._names = {name: k for name, k in self._names.items() if k not in gone}
-        self._staying = [k for k in self._staying if k not in gone]
+        for row in gone.intersection(self._staying):
+            del self._names[self._staying.pop(row)]
         self._unsettled = True

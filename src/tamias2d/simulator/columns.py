@@ -1,9 +1,12 @@
 """Arguments for many bodies at once: one value for all, or an array with a row for each (R4).
 
-The message about a value at fault is the one that it would get alone.
+The message about a value at fault is the one that it would get alone. Plain numbers, as games give
+them body by body, are judged without arrays.
 """
 
+import math
 from collections.abc import Callable
+from typing import TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,16 +18,24 @@ from tamias2d.state import Array, IntArray
 
 def numbers(value: object, key: str, of: str, remedy: str, *, count: int, symbol: str) -> Array:
     """Return a number for each of so many bodies (count,), or raise `RuleError`."""
+    if _is_good(value, symbol):
+        return np.full(count, value + 0.0)  # no negative zeros
     return _judged(_spread(value, key, of, remedy, (count,)), key, of, remedy, symbol)
 
 
 def vectors(value: object, key: str, of: str, remedy: str, *, count: int, symbol: str) -> Array:
     """Return a vector for each of so many bodies (count, 2), or raise `RuleError`."""
+    if type(value) is tuple and len(value) == 2:
+        x, y = value
+        if _is_good(x, symbol) and _is_good(y, symbol):
+            return np.full((count, 2), (x + 0.0, y + 0.0))
     return _judged(_spread(value, key, of, remedy, (count, 2)), key, of, remedy, symbol)
 
 
 def wholes(value: object, key: str, of: str, *, count: int, check: Callable[..., int]) -> IntArray:
     """Return a whole number for each of so many bodies (count,); `check` judges one of them."""
+    if type(value) is int:
+        return np.full(count, check(value, key, of), dtype=np.int64)
     given = as_array(value, key, of, "Give whole numbers.")
     if given.ndim and given.shape != (count,):
         raise _misshapen(given, key, of, (count,), "Give one number, or one for each body.")
@@ -35,6 +46,11 @@ def wholes(value: object, key: str, of: str, *, count: int, check: Callable[...,
         once = {item: check(item, key, of) for item in set(items)}
         judged = [once[item] for item in items]
     return np.full(count, judged, dtype=np.int64)
+
+
+def _is_good(value: object, symbol: str) -> TypeGuard[float]:
+    """Return whether a value is a plain number that its symbol admits."""
+    return type(value) is float and math.isfinite(value) and SYMBOLS[symbol].admits(value)
 
 
 def _spread(value: object, key: str, of: str, remedy: str, shape: tuple[int, ...]) -> Array:

@@ -135,6 +135,7 @@ def scene_of(about: About, kind: NDArray[np.int8], *, dynamic: int, where: str) 
     rows = {*about.staying, *about.names.values()}
     require(len(set(about.staying)) == len(about.staying), _ABOUT, "names a body twice")
     require(all(row < len(kind) and kind[row] for row in rows), _ABOUT, "names a body not there")
+    require(rows == set(about.staying) == set(about.names.values()), _ABOUT, "names other bodies")
     if about.scene is None:
         return None
     try:

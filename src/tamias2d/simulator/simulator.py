@@ -97,7 +97,7 @@ class Simulator(Pushing, Changing, Jointing, Asking):
         self._scene = deepcopy(scene) if acts else None  # what acts is all that is asked of it
         self._names = {body.name: k for k, body in enumerate(scene.bodies)}
         self._joints = JointSet(scene.joints)
-        self._staying = list(range(len(scene)))
+        self._staying = {k: body.name for k, body in enumerate(scene.bodies)}
         engine = Engine(
             gravity=scene.gravity,
             time_step=self._time_step,
@@ -151,7 +151,7 @@ class Simulator(Pushing, Changing, Jointing, Asking):
             substeps=self._substeps,
             steps=self._engine.steps,
             names=self._names,
-            staying=self._staying,
+            staying=list(self._staying),
             scene=None if self._scene is None else scene_text(self._scene),
             joints=[asdict(joint) for joint in self._joints],
         )
@@ -167,7 +167,8 @@ class Simulator(Pushing, Changing, Jointing, Asking):
     def _take_over(self, content: Mapping[str, NDArray[Any]], where: str, compiled: bool) -> None:
         about, arrays = saving.opened(content, where)
         self._time_step, self._substeps = about.time_step, about.substeps
-        self._names, self._staying = dict(about.names), about.staying
+        self._names = dict(about.names)
+        self._staying = {row: name for name, row in about.names.items()}
         engine = restored_engine(
             saving.part(arrays, "engine"),
             time_step=about.time_step,

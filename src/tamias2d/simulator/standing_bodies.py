@@ -32,9 +32,8 @@ class _Standing:
 class StandingBodies:
     """The bodies of an engine, by their rows, as the checks of a joint look at them."""
 
-    def __init__(self, engine: Engine, names: Mapping[str, int]) -> None:
-        self._engine = engine
-        self._names = {row: name for name, row in names.items()}
+    def __init__(self, engine: Engine, names: Mapping[int, str]) -> None:
+        self._engine, self._names = engine, names
 
     def __getitem__(self, row: int) -> _Standing:
         engine = self._engine

@@ -1,6 +1,6 @@
 """Steps of the frame loop, and what they warn of."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from threading import Lock
 from warnings import warn
 
@@ -60,7 +60,7 @@ class Stepping(Views):
     )  # fmt: skip
     _joints: JointSet
     _names: dict[str, int]  # of the scene's bodies that are there, their rows
-    _staying: list[int]  # rows of the scene's bodies that are there
+    _staying: dict[int, str]  # the same, by rows
     _scene: Scene | None  # whose loads vary
     _substeps: int
     _time_step: float
@@ -256,7 +256,7 @@ class Stepping(Views):
         return selected(bodies, self._engine.kind, self._names)
 
     def _name_of(self, row: int) -> str:
-        names: Mapping[int, str] = {k: name for name, k in self._names.items()}
         if row >= self._engine.size:
             return f"body {row - self._engine.size} of those added"
-        return f"body '{names[row]}'" if row in names else f"body {row}"
+        name = self._staying.get(row)
+        return f"body {row}" if name is None else f"body '{name}'"
