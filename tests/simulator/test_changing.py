@@ -108,6 +108,27 @@ def test_what_is_removed_takes_its_contacts_out_of_both_runs_of_the_list() -> No
     assert len(kept[0]) < len(runs[0][0])
 
 
+def test_a_body_for_which_there_is_room_falls_too() -> None:
+    """Where no array grows, compiled code is still told of one body more."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -9.81)))
+    for k in range(40):
+        sim.add(SHAPES[0], mass=1.0, position=(3.0 * k, 0.0), restitution=0.0)
+        sim.step()
+        assert sim.velocity[: k + 1, 1] == pytest.approx(-9.81 / 60 * np.arange(k + 1, 0, -1))
+
+
+def test_there_is_room_to_clip_what_has_more_vertices() -> None:
+    sim = t2.Simulator(crowd(60, seed=1, overlap=False))
+    sim.step()
+    sim.remove(range(40))
+    sim.step()  # now there is room for vertices
+    circle = np.linspace(0.0, 2 * np.pi, 30, endpoint=False)
+    many = t2.Polygon(vertices=np.column_stack((np.cos(circle), np.sin(circle))).tolist())
+    sim.add(many, mass=1.0, position=(0.0, 40.0), restitution=0.0)
+    assert sim._engine.capacities.clip > 2 * 30
+    sim.step()
+
+
 def runs_of(world: tb.World) -> list[list[tuple[int, ...]]]:
     """Return the bodies of the contacts on the list, run by run."""
     side, first, size = world.broad_phase.counts[[tb.BUFFER, tb.FIRST_RUN, tb.CONTACTS]]

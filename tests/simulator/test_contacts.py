@@ -82,6 +82,23 @@ def test_what_began_and_did_not_end_is_what_touches() -> None:
     assert len(touching) > 30
 
 
+def test_bodies_that_touch_in_two_places_begin_once() -> None:
+    """Beams with two feet land beside discs, so that pairs of one and of two contacts begin."""
+    foot = t2.Disc(radius=0.2)
+    beam = t2.Compound(parts=[t2.Part(shape=foot, position=(x, 0.0)) for x in (-1.0, 1.0)])
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    for k in range(4):
+        shape = foot if k % 2 else beam
+        scene.add_body(shape, mass=1.0 + k, position=(4.0 * k, 0.3), restitution=0.0)
+    scene.add_static(FLOOR, friction=0.0)
+    sim = t2.Simulator(scene)
+    while not len(sim.began):
+        sim.step()
+    assert sim.began.bodies.min(axis=1).tolist() == [0, 1, 2, 3]
+    gained = sim.mass[:4] * (sim.velocity[:4, 1] + 10.0 * sim.time)
+    np.testing.assert_allclose(sim.began.impulse, gained, rtol=1e-12)
+
+
 def test_a_point_is_told_where_the_step_began() -> None:
     """A disc on a platform that takes it along, a tenth of a metre a step."""
     scene = t2.Scene(gravity=(0.0, -10.0))

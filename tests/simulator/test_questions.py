@@ -172,3 +172,12 @@ def test_bad_rays_are_refused(start: object, end: object, says: str) -> None:
     with pytest.raises(t2.InputError, match=says):
         sim.ray_cast(start, end)
     assert sim.ray_cast((0, 0), (1, 1)).body.tolist() == [-1]
+
+
+@pytest.mark.parametrize("ask", ["ray", "point"])
+def test_a_body_that_is_nowhere_cannot_be_asked_for(ask: str) -> None:
+    sim = t2.Simulator(crowd(5, seed=0))
+    sim.in_box((0.0, 0.0), (1.0, 1.0))
+    sim.position[3, 1] = np.nan
+    with pytest.raises(t2.InputError, match=r"position or orientation\[3\]: must be finite"):
+        sim.ray_cast((0.0, 0.0), (1.0, 0.0)) if ask == "ray" else sim.at_point((0.0, 0.0))

@@ -68,15 +68,17 @@ def contact_report(store: Store) -> Touching:
     bodies = state.body_of_slot[buffers.pairs[side, rows, tb.SLOT_A : tb.SLOT_B + 1]].astype(
         np.int64
     )
-    code = bodies.min(axis=1) * len(state.pose) + bodies.max(axis=1)
+    code = np.minimum(*bodies.T) * len(state.pose) + np.maximum(*bodies.T)
     bits = flags[:, tb.TOUCHES]
-    now, before = (np.unique(code[bits & bit != 0]) for bit in (tb.IS_TOUCHING, tb.WAS_TOUCHING))
+    now, before = bits & tb.IS_TOUCHING != 0, bits & tb.WAS_TOUCHING != 0
     count = flags[:, tb.POINT_COUNT]
     split = store.world.control.counts[tb.FINEST] > 0
     normal, impulse = _impulses(found, count, split=split)
-    pair, number = np.nonzero((impulse > 0.0) & (bits & tb.IS_TOUCHING != 0)[:, None])
+    pair, number = np.nonzero((impulse > 0.0) & now[:, None])
     pushed = _Points(pair, number, impulse[pair, number])
-    sensed = np.setdiff1d(np.flatnonzero(bits & tb.IS_TOUCHING), pushed.pair)
+    unpushed = now.copy()
+    unpushed[pair] = False
+    sensed = np.flatnonzero(unpushed)
     points = _Points(
         np.concatenate((pushed.pair, sensed)),
         np.concatenate((pushed.number, np.zeros_like(sensed))),
@@ -86,8 +88,8 @@ def contact_report(store: Store) -> Touching:
     found[sensed, tb.WORLD_POINT : tb.WORLD_POINT + 2] = (
         state.pose[bodies[sensed, 0], :2] + found[sensed, tb.PX : tb.PY + 1]
     )
-    begun = _strongest(points, code, np.setdiff1d(now, before))
-    ended = np.flatnonzero(np.isin(code, np.setdiff1d(before, now)))
+    begun = _strongest(points, code, _only_in(code, now, before))
+    ended = np.flatnonzero(_is_in(code, _only_in(code, before, now)))
     ended = np.sort(ended[np.unique(code[ended], return_index=True)[1]])
     return Touching(
         contacts=_contacts(bodies, found, count, normal, pushed),
@@ -112,10 +114,31 @@ def _impulses(touch: Array, count: IntArray, *, split: bool) -> tuple[Array, Arr
     return normal, np.column_stack((first, np.where(as_one, 0.0, second)))
 
 
+def _only_in(code: IntArray, one: NDArray[np.bool_], other: NDArray[np.bool_]) -> IntArray:
+    """Return the codes (k,) of contacts of one kind that none of the other kind has, sorted.
+
+    In most steps there is none, and no contact of one kind alone.
+    """
+    found = np.sort(code[one & ~other])
+    if len(found) == 0:
+        return found
+    found = found[np.diff(found, prepend=-1) > 0]
+    return found[~_is_in(found, np.sort(code[other]))]
+
+
+def _is_in(codes: IntArray, wanted: IntArray) -> NDArray[np.bool_]:
+    """Return which codes (k,) are among the wanted ones, which are sorted."""
+    if len(wanted) == 0:
+        return np.zeros(len(codes), dtype=bool)
+    place = np.minimum(np.searchsorted(wanted, codes), len(wanted) - 1)
+    found: NDArray[np.bool_] = wanted[place] == codes
+    return found
+
+
 def _strongest(found: _Points, code: IntArray, wanted: IntArray) -> _Points:
-    """Return one point for each wanted pair of bodies, with the sum of their impulses."""
+    """Return one point for each wanted pair of bodies, sorted, with the sum of its impulses."""
     of = code[found.pair]
-    row = np.flatnonzero(np.isin(of, wanted))
+    row = np.flatnonzero(_is_in(of, wanted))
     total = np.zeros(len(wanted))
     np.add.at(total, np.searchsorted(wanted, of[row]), found.impulse[row])
     row = row[np.lexsort((row, -found.impulse[row], of[row]))]

@@ -32,7 +32,6 @@ class QueryTree:
         fraction of the ray, 2 for none, and the outward normal. Bodies that share no bit with the
         mask, sensors, and those in which a ray starts are not met.
         """
-        self._update()
         owner = self._store.world.state.body_of_shape
         met, hits = np.empty(len(rays), dtype=np.int64), np.empty((len(rays), 3))
         room = np.empty(len(owner), dtype=np.uint32)
@@ -42,7 +41,6 @@ class QueryTree:
 
     def bodies_in_box(self, low: Array, high: Array, mask: int) -> IntArray:
         """Return the bodies (k,) that reach into a box between two corners (2,), m, by rank."""
-        self._update()
         world = self._store.world
         found = np.empty(len(world.state.body_of_shape), dtype=np.uint32)
         total = self._library.shapes_in_box(
@@ -52,11 +50,14 @@ class QueryTree:
         rows = world.state.body_of_shape[shapes].tolist()
         return np.array(list(dict.fromkeys(rows)), dtype=np.int64)
 
-    def _update(self) -> None:
-        """Build the tree anew if a body was moved, added or removed."""
+    def holds(self) -> bool:
+        """Return whether no body was moved, added or removed since the tree was built."""
+        pose = self._store.world.state.pose
+        return self._revision == self._store.revision and np.array_equal(self._pose, pose)
+
+    def build(self) -> None:
+        """Build the tree for the poses as they are; before it is asked, where it does not hold."""
         store, world = self._store, self._store.world
-        if self._revision == store.revision and np.array_equal(self._pose, world.state.pose):
-            return
         self._revision, self._pose = store.revision, world.state.pose.copy()
         tree = world.tree._replace(
             **{name: np.zeros_like(values) for name, values in world.tree._asdict().items()}

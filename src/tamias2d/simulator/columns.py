@@ -4,7 +4,6 @@ The message about a value at fault is the one that it would get alone. Plain num
 them body by body, are judged without arrays.
 """
 
-import math
 from collections.abc import Callable
 from typing import TypeGuard
 
@@ -50,7 +49,7 @@ def wholes(value: object, key: str, of: str, *, count: int, check: Callable[...,
 
 def _is_good(value: object, symbol: str) -> TypeGuard[float]:
     """Return whether a value is a plain number that its symbol admits."""
-    return type(value) is float and math.isfinite(value) and SYMBOLS[symbol].admits(value)
+    return type(value) is float and SYMBOLS[symbol].admits(value)
 
 
 def _spread(value: object, key: str, of: str, remedy: str, shape: tuple[int, ...]) -> Array:

@@ -41,9 +41,11 @@ class Pushing(Stepping):
         """
         rows = self._rows(bodies)
         changes = applied_loads(self._engine, rows, force, at)
-        pushed = np.zeros((self._engine.size, 3))
-        if self._pushed is not None:
-            pushed[: len(self._pushed)] = self._pushed
+        pushed = self._pushed
+        if pushed is None or len(pushed) < self._engine.size:  # bodies were added
+            pushed = np.zeros((self._engine.size, 3))
+            if self._pushed is not None:
+                pushed[: len(self._pushed)] = self._pushed
         add_rows(pushed, rows, changes, "force")
         self._pushed = pushed
 

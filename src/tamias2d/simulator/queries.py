@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tamias2d.engine.engine import Engine
+from tamias2d.engine.query_tree import QueryTree
 from tamias2d.engine.state import LARGEST
 from tamias2d.scene.filters import checked_mask
 from tamias2d.scene.rules import RuleError
@@ -53,8 +54,7 @@ def cast_rays(engine: Engine, start: object, end: object, mask: object) -> Hits:
             "end",
         )
     bits = checked_mask(mask, of)
-    _refuse_endless(engine)
-    body, hits = engine.queries.cast_rays(np.hstack(ends), bits)
+    body, hits = _tree(engine).cast_rays(np.hstack(ends), bits)
     fraction = np.minimum(hits[:, 0], 1.0)
     return Hits(
         body=body,
@@ -92,8 +92,16 @@ def bodies_at_point(engine: Engine, point: object, mask: object) -> IntArray:
 
 def _within(engine: Engine, low: Array, high: Array, mask: object) -> IntArray:
     bits = checked_mask(mask, "the question")
-    _refuse_endless(engine)
-    return engine.queries.bodies_in_box(low, high, bits)
+    return _tree(engine).bodies_in_box(low, high, bits)
+
+
+def _tree(engine: Engine) -> QueryTree:
+    """Return the tree that is asked, for the poses as they are; raise `RuleError` for bad ones."""
+    tree = engine.queries
+    if not tree.holds():
+        _refuse_endless(engine)
+        tree.build()
+    return tree
 
 
 def _refuse_endless(engine: Engine) -> None:
