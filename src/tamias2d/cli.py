@@ -164,7 +164,8 @@ def run(
         Path | None, typer.Option(metavar="PATH", help="Save the run: .rrd to look at, or .npz.")
     ] = None,
     plot: Annotated[
-        Path | None, typer.Option(metavar="PATH", help="Draw the run: .png, .svg or .pdf.")
+        Path | None,
+        typer.Option(metavar="PATH", help="Draw the run: .png, .svg or .pdf; .gif moves."),
     ] = None,
     as_json: _Json = False,
 ) -> None:
