@@ -59,7 +59,7 @@ def test_a_world_is_recorded_again_by_its_number(tmp_path: Path) -> None:
         (("--vary", "gravity.y=1", "--vary", "gravity.y=2"), "stands twice"),
         (("--vary", "gravity.q=1"), "Did you mean 'gravity.y'?"),
         (("--vary", "gravity.y=uniform(1)"), "cannot be read"),
-        (("--vary", "gravity.y=uniform(2, 1)"), "cannot be read"),
+        (("--vary", "gravity.y=uniform(2, 1)"), "LOW must be below HIGH"),
         (("--vary", "gravity.y=gauss(2, 1)"), "cannot be read"),
         (("--vary", "gravity.y="), "cannot be read"),
         (("--vary", "gravity.y=normal(1, 0)"), "the deviation must be > 0"),
