@@ -99,7 +99,7 @@ class Jointing(Stepping):
     def set_motor(self, name: str, motor: Motor | None) -> None:
         """Give a joint's motor another speed and maximum, as a throttle does; None turns it off.
 
-        It takes some microseconds, and may be done before each step. A motor that stays as it is
+        It takes some 50 microseconds, and may be done before each step. A motor that stays as it is
         wakes nothing.
 
         Raises:
