@@ -71,7 +71,11 @@ def _options(
     version: Annotated[
         bool,
         typer.Option(
-            "--version", callback=_print_version, is_eager=True, help="Print the version."
+            "--version",
+            metavar="",
+            callback=_print_version,
+            is_eager=True,
+            help="Print the version.",
         ),
     ] = False,
 ) -> None: ...
@@ -136,7 +140,7 @@ _World = Annotated[
 _WorldRecord = Annotated[
     Path | None, typer.Option(metavar="PATH", help="Where --world goes: .rrd or .npz.")
 ]
-_Json = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
+_Json = Annotated[bool, typer.Option("--json", metavar="", help="Print JSON and nothing else.")]
 
 
 @app.command()
@@ -144,7 +148,11 @@ def run(
     scene: _Scene,
     duration: _Duration = None,
     method: Annotated[
-        Method | None, typer.Option(help="Else closed-form where loads are constant.")
+        Method | None,
+        typer.Option(
+            metavar="METHOD",
+            help=f"{', '.join(Method)}; else closed-form where loads are constant.",
+        ),
     ] = None,
     time_step: _TimeStep = None,
     tolerance: Annotated[
@@ -158,13 +166,15 @@ def run(
         ),
     ] = None,
     certify: Annotated[
-        bool, typer.Option("--certify", help="Bound the error, which takes a few runs more.")
+        bool,
+        typer.Option("--certify", metavar="", help="Bound the error, which takes a few runs more."),
     ] = False,
     record: Annotated[
         Path | None, typer.Option(metavar="PATH", help="Save the run: .rrd to look at, or .npz.")
     ] = None,
     plot: Annotated[
-        Path | None, typer.Option(metavar="PATH", help="Draw the run: .png, .svg or .pdf.")
+        Path | None,
+        typer.Option(metavar="PATH", help="Draw the run: .png, .svg or .pdf; .gif moves."),
     ] = None,
     as_json: _Json = False,
 ) -> None:
@@ -193,7 +203,7 @@ def ensemble(
     worlds: _Worlds = None,
     seed: Annotated[int, typer.Option(min=0, help="Of what is drawn.")] = 0,
     duration: _Duration = None,
-    method: Annotated[Method | None, typer.Option(help="As for `run`.")] = None,
+    method: Annotated[Method | None, typer.Option(metavar="METHOD", help="As for `run`.")] = None,
     time_step: _TimeStep = None,
     tolerance: _Tolerance = None,
     out: _Out = None,
@@ -253,10 +263,14 @@ def scenes(as_json: _Json = False) -> None:
 def explain(
     scene: _Scene,
     source: Annotated[
-        bool, typer.Option("--source", help="Print the code that is made for exactly this scene.")
+        bool,
+        typer.Option(
+            "--source", metavar="", help="Print the code that is made for exactly this scene."
+        ),
     ] = False,
     method: Annotated[
-        Method, typer.Option(help="The stepped method that the code is made for.")
+        Method,
+        typer.Option(metavar="METHOD", help="The stepped method that the code is made for."),
     ] = Method.VELOCITY_VERLET,
     as_json: _Json = False,
 ) -> None:
@@ -299,7 +313,8 @@ def trace(
 def replay(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A recording, .rrd or .npz.")],
     check: Annotated[
-        bool, typer.Option("--check", help="Compute the run again and compare every bit.")
+        bool,
+        typer.Option("--check", metavar="", help="Compute the run again and compare every bit."),
     ] = False,
 ) -> None:
     """Open a recording in the viewer, or check that it can be computed again."""

@@ -3,15 +3,26 @@
 from __future__ import annotations
 
 import os
+import reprlib
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tamias2d import storage
-from tamias2d.errors import RecordingError, path_text
+from tamias2d.errors import InputError, RecordingError, path_text
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+
+def checked_path(path: object) -> Path:
+    """Return the path of a file, or raise `InputError` for what is none."""
+    if not isinstance(path, str | os.PathLike):
+        raise InputError(
+            f"path: found {reprlib.repr(path)}: must be a text or a Path (R5). Give the name of a "
+            "file."
+        )
+    return Path(path)
 
 
 def refuse_place(path: Path) -> None:

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
-__all__ = ["Impacts", "Run", "load"]
+__all__ = ["Impacts", "Run"]
 
 
 class Run(RunData):
@@ -24,6 +24,30 @@ class Run(RunData):
             RecordingError: it cannot be written.
         """
         record.save(self, path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> "Run":
+        """Read a run back, to the last bit, from a recording of either kind.
+
+        Raises:
+            InputError: the name ends in neither .rrd nor .npz.
+            RecordingError: no such file, or it is cut, damaged or of another program.
+        """
+        return cls(**vars(record.load(path)))
+
+    def plot(self, path: str | Path) -> None:
+        """Draw the paths of all bodies, their heights and the energy (.png, .svg, .pdf).
+
+        A picture in .gif moves: 25 times a second it shows where the bodies are.
+
+        Raises:
+            InputError: no kind of picture has this ending.
+            RecordingError: it cannot be written, or matplotlib is not installed
+                (`pip install "tamias2d[plot]"`).
+        """
+        from tamias2d.record.plot import plot
+
+        plot(self, path)
 
     def to_xarray(self) -> "Dataset":
         """Return the run as an `xarray.Dataset` over time, body and axis, units in `attrs`.
@@ -44,13 +68,3 @@ class Run(RunData):
         """
         found: DataFrame = record.to_dataframe(self)
         return found
-
-
-def load(path: str | Path) -> Run:
-    """Read a run back, to the last bit, from a recording of either kind.
-
-    Raises:
-        InputError: the name ends in neither .rrd nor .npz.
-        RecordingError: no such file, or it is cut, damaged or of another program.
-    """
-    return Run(**vars(record.load(path)))

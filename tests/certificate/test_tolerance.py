@@ -11,7 +11,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.certificate import Certificate, from_json
 from tamias2d.replay import check
-from tamias2d.run import load
+from tamias2d.run import Run
 from tamias2d.study import companion, tolerance as tolerance_module
 from tamias2d.study.companion import limit_beside
 from tamias2d.study.error import history_error
@@ -176,7 +176,7 @@ def test_a_recording_keeps_the_certificate_and_replays(tmp_path: Path, suffix: s
     run = t2.simulate(oscillator(), duration=1.0, tolerance=1e-4)
     path = tmp_path / f"run{suffix}"
     run.save(path)
-    assert load(path).certificate == run.certificate
+    assert Run.load(path).certificate == run.certificate
     assert check(path).identical
 
 

@@ -432,6 +432,6 @@ def test_events_are_recorded_and_read_back_to_the_bit(tmp_path: Path, suffix: st
     scene.add_joint(t2.Distance(limits=t2.Limits(upper=1.0, restitution=0.5)), "load", (0, 1))
     run = t2.simulate(scene, duration=0.7, times=[0.0, 0.7])
     run.save(tmp_path / f"run{suffix}")
-    back = t2.run.load(tmp_path / f"run{suffix}")
+    back = t2.Run.load(tmp_path / f"run{suffix}")
     assert list(back.joint_events) == list(run.joint_events)
     assert back.digest() == run.digest()

@@ -243,9 +243,9 @@ def test_without_rerun(run: t2.Run, tmp_path: Path, missing: str) -> None:
         sys.modules[{missing!r}] = None
         import tamias2d as t2
         from tamias2d import replay
-        from tamias2d.run import load
+        from tamias2d.run import Run
         folder = Path({str(tmp_path)!r})
-        run = load(folder / "run.npz")
+        run = Run.load(folder / "run.npz")
         for attempt, name in ((run.save, "run.rrd"), (replay.replay, "run.npz")):
             try:
                 attempt(folder / name)

@@ -160,8 +160,10 @@ def _form(form: str, place: Place, text: str) -> Any:
         "": lambda *values: list(values),
     }
     wrong = kind not in made or not numbers or (kind in ("uniform", "normal") and len(numbers) != 2)
-    if wrong or (kind == "uniform" and not numbers[0] < numbers[1]):
+    if wrong:
         raise InputError(f"--vary: {text!r}: cannot be read (R2). The form is {_FORMS}.")
+    if kind == "uniform" and not numbers[0] < numbers[1]:
+        raise InputError(f"--vary: {text!r}: LOW must be below HIGH (R2). Exchange them.")
     if kind == "normal" and numbers[1] <= 0:
         raise InputError(f"--vary: {text!r}: the deviation must be > 0 (R2). Give such a number.")
     return made[kind](*numbers)

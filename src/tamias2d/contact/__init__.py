@@ -14,6 +14,7 @@ from tamias2d.contact.located import Located
 from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
     FrictionError,
+    JointedContactError,
     LastingContactError,
     OverlapError,
     RangeError,
@@ -31,6 +32,7 @@ __all__ = [
     "MOST_RULED",
     "RULED",
     "FrictionError",
+    "JointedContactError",
     "LastingContactError",
     "Located",
     "OverlapError",

@@ -133,7 +133,7 @@ def world_scene(dataset: Any, world: int) -> Scene:
         InputError: there is no such world, or the ensemble was made by a function.
         RecordingError: the dataset is not one of an ensemble.
     """
-    about = dataset.attrs
+    about = getattr(dataset, "attrs", {})
     if not {_SCENE, _VARIED, _RECIPE} <= about.keys():
         raise RecordingError(
             "dataset: its attributes are not those of an ensemble (R8). Give what `t2.ensemble` "

@@ -7,7 +7,8 @@ ends of its steps only, and `Stepped` solves contacts within its steps.
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import ClassVar, TypeAlias
+from numbers import Real
+from typing import ClassVar, TypeAlias, cast
 
 import numpy as np
 
@@ -128,6 +129,12 @@ class ExponentialDrag(_FixedStep):
         return ExponentialSteps(scene, duration, time_step)
 
 
+def _is_within(value: object, least: float, below: float) -> bool:
+    """Return whether a value is a number in a range."""
+    number = isinstance(value, Real) and not isinstance(value, bool)
+    return number and bool(least <= cast(float, value) < below)
+
+
 class _Embedded(PathMethod):
     """A generated pair, with steps as long as a tolerance allows."""
 
@@ -144,12 +151,12 @@ class _Embedded(PathMethod):
         return f"{type(self).__name__}({told})"
 
     def __post_init__(self) -> None:
-        if not 1e-14 <= self.rtol < 1:
+        if not _is_within(self.rtol, 1e-14, 1.0):
             raise InputError(
                 f"rtol {self.rtol!r} of {type(self).__name__}: must lie from 1e-14, which is as "
                 "far as float64 goes, to 1 (R5). Give a relative tolerance such as 1e-8."
             )
-        if self.atol is not None and not 0 < self.atol < math.inf:
+        if self.atol is not None and not _is_within(self.atol, math.ulp(0.0), math.inf):
             raise InputError(
                 f"atol {self.atol!r} m of {type(self).__name__}: must be > 0 (R5). Give a length "
                 "in m that does not matter, or leave it out."

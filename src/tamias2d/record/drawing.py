@@ -34,7 +34,7 @@ STATIC_COLOUR: Colour = (130, 135, 140)
 KINEMATIC_COLOUR: Colour = (125, 145, 180)
 CIRCLE_SIDES = 72
 HATCHES = 48
-FILL_LINES, COARSE_LINES = 24, 8
+FILL_LINES, COARSE_LINES, COARSE_BOX_LINES = 24, 8, 3
 
 
 @dataclass(frozen=True)
@@ -136,9 +136,9 @@ def look(body: Body, view: View, *, crowd: bool = False) -> Look:
 
 
 def _lines_of(piece: Part, *, crowd: bool) -> int:
-    if isinstance(piece.shape, Box) and not piece.orientation:
-        return 1
-    return COARSE_LINES if crowd else FILL_LINES
+    if crowd:
+        return COARSE_BOX_LINES if isinstance(piece.shape, Box) else COARSE_LINES
+    return FILL_LINES
 
 
 def _spoke(body: Body) -> Points:
@@ -147,8 +147,15 @@ def _spoke(body: Body) -> Points:
 
 
 def _filling(rim: Points, lines: int) -> tuple[Points, float]:
+    """Parallel lines (l, 2, 2) along the longer side that fill a rim, and their half-width.
+
+    A viewer ends a line with half a disc, so that the ends keep that far from the rim.
+    """
+    if np.ptp(rim[:, 1]) > np.ptp(rim[:, 0]):
+        filling, half = _filling(rim[:, ::-1], lines)
+        return filling[..., ::-1], half
     middle = rim[:-1].mean(axis=0)
-    rim = middle + 0.98 * (rim - middle)  # the ends of a line are square: keep them behind
+    rim = middle + 0.98 * (rim - middle)  # what curves is within its corners
     low, high = rim[:, 1].min(), rim[:, 1].max()
     half = (high - low) / lines / 2
     heights = low + half + 2 * half * np.arange(lines)
@@ -156,7 +163,9 @@ def _filling(rim: Points, lines: int) -> tuple[Points, float]:
     with np.errstate(divide="ignore", invalid="ignore"):
         part = (heights[:, None] - y0) / (y1 - y0)
         crossing = np.where((part >= 0) & (part <= 1), x0 + part * (x1 - x0), np.nan)
-    ends = np.column_stack([np.nanmin(crossing, axis=1), np.nanmax(crossing, axis=1)])
+    left, right = np.nanmin(crossing, axis=1), np.nanmax(crossing, axis=1)
+    inset = np.minimum(half, (right - left) / 2)
+    ends = np.column_stack([left + inset, right - inset])
     return np.stack([ends, np.broadcast_to(heights[:, None], ends.shape)], axis=-1), half
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from tamias2d.errors import InputError, RecordingError, path_text
 from tamias2d.record import header as headers, history
-from tamias2d.recording_file import refuse_missing, refuse_place
+from tamias2d.recording_file import checked_path, refuse_missing, refuse_place
 
 if TYPE_CHECKING:
     from tamias2d.record.header import Header
@@ -23,7 +23,8 @@ def save(run: RunData, path: str | Path) -> None:
         InputError: another suffix.
         RecordingError: the file cannot be written, or rerun is not installed.
     """
-    _kind(Path(path)).write(run, Path(path))
+    where = checked_path(path)
+    _kind(where).write(run, where)
 
 
 def refuse_file(path: Path) -> None:
@@ -39,7 +40,7 @@ def load(path: str | Path) -> RunData:
         InputError: another suffix.
         RecordingError: no such file, or it is cut, damaged, changed or of another program.
     """
-    header, arrays = stored(Path(path))
+    header, arrays = stored(checked_path(path))
     run = history.run_of(header, arrays, where=str(path))
     if headers.digest(header, run) != header.digest:
         raise RecordingError(

@@ -10,7 +10,8 @@ import numpy as np
 from tamias2d.balance import kinetic_energy
 from tamias2d.errors import InputError, RecordingError, path_text
 from tamias2d.record import drawing, joint_drawing
-from tamias2d.recording_file import aside, refuse_place
+from tamias2d.record.animation import animate
+from tamias2d.recording_file import aside, checked_path, refuse_place
 from tamias2d.scene import HalfPlane
 
 if TYPE_CHECKING:
@@ -26,14 +27,18 @@ NAMED = 10
 def plot(run: RunData, path: str | Path) -> None:
     """Draw a run: paths and bodies at a few instants, heights over time, and energy over time.
 
-    The kind of picture follows from the suffix: `.png`, `.svg`, `.pdf`.
+    The kind of picture follows from the suffix: `.png`, `.svg`, `.pdf`; one in `.gif` moves, and
+    shows the bodies alone.
 
     Raises:
         InputError: no kind of picture has this suffix.
         RecordingError: matplotlib is not installed, or the file cannot be written.
     """
-    path = Path(path)
+    path = checked_path(path)
     figure = figure_for(path)
+    if path.suffix == ".gif":
+        animate(run, figure, path)
+        return
     grid = figure.add_gridspec(2, 2, width_ratios=[3, 2])
     draw_world(figure.add_subplot(grid[:, 0]), run)
     _heights(figure.add_subplot(grid[0, 1]), run)

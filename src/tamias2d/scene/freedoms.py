@@ -82,6 +82,9 @@ class JointSpring:
     rest: float | None = None
 
 
+_OFF = Motor(speed=0.0, maximum=0.0)  # it gives nothing
+
+
 @dataclass(frozen=True, kw_only=True)
 class Freedom:
     """One number that a joint leaves free, checked."""
@@ -114,6 +117,11 @@ def freedom(
         spring=_spring(spring, measure, of),
     )
     return (found,)
+
+
+def with_motor(freedom: Freedom, motor: object, of: str) -> Freedom:
+    """Return a freedom with another motor, checked, in place of its own; None turns it off."""
+    return replace(freedom, motor=_motor(motor, freedom.measure, of) or _OFF)
 
 
 def ratchet(of: str, *, pitch: object, restitution: object) -> tuple[Freedom, ...]:

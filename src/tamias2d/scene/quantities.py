@@ -79,7 +79,7 @@ def _pair(raw: object, symbol: Symbol, path: KeyPath) -> tuple[object, object]:
     items = _items(raw, "a list of two, x and y", path)
     if len(items) != 2:
         raise RuleError(
-            f"{label(_named(path))}: found {len(items)} components: "
+            f"{label(_named(path))}: found {len(items)} component{'s' * (len(items) != 1)}: "
             "a vector has two, x and y (R2). Write both.",
             *path,
         )

@@ -52,6 +52,11 @@ def load(source: str | Path) -> Scene:
     if isinstance(source, str) and "\n" in source:
         return read_scene(source, file="scene")
     path = Path(source)
+    if path.suffix in (".npz", ".rrd"):
+        raise SceneError(
+            f"{path_text(path)}: suffix {path.suffix!r}: a scene is a file in YAML (R2). A "
+            "recording of a run is read by Run.load(path), and shown by `tamias2d replay`."
+        )
     return read_scene(_file_text(path), file=str(path), name=path.stem)
 
 

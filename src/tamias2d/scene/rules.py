@@ -69,7 +69,8 @@ def pair(
     items = sequence(value, of, remedy, at=at)
     if len(items) != 2:
         raise RuleError(
-            f"{label(at)} of {of}: found {len(items)} components in {shown(value)}: "
+            f"{label(at)} of {of}: found {len(items)} component{'s' * (len(items) != 1)} in "
+            f"{shown(value)}: "
             f"a vector has two, x and y (R4). {remedy}",
             *at,
         )

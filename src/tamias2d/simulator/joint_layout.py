@@ -14,11 +14,17 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.placement import PULLED
-from tamias2d.engine.joints.rows import mechanism_of, move_anchor, set_angle
+from tamias2d.engine.joints.rows import mechanism_of, move_anchor, set_angle, set_motor
 from tamias2d.generated.joint_rows import MOST_ROWS
+from tamias2d.scene.freedoms import Motor
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import Vector
-from tamias2d.simulator.joint_rows import joint_rows, place_of_row, units_of_row
+from tamias2d.simulator.joint_rows import (
+    joint_rows,
+    place_of_row,
+    rate_and_most,
+    units_of_row,
+)
 from tamias2d.simulator.joint_separations import separations, size_of_joint
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
@@ -142,6 +148,12 @@ class JointLayout:
         for place, row in self._rows_of[name]:
             if row.law == tb.LOWER_LIMIT:
                 set_angle(self._engine, place, angle)
+
+    def set_motor(self, name: str, motor: Motor) -> None:
+        """Give the motor of a joint another speed and maximum."""
+        for place, row in self._rows_of[name]:
+            if row.law == tb.MOTOR:
+                set_motor(self._engine, place, *rate_and_most(motor))
 
 
 def kept_of_new(joints: Sequence[Joint], engine: Engine) -> Array:

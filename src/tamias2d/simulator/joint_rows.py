@@ -7,7 +7,7 @@ from typing import Any, cast
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.generated.joint_rows import MOST_ROWS
-from tamias2d.scene.freedoms import Freedom
+from tamias2d.scene.freedoms import Freedom, Motor
 from tamias2d.scene.joint_equation import equation_rows
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import RuleError
@@ -43,12 +43,17 @@ def _governed(joint: Joint, freedom: Freedom) -> Iterable[JointRow]:
     if limits and limits.upper is not None:
         yield _row(joint.measured(freedom, limits.upper), tb.UPPER_LIMIT, bounces)
     if motor:
-        most = math.inf if motor.maximum is None else motor.maximum
-        yield _row(joint.measured(freedom, 0.0), tb.MOTOR, (motor.speed, most, 0.0, 0.0, 0.0))
+        numbers = (*rate_and_most(motor), 0.0, 0.0, 0.0)
+        yield _row(joint.measured(freedom, 0.0), tb.MOTOR, numbers)
     if spring:
         rest = cast(float, spring.rest)
         numbers = (0.0, 0.0, spring.stiffness, spring.damping, 0.0)
         yield _row(joint.measured(freedom, rest), tb.SPRING, numbers)
+
+
+def rate_and_most(motor: Motor) -> tuple[float, float]:
+    """Return the speed of a motor and its maximum."""
+    return motor.speed, math.inf if motor.maximum is None else motor.maximum
 
 
 def _row(

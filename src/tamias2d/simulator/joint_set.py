@@ -3,12 +3,14 @@
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from typing import cast
 
 import numpy as np
 
 from tamias2d.engine.engine import Engine
 from tamias2d.motion.joint_events import BREAKS, CLICKS
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.freedoms import Motor, with_motor
 from tamias2d.scene.joint_checks import checked_joint
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, Vector, shown
@@ -119,6 +121,31 @@ class JointSet:
             self._change()
         if not self.new:
             self.layout.move_anchor(joint.name, ENDS[held[0]], point)
+        return joint
+
+    def set_motor(self, name: object, motor: object) -> Joint | None:
+        """Give a joint's motor another speed and maximum; return the joint, None if it has these.
+
+        Raises:
+            RuleError: there is none of that name, it has no motor, or a value breaks a rule.
+        """
+        joint = self._named(name)
+        driven = next((each for each in joint.freedoms if each.motor), None)
+        if driven is None:
+            raise RuleError(
+                f"joint '{joint.name}' ({joint.kind}): it has no motor that could be set (GD22). "
+                "Give it one, Motor(speed=, maximum=), as you add it.",
+                "name",
+            )
+        new = with_motor(driven, motor, f"joint '{joint.name}'")
+        if new == driven:
+            return None
+        freedoms = tuple(new if each is driven else each for each in joint.freedoms)
+        self._joints[joint.name] = replace(joint, freedoms=freedoms)
+        if self._layout is not None and joint.name in self._layout.alike:
+            self._change(self.layout.kept())
+        if not self.new:
+            self.layout.set_motor(joint.name, cast(Motor, new.motor))
         return joint
 
     def drop_bodies(self, gone: set[int]) -> list[int]:

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from tamias2d.engine.state import LARGEST
+from tamias2d.scene.freedoms import Motor
 from tamias2d.scene.joint_kinds import Equation, Kind
 from tamias2d.scene.joints import End
 from tamias2d.scene.rules import RuleError, VectorLike, vector
@@ -90,6 +91,24 @@ class Jointing(Stepping):
                 "point",
             )
         joint = self._joints.set_target(name, at)
+        if self._sleeps:
+            self._engine.wake(np.array(joint.bodies, dtype=np.int64))
+        self._unsettled |= self._joints.new
+
+    @exclusive
+    def set_motor(self, name: str, motor: Motor | None) -> None:
+        """Give a joint's motor another speed and maximum, as a throttle does; None turns it off.
+
+        It takes some 50 microseconds, and may be done before each step. A motor that stays as it is
+        wakes nothing.
+
+        Raises:
+            InputError: there is no joint of that name, it has no motor, or a value breaks a rule
+                (R4).
+        """
+        joint = self._joints.set_motor(name, motor)
+        if joint is None:
+            return
         if self._sleeps:
             self._engine.wake(np.array(joint.bodies, dtype=np.int64))
         self._unsettled |= self._joints.new

@@ -15,6 +15,7 @@ from tamias2d.engine.saved_checks import UnfitError
 from tamias2d.engine.saved_state import restored_engine, rewind, saved_arrays
 from tamias2d.engine.tables import DYNAMIC
 from tamias2d.errors import RecordingError
+from tamias2d.recording_file import checked_path
 from tamias2d.scene import Scene, scene_text
 from tamias2d.scene.joints import Joint, kept_apart
 from tamias2d.scene.scene_data import checked_scene
@@ -126,7 +127,7 @@ class Simulator(Pushing, Changing, Jointing, Asking):
         Raises:
             RecordingError: the name does not end in .npz, or the file cannot be written.
         """
-        saving.write(Path(path), self._arrays())
+        saving.write(checked_path(path), self._arrays())
 
     @classmethod
     def restore(cls, path: str | Path, *, compiled: bool = True) -> "Simulator":
@@ -138,7 +139,7 @@ class Simulator(Pushing, Changing, Jointing, Asking):
             RecordingError: there is no file, or it is damaged, of another kind or version.
         """
         checked_flag(compiled, "compiled")
-        return _restored(saving.read(Path(path)), str(path), compiled)
+        return _restored(saving.read(checked_path(path)), str(path), compiled)
 
     @exclusive
     def __reduce__(self) -> tuple[Any, ...]:

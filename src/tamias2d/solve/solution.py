@@ -8,6 +8,7 @@ import numpy as np
 from tamias2d.balance import balance
 from tamias2d.contact import (
     MEANT_TO_TOUCH,
+    JointedContactError,
     LastingContactError,
     OverlapError,
     SimultaneousImpactsError,
@@ -27,7 +28,12 @@ from tamias2d.solve.plan import Plan, planned
 from tamias2d.solve.stepped import run_by_steps
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
-_UNDECIDED = (SimultaneousImpactsError, LastingContactError, UndecidedContactError)
+_UNDECIDED = (
+    SimultaneousImpactsError,
+    LastingContactError,
+    JointedContactError,
+    UndecidedContactError,
+)
 
 
 def solve(
@@ -49,7 +55,7 @@ def solve(
         try:
             return _run(plan, progress, asked=method is not None)
         except _UNDECIDED as refusal:
-            if method is not None or scene.joints:
+            if method is not None or any(joint.beyond_steps for joint in scene.joints):
                 raise
             reason = f"impacts could be located up to {refusal.time:.6g} s. {refusal}"
         except OverlapError as refusal:

@@ -113,6 +113,18 @@ def set_angle(store: Store, place: int, angle: float) -> None:
     joints.mechanisms[mechanism_of(store, place), tb.M_WRITTEN] = 0
 
 
+def set_motor(store: Store, place: int, rate: float, most: float) -> None:
+    """Let a motor keep another rate, m/s or rad/s, with at most a force, N, or a torque, N m."""
+    joints = store.world.joints
+    joints.laws[place, [tb.LAW_RATE, tb.LAW_MOST]] = rate, most
+    n = mechanism_of(store, place)
+    own = slice(*joints.mechanisms[n : n + 2, tb.M_JOINT])
+    law, mechanism = joints.joints[own, tb.J_LAW], joints.mechanisms[n]
+    turned = ((law == tb.MOTOR) & (joints.laws[own, tb.LAW_RATE] != 0.0)).any()
+    mechanism[tb.M_TURNED_BY_MOTOR] = turned
+    mechanism[tb.M_DRIVEN] = turned or mechanism[tb.M_TIMED] or (law == tb.SPRING).any()
+
+
 def mechanism_of(store: Store, place: int) -> int:
     """Return the mechanism of a joint."""
     joints = store.world.joints
