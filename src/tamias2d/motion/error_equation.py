@@ -29,9 +29,11 @@ Watch: TypeAlias = Callable[[float, Array, Array], None]
 class ErrorEquation:
     """Takes the steps of a pair, and integrates the error of their path."""
 
-    def __init__(self, steps: Adaptive, watch: Watch) -> None:
+    def __init__(self, steps: Adaptive, watch: Watch, *, sweeps: int) -> None:
         self._steps = steps
         self._watch = watch
+        self._sweeps = sweeps
+        """The first knows rates within a step badly; where these are felt, one more knows them."""
         self._rule = _Rule((steps.power + 5) // 2)
         self._end: tuple[float, Array, Array] | None = None
         self._last: tuple[Array, Array, Array] | None = None
@@ -98,14 +100,16 @@ class ErrorEquation:
         ways = ahead + step * np.multiply.outer(rule.nodes, rate)
         lacking = np.empty_like(ways)
         lacking[0] = pull - path[2, 0]
-        for i in range(1, len(rule.nodes)):
-            turn, bend = np.tensordot(rule.early[i], lacking[:i], 1)
-            pull = field(
-                time + step * rule.nodes[i],
-                path[0, i] + ways[i] + step * step * bend,
-                path[1, i] + rate + step * turn,
-            )
-            lacking[i] = pull - path[2, i]
+        for sweep in range(self._sweeps):
+            for i in range(1, len(rule.nodes)):
+                weights, of = (rule.all[:, i], lacking) if sweep else (rule.early[i], lacking[:i])
+                turn, bend = np.tensordot(weights, of, 1)
+                pull = field(
+                    time + step * rule.nodes[i],
+                    path[0, i] + ways[i] + step * step * bend,
+                    path[1, i] + rate + step * turn,
+                )
+                lacking[i] = pull - path[2, i]
         turns, bends = np.tensordot(rule.all, lacking, 1)
         within: Array = ways + step * step * bends
         self._last = within[-1], rate + step * turns[-1], pull

@@ -28,7 +28,7 @@ from tamias2d.motion.step_batch import BatchPath, StepBatch
 from tamias2d.motion.uniform import Uniform
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
-from tamias2d.scene.acting import felt_velocity
+from tamias2d.scene.acting import felt_velocity, only_slowed
 from tamias2d.state import Acceleration, Array, Constraint, History, SharedConstraint, State
 from tamias2d.work_limit import Work, WorkLimitError
 
@@ -255,7 +255,8 @@ class IntegratedMotion:
     def integrate_error(self, watch: Watch) -> None:
         """Integrate the error of the path from here on, if steps are chosen."""
         if isinstance(self._integrator, Adaptive):
-            self._batching = ErrorEquation(self._integrator, watch)
+            sweeps = 2 if self._felt_velocity and not only_slowed(self._scene) else 1
+            self._batching = ErrorEquation(self._integrator, watch, sweeps=sweeps)
 
     @property
     def largest_error(self) -> Array | None:

@@ -99,12 +99,10 @@ def _certified(
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=of_penetration(run, fault))
     certificate = _stated(run, lambda: _found(run, way(), looser or run, told=told))
-    if certificate.kind not in (
-        "invariants",
-        "none",
-    ):  # the way of many bodies is searched only if something is said of it
-        if crowded(run) and (fault := next(penetrations(run), None)) is not None:
-            certificate = of_penetration(run, fault)
+    bounded = certificate.kind not in ("invariants", "none")
+    # the way of many bodies is searched only if something is said of it
+    if bounded and crowded(run) and (fault := next(penetrations(run), None)) is not None:
+        certificate = of_penetration(run, fault)
     return replace(run, certificate=with_rule(certificate, run))
 
 

@@ -1,14 +1,12 @@
 """Bounds of runs that choose their steps, from the equation of their error (R5)."""
 
-import math
-
 import numpy as np
 
 from tamias2d.motion import Dop853, DormandPrince5, Method
 from tamias2d.motion.error_equation import Watch
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.scene.acting import felt_velocity, kinked
+from tamias2d.scene.acting import felt_velocity, kinked, only_slowed
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve import StoppedError, solve_with_error
 from tamias2d.state import Array
@@ -20,6 +18,7 @@ HOW = "and the equation of its error"
 TIGHTEST = 1e-12
 """Of the tolerances of a method whose steps err by more than the equation is rounded."""
 _TRUSTED = 2.0  # times the error that was integrated
+_SLOWED = 3.0  # the same where bodies are only slowed: rates within a step are known badly
 _EARLY = 0.05  # of the run: before, its length says little
 _GROWTH = 1.5  # power of the time with which errors grow: from 1 to 2
 _FAR = 1e-2  # of the scale: as that is exceeded, the error is no longer small beside the motion
@@ -51,7 +50,7 @@ def of_error(error: Array | None) -> Way:
     def way(run: Run, _: Array | None) -> Bound:
         if error is None:
             raise NoBoundError("the equation of its error has no solution beside the run")
-        value = trusted(_farthest(error, run.scene), scale(run))
+        value = _trusted(run.scene, error, scale(run))
         return Bound("embedded", value + rounding(run), f"{run.method} {HOW}")
 
     return way
@@ -77,7 +76,7 @@ def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
         if not _EARLY * duration <= time < duration:
             return
         way = _farthest(extent, scene)
-        share = trusted(_farthest(error, scene), way) / way if way else 0.0
+        share = _trusted(scene, error, way) / way if way else 0.0
         left = duration / time
         if share * (left if grows else 1.0) > tolerance:
             raise HopelessError(share * left**_GROWTH)
@@ -85,9 +84,11 @@ def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
     return watch
 
 
-def trusted(error: float, length: float) -> float:
-    """Return how large an error may be that was integrated, m; beside a motion of a length, m."""
-    return _TRUSTED * error * (1 + error / (_FAR * length)) if length else math.inf
+def _trusted(scene: Scene, error: Array, length: float) -> float:
+    """Return how large an error may be that was integrated, m, beside a motion of a length, m."""
+    farthest = _farthest(error, scene)
+    times = _SLOWED if only_slowed(scene) else _TRUSTED
+    return times * farthest * (1 + farthest / (_FAR * length))
 
 
 def _farthest(moved: Array, scene: Scene) -> float:
