@@ -42,15 +42,27 @@ def test_the_run_is_that_without_it() -> None:
     assert nodes == 5 * run.cost.steps + 1  # six, the first of which is the last one before
 
 
-def test_general_code_says_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    def errors() -> object:
-        found = solve_with_error(oscillator(), duration=1.0, method=t2.Dop853(1e-6))[1]
-        assert found is not None
-        return found.tobytes()
+@pytest.mark.parametrize("name", ["kepler", "damped-oscillator", "quadratic-drag", "pendulum"])
+def test_compiled_plain_and_general_code_say_the_same(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scene = t2.catalogue.load(name)
 
-    quick = errors()
-    monkeypatch.setattr("tamias2d.solve.located.march_by_kernels", lambda *_: None)
-    assert errors() == quick
+    def errors() -> object:
+        run, found = solve_with_error(scene, duration=2.0, method=t2.Dop853(1e-6))
+        assert found is not None
+        return found.tobytes(), run.cost
+
+    plain = errors()
+    with monkeypatch.context() as patch:
+        patch.setattr("tamias2d.kernels.choice.Kernel._price", lambda *_: 0.0)
+        patch.setattr("tamias2d.kernels.choice._LOAD", 0.0)
+        errors()
+        compiled = errors()
+    with monkeypatch.context() as patch:
+        patch.setattr("tamias2d.solve.located.march_by_kernels", lambda *_: None)
+        general = errors()
+    assert plain == compiled == general
 
 
 def test_nothing_is_said_across_impacts() -> None:
@@ -66,6 +78,7 @@ def test_nothing_is_said_where_the_force_has_no_value_beside_the_path(
         raise t2.SimulationError("no force there")
 
     monkeypatch.setattr(ErrorEquation, "_step", lost)
+    monkeypatch.setattr("tamias2d.solve.located.march_by_kernels", lambda *_: None)
     run, error = solve_with_error(oscillator(), duration=1.0, method=t2.Dop853(1e-6))
     assert error is None
     assert run.times[-1] == 1.0

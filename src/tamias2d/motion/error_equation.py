@@ -7,7 +7,8 @@ wanted, so that an explicit scheme of low order does; but over a step the defect
 which takes a quadrature of a higher order than the steps have: Lobatto's.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import cache
 from typing import TypeAlias
 
 import numpy as np
@@ -15,6 +16,7 @@ from numpy.polynomial import legendre
 
 from tamias2d.errors import SimulationError
 from tamias2d.motion.adaptive import Adaptive
+from tamias2d.motion.marching import Error, Rule
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import derivative
 from tamias2d.motion.step_batch import StepBatch
@@ -34,9 +36,9 @@ class ErrorEquation:
         self._watch = watch
         self._sweeps = sweeps
         """The first knows rates within a step badly; where these are felt, one more knows them."""
-        self._rule = _Rule((steps.power + 5) // 2)
+        self._rule = lobatto((steps.power + 5) // 2)
         self._end: tuple[float, Array, Array] | None = None
-        self._last: tuple[Array, Array, Array] | None = None
+        self._error: Error | None = None
         self._low = self._high = np.zeros((0, 3))
         self.largest: Array | None = np.zeros((0, 3))
         """(n, 3): of each coordinate of the bodies that move, m and rad.
@@ -59,61 +61,73 @@ class ErrorEquation:
         most = min(most, _AT_ONCE)
         steps = self._steps.batch(field, start, limit, position, velocity, most=most)
         if self.largest is not None:
-            try:
-                self.largest = self._followed(field, steps, self.largest)
-            except SimulationError:
-                self.largest = None
+            self.largest = self._followed(field, steps)
         if self._steps.missed:
             self.largest = None
         if self.largest is not None:
             self._watch(steps.end, self.largest, self._high - self._low)
         return steps
 
-    def _followed(self, field: MemoisedField, steps: StepBatch, largest: Array) -> Array | None:
+    def _followed(self, field: MemoisedField, steps: StepBatch) -> Array | None:
         """Return the largest errors up to the end of some steps, whose errors are integrated."""
         first = steps.times[0], steps.knots[0, 0], steps.knots[0, 1]
         beside = field.beside()
-        if self._last is None:
+        if self._error is None:
             still = np.zeros_like(first[1])
-            self._last = still, still, beside(*first)
+            self._error = Error(np.stack((still, still, beside(*first))), still.copy())
             self._low = self._high = first[1]
-            largest = still
         elif self._end is None or not _same(self._end, first):
             return None
-        paths = self._rule.along(steps)
-        for k, (time, end) in enumerate(zip(steps.times[:-1], steps.times[1:], strict=True)):
-            within = self._step(beside, time, end - time, paths[:, :, k])
-            largest = np.maximum(largest, np.abs(within).max(axis=0))
         self._low = np.minimum(self._low, steps.knots[:, 0].min(axis=0))
         self._high = np.maximum(self._high, steps.knots[:, 0].max(axis=0))
         self._end = steps.end, *steps.last
-        return largest if np.isfinite(largest).all() else None
+        paths = along(steps, self._rule.nodes)
+        if not self._integrated(beside, steps.times, paths, self._error):
+            return None
+        good = np.isfinite(self._error.state).all()
+        return self._error.largest if good else None
 
-    def _step(self, field: MemoisedField, time: float, step: float, path: Array) -> Array:
-        """Go on over a step, s, and return the errors (m, n, 3) within it.
-
-        The path (3, m, n, 3) is that of coordinates, rates and accelerations.
-        """
-        assert self._last is not None
+    def _integrated(
+        self, field: MemoisedField, times: Sequence[float], paths: Array, error: Error
+    ) -> bool:
+        """Integrate the error over some steps, at once if the field can; return whether it did."""
         rule = self._rule
-        ahead, rate, pull = self._last
-        ways = ahead + step * np.multiply.outer(rule.nodes, rate)
-        lacking = np.empty_like(ways)
+        if field.marching is not None:
+            done = field.marching.follow(times, paths, rule, self._sweeps, error)
+            if done is not None:
+                nodes = self._sweeps * (len(rule.nodes) - 1)
+                field.tally.force_evaluations += nodes * (len(times) - 1)
+                return done
+        try:
+            for time, end, path in zip(times[:-1], times[1:], paths, strict=True):
+                self._step(field, time, end - time, path, error)
+        except SimulationError:
+            return False
+        return True
+
+    def _step(
+        self, field: MemoisedField, time: float, step: float, path: Array, error: Error
+    ) -> None:
+        """Go on over a step, s, whose path (3, m, n, 3) is that of places, rates, accelerations."""
+        nodes, early, whole = self._rule
+        ahead, rate, pull = error.state
+        lacking = np.empty_like(path[0])
         lacking[0] = pull - path[2, 0]
+
+        def within(i: int, of: Array, last: int) -> tuple[Array, Array]:
+            turn, bend = (_summed(weights[i, :last], lacking) for weights in of)
+            way = ahead + step * nodes[i] * rate + step * step * bend
+            return way, rate + step * turn
+
         for sweep in range(self._sweeps):
-            for i in range(1, len(rule.nodes)):
-                weights, of = (rule.all[:, i], lacking) if sweep else (rule.early[i], lacking[:i])
-                turn, bend = np.tensordot(weights, of, 1)
-                pull = field(
-                    time + step * rule.nodes[i],
-                    path[0, i] + ways[i] + step * step * bend,
-                    path[1, i] + rate + step * turn,
-                )
+            for i in range(1, len(nodes)):
+                way, turned = within(i, *((whole, len(nodes)) if sweep else (early, i)))
+                pull = field(time + step * nodes[i], path[0, i] + way, path[1, i] + turned)
                 lacking[i] = pull - path[2, i]
-        turns, bends = np.tensordot(rule.all, lacking, 1)
-        within: Array = ways + step * step * bends
-        self._last = within[-1], rate + step * turns[-1], pull
-        return within
+        for i in range(1, len(nodes)):
+            way, turned = within(i, whole, len(nodes))
+            np.maximum(error.largest, np.abs(way), out=error.largest)
+        error.state[:] = way, turned, pull
 
 
 def _same(one: tuple[float, Array, Array], other: tuple[float, Array, Array]) -> bool:
@@ -122,27 +136,39 @@ def _same(one: tuple[float, Array, Array], other: tuple[float, Array, Array]) ->
     return one[0] == other[0] and all(equal)
 
 
-class _Rule:
-    """Lobatto's quadrature with m nodes, and from its nodes to any of them."""
+def _summed(weights: Array, rows: Array) -> Array:
+    """Return the weighted sum of the first of some rows: in this order, as compiled code has it."""
+    total: Array = weights[0] * rows[0]
+    for weight, row in zip(weights[1:], rows[1:], strict=False):
+        total = total + weight * row
+    return total
 
-    def __init__(self, count: int) -> None:
-        inner = legendre.legroots(legendre.legder(np.eye(count)[-1]))
-        self.nodes = (np.concatenate(([-1.0], np.sort(inner), [1.0])) + 1) / 2
-        self.early = [_weights(self.nodes[:i], self.nodes[i]) for i in range(count)]
-        """From the nodes before it: (2, i) of the integral up to a node, and of that once more"""
-        self.all = np.stack([_weights(self.nodes, node) for node in self.nodes], axis=1)
-        """The same from all nodes, (2, m, m)"""
 
-    def along(self, steps: StepBatch) -> Array:
-        """Return coordinates, rates and accelerations (3, m, k, n, 3) at the nodes of k steps."""
-        powers = steps.coefficients
-        half = steps.half[:, None, None]
-        found = np.empty((3, len(self.nodes), *powers.shape[1:]))
-        for order in range(3):
-            terms = derivative(powers, order)
-            basis = np.vander(2 * self.nodes - 1, len(terms), increasing=True)
-            found[order] = np.tensordot(basis, terms, 1) / half**order
-        return found
+@cache
+def lobatto(count: int) -> Rule:
+    """Return Lobatto's quadrature with so many nodes."""
+    inner = legendre.legroots(legendre.legder(np.eye(count)[-1]))
+    nodes = (np.concatenate(([-1.0], np.sort(inner), [1.0])) + 1) / 2
+    early, whole = np.zeros((2, 2, count, count))
+    for i, node in enumerate(nodes.tolist()):
+        whole[:, i] = _weights(nodes, node)
+        early[:, i, :i] = _weights(nodes[:i], node)
+    return Rule(nodes, early, whole)
+
+
+def along(steps: StepBatch, nodes: Array) -> Array:
+    """Return coordinates, rates and accelerations (k, 3, m, n, 3) at the nodes of k steps."""
+    powers = steps.coefficients
+    half = steps.half[:, None, None]
+    found = np.empty((3, len(nodes), *powers.shape[1:]))
+    for order in range(3):
+        terms = derivative(powers, order)
+        for i, x in enumerate((2 * nodes - 1).tolist()):
+            value = terms[-1]
+            for term in terms[-2::-1]:
+                value = value * x + term
+            found[order, i] = value / half**order
+    return np.ascontiguousarray(np.moveaxis(found, 2, 0))
 
 
 def _weights(nodes: Array, until: float) -> Array:
