@@ -22,7 +22,8 @@ from tamias2d.motion.polynomial import derivative
 from tamias2d.motion.step_batch import StepBatch
 from tamias2d.state import Array
 
-_AT_ONCE = 16  # steps, after which somebody may have seen enough
+_AT_ONCE, _SHARE = 16, 2
+"""So many steps, or this share of those before, are taken before somebody may have seen enough."""
 
 Watch: TypeAlias = Callable[[float, Array, Array], None]
 """Hears of the time reached, s, and of the largest errors and extents (n, 3) so far, m and rad."""
@@ -37,6 +38,7 @@ class ErrorEquation:
         self._sweeps = sweeps
         """The first knows rates within a step badly; where these are felt, one more knows them."""
         self._rule = lobatto((steps.power + 5) // 2)
+        self._taken = 0  # steps
         self._end: tuple[float, Array, Array] | None = None
         self._error: Error | None = None
         self._low = self._high = np.zeros((0, 3))
@@ -58,8 +60,9 @@ class ErrorEquation:
         most: int,
     ) -> StepBatch:
         """Take several steps at once, if the field can; raises as those do."""
-        most = min(most, _AT_ONCE)
+        most = min(most, max(_AT_ONCE, self._taken // _SHARE))
         steps = self._steps.batch(field, start, limit, position, velocity, most=most)
+        self._taken += len(steps.times) - 1
         if self.largest is not None:
             self.largest = self._followed(field, steps)
         if self._steps.missed:
@@ -160,14 +163,14 @@ def along(steps: StepBatch, nodes: Array) -> Array:
     """Return coordinates, rates and accelerations (k, 3, m, n, 3) at the nodes of k steps."""
     powers = steps.coefficients
     half = steps.half[:, None, None]
+    x = (2 * nodes - 1).reshape(-1, 1, 1, 1)
     found = np.empty((3, len(nodes), *powers.shape[1:]))
     for order in range(3):
         terms = derivative(powers, order)
-        for i, x in enumerate((2 * nodes - 1).tolist()):
-            value = terms[-1]
-            for term in terms[-2::-1]:
-                value = value * x + term
-            found[order, i] = value / half**order
+        value = terms[-1]
+        for term in terms[-2::-1]:
+            value = value * x + term
+        found[order] = value / half**order
     return np.ascontiguousarray(np.moveaxis(found, 2, 0))
 
 

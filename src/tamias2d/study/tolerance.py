@@ -41,8 +41,11 @@ _PLAIN, _SLOWED = 0.3, 10.0
 _ORDER_8, _IMPACTS = 3e-8, 1e-8
 """Below these tolerances order 8 is cheaper than order 5 where bodies are only slowed: where none
 meet, and where steps are short for impacts."""
-_FELT, _NEXT = 1.0, 0.5
-_FEW_STEPS = 1e-3
+_FREE, _FELT = 0.15, 1.0
+"""The same of steps whose error is integrated: where no velocity is felt, and where one is."""
+_NEXT = 0.5  # of the tolerance is aimed at when that failed
+_LOOSE = 1e-3
+"""From it on order 5 is cheaper where bodies are only slowed and their error is integrated."""
 _HALVES = 3e-6
 """Below it halved steps are cheaper than a run at a tighter tolerance."""
 _LOOSEST = 0.3
@@ -209,8 +212,8 @@ def _with_error(asked: _Asked) -> Run | None:
     """Return a run beside which its error is integrated; None if some are not within it."""
     scene, tolerance = asked.scene, asked.tolerance
     slowed = only_slowed(scene)
-    method = DormandPrince5 if slowed and tolerance >= _FEW_STEPS else Dop853
-    rtol = tolerance * (_SLOWED if slowed else _FELT if felt_velocity(scene) else _PLAIN)
+    method = DormandPrince5 if slowed and tolerance >= _LOOSE else Dop853
+    rtol = tolerance * (_SLOWED if slowed else _FELT if felt_velocity(scene) else _FREE)
     for attempt in range(_TRIES):
         if rtol < TIGHTEST:
             return None
