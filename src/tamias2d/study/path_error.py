@@ -77,8 +77,8 @@ def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
             return
         way = _farthest(extent, scene)
         share = _trusted(scene, error, way) / way if way else 0.0
-        left = duration / time
-        if share * (left if grows else 1.0) > tolerance:
+        left = duration / time if grows else 1.0
+        if share * left > tolerance:
             raise HopelessError(share * left**_GROWTH)
 
     return watch

@@ -17,7 +17,7 @@ from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve import Interrupted, solve, solve_halved, solve_with_error
 from tamias2d.state import Array
 from tamias2d.study.certify import (
-    certify,
+    certify_by_companion,
     certify_embedded,
     certify_halved,
     certify_steps,
@@ -167,7 +167,7 @@ def _aimed(asked: _Asked) -> Run:
         for attempt in range(_TRIES):
             if not math.isfinite(estimate.force_evaluations):
                 break
-            run = certify(asked.run(estimate))
+            run = certify_by_companion(asked.run(estimate))
             if run.certificate is not None and run.certificate.meets(tolerance):
                 return _noted(run, tolerance, attempt)
             reached = min(reached, _reached(run.certificate))
