@@ -19,9 +19,10 @@ TIGHTEST = 1e-12
 """Of the tolerances of a method whose steps err by more than the equation is rounded."""
 _TRUSTED = 2.0  # times the error that was integrated
 _SLOWED = 3.0  # the same where bodies are only slowed: rates within a step are known badly
+_FEW = 24  # steps between which the quadrature errs: a small error may be luck
 _EARLY = 0.05  # of the run: before, its length says little
 _GROWTH = 1.5  # power of the time with which errors grow: from 1 to 2
-_FAR = 1e-2  # of the scale: as that is exceeded, the error is no longer small beside the motion
+_FAR = 1e-3  # of the scale: as that is exceeded, steps are too few to say much of their error
 
 
 def has_error_equation(scene: Scene, duration: float, method: Method) -> bool:
@@ -51,6 +52,8 @@ def of_error(error: Array | None) -> Way:
         if error is None:
             raise NoBoundError("the equation of its error has no solution beside the run")
         value = _trusted(run.scene, error, scale(run))
+        if run.cost and run.cost.steps < _FEW and not only_slowed(run.scene):
+            value = max(value, run.method.rtol * scale(run))  # type: ignore[attr-defined]
         return Bound("embedded", value + rounding(run), f"{run.method} {HOW}")
 
     return way
