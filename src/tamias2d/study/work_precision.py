@@ -14,8 +14,10 @@ import numpy as np
 
 from tamias2d.cost import Cost
 from tamias2d.errors import TamiasError
+from tamias2d.motion import ClosedForm
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
+from tamias2d.solve.located import are_many
 from tamias2d.study.candidates import Candidate, candidates
 from tamias2d.study.event_errors import NAMES, Errors, errors
 from tamias2d.study.front import front
@@ -182,6 +184,9 @@ def _points(
 def _too_long(candidate: Candidate, scene: Scene, truth: Truth, phases: int) -> str | None:
     """Return why a method is not run, if parts of a run tell that one point would take too long."""
     duration = truth.history.run.duration
+    followed = candidate.peer or candidate.name == ClosedForm.__name__
+    if not followed and are_many(scene) and pairs_that_can_meet(scene, duration):
+        return "not run: so many bodies that may meet are followed by the closed form only"
     runs = 2 * phases + 1
     took: list[float] = []
     for part in _PARTS:
