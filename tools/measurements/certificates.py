@@ -25,9 +25,9 @@ from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
-from tamias2d.solve import solve, solve_halved
+from tamias2d.solve import StoppedError, solve, solve_halved, solve_with_error
 from tamias2d.state import Array
-from tamias2d.study import companion, embedded, pilot, tolerance as within_tolerance
+from tamias2d.study import companion, embedded, path_error, pilot, tolerance as within_tolerance
 from tamias2d.study.bound import rounding
 from tamias2d.study.error import history_error, scale
 from tamias2d.study.recommend import schemes_for, solved
@@ -310,11 +310,22 @@ def _counted() -> Iterator[Callable[[], int]]:
         spent.append(run.cost.force_evaluations if run.cost else 0)
         return run, halving
 
+    def counting_errors(scene: Scene, **inputs: Any) -> tuple[Run, Array | None]:
+        try:
+            run, error = solve_with_error(scene, **inputs)
+        except StoppedError as stopped:
+            spent.append(stopped.force_evaluations)
+            raise
+        spent.append(run.cost.force_evaluations if run.cost else 0)
+        return run, error
+
     with ExitStack() as patched:
         for module in (companion, pilot, within_tolerance):
             patched.enter_context(patch.object(module, "solve", counting))
         for module in (embedded, within_tolerance):
             patched.enter_context(patch.object(module, "solve_halved", counting_halves))
+        for module in (path_error, within_tolerance):
+            patched.enter_context(patch.object(module, "solve_with_error", counting_errors))
         yield lambda: sum(spent)
 
 

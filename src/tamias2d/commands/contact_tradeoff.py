@@ -1,5 +1,7 @@
 """A study of stepped contacts as tables for people."""
 
+from itertools import groupby
+
 from tamias2d.commands.output import error_text, figure, print_table, say
 from tamias2d.study.contact_study import ContactPoint, ContactStudy
 
@@ -20,8 +22,7 @@ def print_contacts(found: ContactStudy, name: str, tolerance: float | None) -> N
     say()
     print_table(heads, (_row(found, k, tolerance) for k in range(len(found.points))))
     _print_statistics(found)
-    for method, why in {p.method: p.failure for p in found.points if p.failure}.items():
-        say(f"\n{method} failed: {why}")
+    _print_failures(found)
     say(
         "\nfront: nothing is both cheaper and better: in places by seconds (s) and by passes "
         "through the contacts (p), in overlap and energy by seconds (q). Seconds are those of the "
@@ -29,10 +30,19 @@ def print_contacts(found: ContactStudy, name: str, tolerance: float | None) -> N
     )
 
 
+def _print_failures(found: ContactStudy) -> None:
+    """Print why there is no error, once where that is the same for settings of an engine."""
+    failed = (point for point in found.points if point.failure)
+    for (method, why), points in groupby(failed, key=lambda point: (point.method, point.failure)):
+        first, *more = (point.setting for point in points)
+        settings = f"{first} to {more[-1]}" if more else first
+        say(f"\n{f'{method} {settings}'.strip()}: {why}")
+
+
 def _row(found: ContactStudy, k: int, tolerance: float | None) -> list[str]:
     point, error = found.points[k], found.points[k].error
     if error is None:
-        return ["", point.method, point.setting, "failed"]
+        return ["", point.method, point.setting, "none"]
     marks = (("s", found.fastest), ("p", found.leanest), ("q", found.soundest))
     front = "".join(mark for mark, places in marks if k in places)
     places = error_text(error.position)

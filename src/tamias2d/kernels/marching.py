@@ -27,12 +27,13 @@ from tamias2d.kernels.march_source import (
     STEP,
     March,
     alone,
+    error_equation,
     march,
 )
 from tamias2d.motion import Method
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.loads import Loads
-from tamias2d.motion.marching import Control, Marching, Start, Steps
+from tamias2d.motion.marching import Control, Error, Marching, Rule, Start, Steps
 from tamias2d.motion.motion import Motion
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity
@@ -151,6 +152,43 @@ class KernelMarching:
         count = call.go(call.array(ends), control=call.array(list(astuple(control))))
         found = call.steps(count, finished=count == call.most)
         return found if found.times[1:] == ends[:count] else None
+
+    def follow(
+        self, times: Sequence[float], paths: Array, rule: Rule, sweeps: int, error: Error
+    ) -> bool | None:
+        """Integrate the error of steps along their paths (k, 3, m, n, 3)."""
+        axes, bodies = self.demand.axes, paths.shape[-2]
+        turned = not self.demand.rotation and (
+            paths[:, 1, :, :, 2].any() or error.state[:, :, 2].any()
+        )
+        if turned:
+            return None
+        code = kernel(*error_equation(self.demand), "follow")
+        compiled = code.compiled(len(times))
+        if compiled is None and self._heavy:
+            code.otherwise(len(times) - 1, sweeps * len(rule.nodes) * self._pace)
+            return None
+        flat = paths[..., :axes].swapaxes(-1, -2).reshape(*paths.shape[:3], -1)
+        state, largest = (
+            part[..., :axes].swapaxes(-1, -2).reshape(*part.shape[:-2], -1)
+            for part in (error.state, error.largest)
+        )
+        numbers = np.array(times), flat, rule.nodes, rule.early, rule.whole
+        work = np.zeros((len(rule.nodes), axes * bodies)), np.zeros((4, axes * bodies))
+        inputs: list[Any] = [*numbers, sweeps, state, largest, *work]
+        if compiled is not None:
+            done = compiled(*inputs, *self.tables)
+        else:
+            inputs = [part if isinstance(part, int) else part.tolist() for part in inputs]
+            try:
+                done = code.plain(*inputs, *self.lists)
+            except (ArithmeticError, ValueError):
+                return False
+            state, largest = np.array(inputs[6]), np.array(inputs[7])
+        for whole, found in ((error.state, state), (error.largest, largest)):
+            rows = found.reshape(*found.shape[:-1], axes, bodies).swapaxes(-1, -2)
+            whole[..., :axes] = rows
+        return bool(done == len(times) - 1)
 
     def _call(self, scheme: str, start: Start, most: int, ahead: float) -> "_Call | None":
         """Return what is to be called; None where it is unknown, or the general code is faster."""

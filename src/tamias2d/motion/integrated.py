@@ -1,13 +1,14 @@
 """Motion by integration: the steps of an integrator as paths of bodies."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 import numpy as np
 
 from tamias2d.errors import TamiasError
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.constrained import ConstrainedMotion
+from tamias2d.motion.error_equation import ErrorEquation, Watch
 from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.halved import Halved, Halving
 from tamias2d.motion.joint_code import JointCodes
@@ -27,7 +28,7 @@ from tamias2d.motion.step_batch import BatchPath, StepBatch
 from tamias2d.motion.uniform import Uniform
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
-from tamias2d.scene.acting import felt_velocity
+from tamias2d.scene.acting import felt_velocity, only_slowed
 from tamias2d.state import Acceleration, Array, Constraint, History, SharedConstraint, State
 from tamias2d.work_limit import Work, WorkLimitError
 
@@ -37,6 +38,9 @@ _MOST = 64  # steps that are taken at once
 _LONGEST = 256  # of a scene in which nothing meets
 _REFINED = 6  # times that a step is taken anew to end at an event of a joint
 _SHARE = 2  # of the steps since the last impact are taken at once: what is beyond the next is lost
+
+
+_Batching: TypeAlias = FixedSteps | Adaptive | Halved | ErrorEquation
 
 
 class Integrator(Protocol):
@@ -60,7 +64,7 @@ class IntegratedMotion:
         self._scene = scene
         self._duration = duration
         self._integrator = integrator
-        self._batching = _batching(integrator)
+        self._batching: _Batching | None = _batching(integrator)
         self._steps_since_impact = 0  # steps without an impact
         self.tally = Tally()
         self.work = Work(duration)
@@ -248,6 +252,21 @@ class IntegratedMotion:
         rows = np.array([apart.get(k, still) for k in range(len(self._scene))])
         return Halving(rows, self._integrator.sudden)
 
+    def integrate_error(self, watch: Watch) -> None:
+        """Integrate the error of the path from here on, if steps are chosen."""
+        if isinstance(self._integrator, Adaptive):
+            sweeps = 2 if self._felt_velocity and not only_slowed(self._scene) else 1
+            self._batching = ErrorEquation(self._integrator, watch, sweeps=sweeps)
+
+    @property
+    def largest_error(self) -> Array | None:
+        """The largest error (n, 3) of each coordinate, m and rad, where it was integrated."""
+        if not isinstance(self._batching, ErrorEquation) or self._batching.largest is None:
+            return None
+        rows = np.zeros((len(self._scene), 3))
+        rows[self._moving] = self._batching.largest
+        return rows
+
     def joint_events(self) -> JointEvents:
         """Return what has happened in joints."""
         return joint_events(self._loads.timeline.events)
@@ -369,7 +388,8 @@ class IntegratedMotion:
     ) -> Iterator[DenseStep | StepBatch]:
         """Yield steps, up to `most` of them as one where the integrator can do that."""
         joined = self._loads.mechanisms(field.bodies)
-        alone = most <= 1 and field.marching is None and not isinstance(self._batching, Halved)
+        compared = isinstance(self._batching, Halved | ErrorEquation)
+        alone = most <= 1 and field.marching is None and not compared
         if joined or self._batching is None or alone:
             yield from self._dense_steps(field, start, end, *now)
             return
@@ -401,7 +421,7 @@ def _quicker(field: Field, marching: Marching | None) -> Field:
     return quicker
 
 
-def _batching(integrator: Integrator) -> FixedSteps | Adaptive | Halved | None:
+def _batching(integrator: Integrator) -> _Batching | None:
     """Return an integrator that can take several steps at once."""
     if isinstance(integrator, FixedSteps):
         return integrator if integrator.plain else None

@@ -54,6 +54,26 @@ class Control:
     damping: float
 
 
+class Rule(NamedTuple):
+    """A quadrature with m nodes of a step, and from its nodes to any of them."""
+
+    nodes: Array
+    """(m,), from 0 to 1"""
+    early: Array
+    """(2, m, m): from the nodes before a node, of the integral up to it, and of that once more"""
+    whole: Array
+    """The same from all nodes"""
+
+
+class Error(NamedTuple):
+    """How far exact motion is ahead of a path."""
+
+    state: Array
+    """(3, n, 3): in coordinates and rates, and the accelerations of the exact motion"""
+    largest: Array
+    """(n, 3): in coordinates so far"""
+
+
 class Marching(Protocol):
     """The steps of some bodies that no contact holds, with the bits of the general code.
 
@@ -84,4 +104,12 @@ class Marching(Protocol):
         """Step by a generated pair from each of the times, s, to the next, whatever it errs.
 
         Fewer steps are taken, or none, where forces have no value further on.
+        """
+
+    def follow(
+        self, times: Sequence[float], paths: Array, rule: Rule, sweeps: int, error: Error
+    ) -> bool | None:
+        """Integrate the error of steps along their paths (k, 3, m, n, 3), and change it.
+
+        Return whether forces have values beside them all.
         """

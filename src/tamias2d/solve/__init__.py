@@ -8,6 +8,16 @@ from tamias2d.solve.assembly import work_limit_of
 from tamias2d.solve.following import Interrupted
 from tamias2d.solve.plan import FRAMES, planned
 from tamias2d.solve.sampling import sampler
-from tamias2d.solve.solution import solve, solve_halved
+from tamias2d.solve.solution import StoppedError, solve, solve_halved, solve_with_error
 
-__all__ = ["FRAMES", "Interrupted", "planned", "sampler", "solve", "solve_halved", "work_limit_of"]
+__all__ = [
+    "FRAMES",
+    "Interrupted",
+    "StoppedError",
+    "planned",
+    "sampler",
+    "solve",
+    "solve_halved",
+    "solve_with_error",
+    "work_limit_of",
+]

@@ -15,6 +15,7 @@ from tamias2d.contact import (
     UndecidedContactError,
 )
 from tamias2d.motion import Dop853, DormandPrince5, Legacy2018, Method, PathMethod, Stepped
+from tamias2d.motion.error_equation import Watch
 from tamias2d.motion.halved import Halving
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.loads import Loads, coordinates, start_states
@@ -26,6 +27,7 @@ from tamias2d.solve.legacy import run_by_legacy
 from tamias2d.solve.located import are_many, run_by_paths
 from tamias2d.solve.plan import Plan, planned
 from tamias2d.solve.stepped import run_by_steps
+from tamias2d.state import Array
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
 _UNDECIDED = (
@@ -93,6 +95,44 @@ def solve_halved(
         run = run_by_paths(plan, method, progress=progress, asked=True, motion=motion)
     halving = motion.halving if isinstance(motion, IntegratedMotion) else None
     return run, None if len(run.impacts) else halving
+
+
+class StoppedError(Exception):
+    """Whoever watched a run has seen enough."""
+
+    force_evaluations = 0
+    """Up to there"""
+
+
+def solve_with_error(
+    scene: Scene,
+    *,
+    duration: float,
+    method: Dop853 | DormandPrince5,
+    times: Iterable[float] | None = None,
+    progress: bool = False,
+    work_limit: int = WORK_LIMIT,
+    watch: Watch = lambda time, error, extent: None,  # noqa: ARG005
+) -> tuple[Run, Array | None]:
+    """Return the history of a scene, and the largest error (n, 3) of coordinates, m and rad.
+
+    It is that of their path at any time, by the equation of the error; None where impacts hide it.
+    Arguments and errors are those of `solve`, and those that `watch` raises, with what they have
+    cost: `StoppedError`. The scene has no joints.
+    """
+    plan = planned(scene, duration, method, None, times, work_limit)
+    motion = method.motion(in_pieces(scene), plan.duration, plan.duration)
+    assert isinstance(motion, IntegratedMotion)
+    motion.integrate_error(watch)
+    try:
+        with within_range(plan.duration):
+            _check(plan)
+            run = run_by_paths(plan, method, progress=progress, asked=True, motion=motion)
+    except StoppedError as stopped:
+        stopped.force_evaluations = motion.tally.force_evaluations
+        raise
+    error = motion.largest_error
+    return run, None if error is None or len(run.impacts) else error[: len(scene)]
 
 
 def _run(plan: Plan, progress: bool, *, asked: bool) -> Run:

@@ -5,14 +5,16 @@ from dataclasses import replace
 
 from tamias2d.certificate import Certificate
 from tamias2d.errors import InputError
-from tamias2d.motion import ClosedForm, Dop853, DormandPrince5, Legacy2018, Method, Stepped
+from tamias2d.motion import ClosedForm, Dop853, DormandPrince5, Legacy2018, Stepped
 from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
 from tamias2d.scene.rules import shown
+from tamias2d.state import Array
 from tamias2d.study.bound import Bound, NoBoundError, Way, companion_of
 from tamias2d.study.embedded import embedded, looser_than, of_halves, of_tighter, whole_beside
 from tamias2d.study.error import scale
 from tamias2d.study.exact_bound import exact
+from tamias2d.study.path_error import HOW, error_beside, has_error_equation, of_error
 from tamias2d.study.penetration import crowded, penetrations
 from tamias2d.study.perturbed import LOST, MOVED, growth, horizon
 from tamias2d.study.refined import Refined
@@ -29,7 +31,8 @@ def certify(run: Run) -> Run:
 
     The scene is simulated some times more: in closed form twice, by a stepped scheme on two coarser
     grids (together three quarters of the run's cost, and a finer one if they disagree about the
-    order), by an adaptive one at a tighter tolerance or, where its steps are halved, by whole ones,
+    order), by an adaptive one with the equation of its error, at a tighter tolerance where impacts
+    or joints hide that or, where its steps are halved, by whole ones,
     through contacts four times by steps from a half to a quarter (some ten times the run's cost);
     once more, perturbed, where steps are equal or a path is exact; and once to look for bodies that
     overlap or pass through each other.
@@ -38,7 +41,15 @@ def certify(run: Run) -> Run:
         raise InputError(f"run: found {shown(run)}: must be a Run (R5). Give one of `simulate`.")
     if isinstance(run.method, Stepped):
         return certify_steps(run)
-    return _certified(run, lambda: _way(run.method), told=True)
+    return _certified(run, lambda: _way(run), told=True)
+
+
+def certify_with_error(run: Run, error: Array | None) -> Run:
+    """Return an adaptive run with a certificate from the largest error (n, 3) of its path.
+
+    The equation of the error knows how this grows: no perturbed run is needed.
+    """
+    return replace(run, certificate=_stated(run, lambda: of_error(error)(run, None)))
 
 
 def certify_halved(run: Run, halving: Halving | None) -> tuple[Run, Run | None]:
@@ -49,6 +60,16 @@ def certify_halved(run: Run, halving: Halving | None) -> tuple[Run, Run | None]:
     tighter: list[Run] = []
     found = _certified(run, lambda: lambda run, _: of_halves(run, halving, tighter))
     return found, tighter[-1] if tighter else None
+
+
+def certify_by_companion(run: Run) -> Run:
+    """Return a run with a certificate as `certify` makes it, but for the equation of its error.
+
+    This bounds the whole path, also where it passes something closely between two samples.
+    """
+    if not isinstance(run.method, Dop853 | DormandPrince5) or run.method.halved:
+        return certify(run)
+    return _certified(run, lambda: lambda run, _: embedded(run, []), told=True)
 
 
 def certify_embedded(run: Run) -> tuple[Run, Run | None]:
@@ -65,6 +86,8 @@ def certify_tighter(run: Run, looser: Run) -> Run:
 
 def certify_as(run: Run, told: Certificate) -> Run:
     """Return a run with a certificate that was made as another one tells, of all ways there are."""
+    if told.how.endswith(HOW):
+        return certify_with_error(run, error_beside(run))
     usual, method = certify(run), run.method
     if usual.certificate is None or usual.certificate.how == told.how:
         return usual
@@ -76,7 +99,7 @@ def certify_as(run: Run, told: Certificate) -> Run:
                 return certify_tighter(run, companion_of(run, method=looser))
             except NoBoundError:
                 return usual
-    return certify_embedded(run)[0] if method.halved else usual
+    return certify_embedded(run)[0]
 
 
 def _certified(
@@ -85,14 +108,20 @@ def _certified(
     """Return a run with a certificate, which tells of the horizon also where its bound is large."""
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=of_penetration(run, fault))
-    try:
-        certificate = of_positions(run, _found(run, way(), looser or run, told=told))
-    except NoBoundError as reason:
-        certificate = of_energy(run, str(reason), reason.lost_at)
-    else:  # the way of many bodies is searched only if something is said of it
-        if crowded(run) and (fault := next(penetrations(run), None)) is not None:
-            certificate = of_penetration(run, fault)
+    certificate = _stated(run, lambda: _found(run, way(), looser or run, told=told))
+    bounded = certificate.kind not in ("invariants", "none")
+    # the way of many bodies is searched only if something is said of it
+    if bounded and crowded(run) and (fault := next(penetrations(run), None)) is not None:
+        certificate = of_penetration(run, fault)
     return replace(run, certificate=with_rule(certificate, run))
+
+
+def _stated(run: Run, bound: Callable[[], Bound]) -> Certificate:
+    """Return the certificate of a bound of places or, where there is none, of the energy."""
+    try:
+        return of_positions(run, bound())
+    except NoBoundError as reason:
+        return of_energy(run, str(reason), reason.lost_at)
 
 
 def is_bounded(run: Run) -> bool:
@@ -142,13 +171,23 @@ def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
     return replace(run, certificate=certificate)
 
 
-def _way(method: Method) -> Way:
+def _way(run: Run) -> Way:
+    method = run.method
     if isinstance(method, ClosedForm):
         return exact
     if isinstance(method, Legacy2018):
         raise NoBoundError("the scheme of 2018 is inconsistent: no step makes its error small")
     if method.fixed_step:
         return step_doubling
+    if has_error_equation(run.scene, run.duration, method):
+        return _by_error_equation
     if isinstance(method, Dop853 | DormandPrince5) and method.halved:
         return lambda run, _: of_halves(run, whole_beside(run), [])
     return lambda run, _: embedded(run, [])
+
+
+def _by_error_equation(run: Run, grown: Array | None) -> Bound:
+    try:
+        return of_error(error_beside(run))(run, grown)
+    except NoBoundError:
+        return embedded(run, [])

@@ -15,7 +15,6 @@ from tamias2d.study.engines.chipmunk import Chipmunk
 from tamias2d.study.engines.engine import Engine
 from tamias2d.study.engines.overlap import worst
 from tamias2d.study.engines.own import Own
-from tamias2d.study.refined import work_of
 
 RATES = (30, 60, 120, 240, 480, 960, 1920)
 """Steps in a second, where a run is long enough for a few of the longest"""
@@ -42,15 +41,27 @@ class ContactCandidate:
     word: str
     """What the engine calls them."""
     peer: bool
+    duration: float
+    """Of a run, s"""
 
     @property
     def setting(self) -> str:
         """As people read it."""
         return f"{self.time_step:.4g} s x {self.passes} {self.word}"
 
-    def steps(self, duration: float) -> int:
-        """Return how many steps a duration in s takes."""
-        return math.ceil(duration / self.time_step - _ROUNDED)
+    @property
+    def name(self) -> str:
+        """Of the engine with so many passes, whatever its step."""
+        return f"{self.method} x {self.passes} {self.word}"
+
+    @property
+    def steps(self) -> int:
+        """How many the duration takes."""
+        return self.steps_to(self.duration)
+
+    def steps_to(self, time: float) -> int:
+        """Return how many steps a time in s takes."""
+        return math.ceil(time / self.time_step - _ROUNDED)
 
 
 _ENGINES: tuple[tuple[str, _Maker, tuple[int, ...], str, bool], ...] = (
@@ -61,15 +72,14 @@ _ENGINES: tuple[tuple[str, _Maker, tuple[int, ...], str, bool], ...] = (
 
 
 def contact_candidates(
-    scene: Scene, duration: float, *, coarsest: float, most: float, rates: Sequence[int] = RATES
+    duration: float, *, coarsest: float, rates: Sequence[int] = RATES
 ) -> Iterator[ContactCandidate]:
-    """Yield what can be tried, with steps from the coarsest, s, as far as some work goes."""
+    """Yield what can be tried for a duration, s, with steps from the coarsest, s."""
     for method, make, passes, word, peer in _ENGINES:
         for rate in rates:
             step = coarsest * RATES[0] / rate
             for count in passes:
-                if work_of(scene, duration, step, count) <= most:
-                    yield ContactCandidate(method, make, step, count, word, peer)
+                yield ContactCandidate(method, make, step, count, word, peer, duration)
 
 
 def follow(
@@ -86,7 +96,7 @@ def follow(
     steps, hung, fast = 0, 0, 0
     before = after = engine.state()
     for time in times.tolist():
-        last = candidate.steps(time)
+        last = candidate.steps_to(time)
         if last > steps:
             engine.step(last - 1 - steps)
             before = engine.state()

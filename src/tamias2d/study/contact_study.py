@@ -23,15 +23,19 @@ from tamias2d.study.engines.own import Own
 from tamias2d.study.engines.refusal import PeerError
 from tamias2d.study.front import front
 from tamias2d.study.refined import SUBSTEPS, Refined, nudged, refinements, stepped, work_of
-from tamias2d.study.refusal import ToleranceError
+from tamias2d.study.refusal import ToleranceError, sooner
+from tamias2d.study.schedule import Schedule
 from tamias2d.study.stepped_plan import aligned_step, ends_of_steps
 from tamias2d.study.work_precision import ProgressHook, Seconds
 
 _AGREED = 1e-3
 """Of the length: so well agree the runs that an answer comes from, up to the horizon."""
 _WORK = 2e7  # substeps of one body that the answer may take; all candidates together take more
-_DEAREST = 3e7  # the same for one candidate
+_DEAREST = 3e7  # the same for one candidate: what is dearer is likely left out
 _PHASES = 3e8  # the same for all runs of an ensemble
+_ANSWER = 20.0  # runs by the longest steps cost as much as the least that an answer takes
+_LONGEST = 120.0  # s of the processor that this may be
+_TRIED = 4  # steps that tell it
 _FEWEST = 4  # runs of an ensemble, where as many are asked for
 _NUDGE = 1e-6  # of the largest radius: by how much starts of an ensemble differ
 _HEARD = 2000  # steps at most of a run that is asked for its contacts
@@ -139,26 +143,30 @@ def contact_study(
     """Compare engines and settings on a scene whose contacts are stepped, over a duration in s.
 
     `rates` are those of steps in a second, where a run is long enough for them. Ctrl-C ends it
-    early; the points that are there by then are returned, if there are any.
+    early; the points that are there by then are returned, if there are any. Settings that would
+    take long are points with that as a reason, and finer ones are left out.
 
     Raises:
-        ToleranceError: a run by short steps is refused, so that there is nothing to compare with.
+        ToleranceError: a run by short steps is refused, so that there is nothing to compare with,
+            or takes too long; it says for how short a run it would not.
         KeyboardInterrupt: it was stopped before its first point.
     """
     step = aligned_step(duration, np.array([duration]))
-    tried = list(contact_candidates(scene, duration, coarsest=2 * step, most=_DEAREST, rates=rates))
+    tried = list(contact_candidates(duration, coarsest=2 * step, rates=rates))
+    _refuse_long(scene, duration, step)
     known = _known(scene, duration, step, _affordable(scene, duration, tried, phases_asked))
-    points = [_located(reason)]
+    found: dict[int, ContactPoint] = {}
     complete = True
     try:
-        for point in _points(tried, known, told):
-            points.append(point)
+        for place, point in _points(tried, known, told):
+            found[place] = point
         if timed:
-            points[1:] = _timed(tried, points[1:], scene, duration, told)
+            _time(tried, found, scene, told)
     except KeyboardInterrupt:
-        if len(points) == 1:
+        if not found:
             raise
         complete = False
+    points = [_located(reason), *(found[place] for place in sorted(found))]
     first, refined = known.answers[0], known.refined
     within = first.times <= first.horizon
     return ContactStudy(
@@ -178,8 +186,25 @@ def contact_study(
 def _affordable(
     scene: Scene, duration: float, tried: Sequence[ContactCandidate], asked: int
 ) -> int:
-    each = sum(work_of(scene, duration, one.time_step, one.passes) for one in tried)
+    works = [work_of(scene, duration, one.time_step, one.passes) for one in tried]
+    each = sum(work for work in works if work <= _DEAREST)
     return min(asked, max(_FEWEST, int(_PHASES / (each + _WORK / 4))))
+
+
+def _refuse_long(scene: Scene, duration: float, step: float) -> None:
+    """Refuse what takes too long by the time of the first steps."""
+    engine = Own(scene, step, SUBSTEPS)
+    engine.step()  # its code is loaded
+    began = thread_time()
+    engine.step(_TRIED)
+    coming = _ANSWER * duration / step * (thread_time() - began) / _TRIED
+    if coming > _LONGEST:
+        raise ToleranceError(
+            f"tradeoff: what others are compared with would take about {coming:.2g} s of the "
+            f"processor for {duration:g} s, and may take {_LONGEST:g} s (R4).",
+            until=sooner(duration * _LONGEST / coming),
+            otherwise="ask for a quality",
+        )
 
 
 def _located(reason: str) -> ContactPoint:
@@ -223,28 +248,37 @@ def _first_contacts(scene: Scene, duration: float, step: float) -> dict[tuple[in
 
 def _points(
     tried: Sequence[ContactCandidate], known: _Known, told: ProgressHook
-) -> Iterator[ContactPoint]:
-    refused: dict[str, str] = {}
-    for done, candidate in enumerate(tried):
+) -> Iterator[tuple[int, ContactPoint]]:
+    """Yield points, and where they belong; of settings that are left out, the cheapest of each."""
+    absent: dict[str, str] = {}
+    schedule = Schedule(tried)
+    for done, (place, left_out) in enumerate(schedule):
+        candidate = tried[place]
         told(len(tried), done, f"{candidate.method} {candidate.setting}")
-        duration = float(known.answers[0].times[-1])
         bare = ContactPoint(
             method=candidate.method,
             setting=candidate.setting,
             peer=candidate.peer,
-            steps=candidate.steps(duration),
+            steps=candidate.steps,
             passes=candidate.passes,
         )
-        if candidate.method in refused:
-            yield replace(bare, failure=refused[candidate.method])
+        if left_out is not None:
+            schedule.leave(place)
+            yield place, replace(bare, failure=left_out)
             continue
+        if candidate.method in absent:
+            yield place, replace(bare, failure=absent[candidate.method])
+            continue
+        began = thread_time()
         try:
-            yield _point(bare, candidate, known)
+            point = _point(bare, candidate, known)
         except PeerError as fault:
-            refused[candidate.method] = str(fault)
-            yield replace(bare, failure=str(fault))
+            absent[candidate.method] = str(fault)
+            point = replace(bare, failure=str(fault))
         except (TamiasError, ArithmeticError) as fault:
-            yield replace(bare, failure=str(fault))
+            point = replace(bare, failure=str(fault))
+        schedule.took(place, thread_time() - began, failed=point.failure is not None)
+        yield place, point
 
 
 def _point(bare: ContactPoint, candidate: ContactCandidate, known: _Known) -> ContactPoint:
@@ -280,29 +314,27 @@ def _over(found: Sequence[ContactErrors], what: Callable[[list[float]], float]) 
     return ContactErrors(**values)  # type: ignore[arg-type]
 
 
-def _timed(
+def _time(
     tried: Sequence[ContactCandidate],
-    points: Sequence[ContactPoint],
+    points: dict[int, ContactPoint],
     scene: Scene,
-    duration: float,
     told: ProgressHook,
-) -> list[ContactPoint]:
-    """Time all candidates in turns: what slows the machine for a while slows all of them."""
-    spent: list[list[float]] = [[] for _ in tried]
+) -> None:
+    """Time all points in turns: what slows the machine for a while slows all of them."""
+    spent: dict[int, list[float]] = {k: [] for k, p in points.items() if p.error is not None}
     for turn in range(_ROUNDS):
         told(_ROUNDS, turn, "timing, in turns")
-        for candidate, point, times in zip(tried, points, spent, strict=True):
-            if point.error is None or sum(times) > _LONG:
+        for place, times in spent.items():
+            if sum(times) > _LONG:
                 continue
+            candidate = tried[place]
             engine = candidate.make(scene, candidate.time_step, candidate.passes)
-            count = candidate.steps(duration)
             began = thread_time()
-            engine.step(count)
+            engine.step(candidate.steps)
             times.append(thread_time() - began)
-    return [
-        replace(point, seconds=Seconds(median(times), min(times), len(times)) if times else None)
-        for point, times in zip(points, spent, strict=True)
-    ]
+    for place, times in spent.items():
+        seconds = Seconds(median(times), min(times), len(times))
+        points[place] = replace(points[place], seconds=seconds)
 
 
 def _seconds(point: ContactPoint) -> float:

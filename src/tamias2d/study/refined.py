@@ -66,6 +66,16 @@ class Refined:
         lost = np.flatnonzero(~(self.doubt <= share * self.length))
         return float(self.times[lost[0]]) if len(lost) else None
 
+    def after(self, before: "Refined") -> "Refined":
+        """Return the same, trusted no more than the runs of longer steps before it.
+
+        Four runs may agree by chance, as those of a brick whose corners meet the floor one just
+        after the other; eight by two lengths of steps hardly do.
+        """
+        apart = distance(self.scene, self.finest, before.finest)
+        doubt = np.maximum(before.doubt, _TRUSTED * np.maximum.accumulate(apart))
+        return replace(self, doubt=np.maximum(self.doubt, doubt))
+
     def bound(self, history: History) -> float:
         """Return how far a history of the same times may be from where steps lead, m."""
         return float((distance(self.scene, history, self.finest) + self.doubt).max(initial=0.0))

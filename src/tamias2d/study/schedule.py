@@ -8,8 +8,7 @@ takes at least what steps took elsewhere.
 import math
 from collections import deque
 from collections.abc import Iterator, Sequence
-
-from tamias2d.study.candidates import Candidate
+from typing import Protocol
 
 DEAREST = 10.0
 """s of the processor: what all runs of a point may take, by what one of half the cost took."""
@@ -17,10 +16,26 @@ LONGEST = 60.0
 """s of the processor: what all points may take together"""
 
 
+class Rung(Protocol):
+    """A method with a setting, on a ladder of settings of twice the steps each."""
+
+    @property
+    def name(self) -> str:
+        """Of the ladder."""
+
+    @property
+    def steps(self) -> int | None:
+        """How many are asked for; None where the method chooses them."""
+
+    @property
+    def peer(self) -> bool:
+        """Whether it is another engine."""
+
+
 class Schedule:
     """Gives the candidates one by one, and hears what each one took."""
 
-    def __init__(self, tried: Sequence[Candidate]) -> None:
+    def __init__(self, tried: Sequence[Rung]) -> None:
         self._left: dict[str, deque[int]] = {}
         for place, candidate in enumerate(tried):
             self._left.setdefault(candidate.name, deque()).append(place)

@@ -92,7 +92,7 @@ def plan_steps(
     looked = _looked(asked, duration, first)
     seen = _refined(scene, duration, tolerance, looked, first, WORK * work_limit)
     refined = seen[-1]
-    if not refined.share <= _SHARE * tolerance:
+    if len(seen) < 2 or not refined.share <= _SHARE * tolerance:
         raise _beyond(tolerance, duration, seen, reason)
     failed: dict[int, Estimate] = {}  # the last of each number of substeps
     spent = sum(found.steps for found in seen)
@@ -153,13 +153,19 @@ def ladder(
 def _refined(
     scene: Scene, duration: float, tolerance: float, times: Array, step: float, work: float
 ) -> list[Refined]:
-    """Return refinements, the last of which is good enough, or no better than those before."""
+    """Return refinements, the last of which is good enough, or no better than those before.
+
+    Each but the first is trusted no more than the one before it.
+    """
     seen: list[Refined] = []
+    share = _SHARE * tolerance
     try:
+        before = None
         for found in refinements(scene, duration=duration, times=times, time_step=step, work=work):
-            seen.append(found)
-            if found.share <= _SHARE * tolerance or _stale(seen, _SHARE * tolerance):
+            seen.append(found if before is None else found.after(before))
+            if (before and seen[-1].share <= share) or _stale(seen, share):
                 break
+            before = found
     except RefusedError as fault:
         if not seen:
             raise ToleranceError(
@@ -197,7 +203,7 @@ def _lost(estimate: Estimate) -> Estimate:
 
 def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str) -> ToleranceError:
     """Return the error that says until when, and how well, runs agree."""
-    offer = rounded_up(min(found.share for found in seen) / _SHARE)
+    offer = rounded_up(min(found.share for found in seen[1:] or seen) / _SHARE)
     until = _agreed(seen[-1], _SHARE * tolerance)  # what only longer steps agreed on was chance
     before = sooner(until) if until > duration / _SAMPLES else None
     agree = "do not agree so well"

@@ -12,19 +12,21 @@ from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Dop853, DormandPrince5
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.scene.acting import kinked, only_slowed
+from tamias2d.scene.acting import felt_velocity, kinked, only_slowed
 from tamias2d.scene.reach import pairs_that_can_meet
-from tamias2d.solve import Interrupted, solve, solve_halved
+from tamias2d.solve import Interrupted, solve, solve_halved, solve_with_error
 from tamias2d.state import Array
 from tamias2d.study.certify import (
-    certify,
+    certify_by_companion,
     certify_embedded,
     certify_halved,
     certify_steps,
     certify_tighter,
+    certify_with_error,
 )
 from tamias2d.study.embedded import looser_than
 from tamias2d.study.offers import holding
+from tamias2d.study.path_error import TIGHTEST, HopelessError, has_error_equation, hopeless
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.recommend import located_plan, solved
 from tamias2d.study.refusal import ToleranceError, refusal, sooner
@@ -39,6 +41,11 @@ _PLAIN, _SLOWED = 0.3, 10.0
 _ORDER_8, _IMPACTS = 3e-8, 1e-8
 """Below these tolerances order 8 is cheaper than order 5 where bodies are only slowed: where none
 meet, and where steps are short for impacts."""
+_FREE, _FELT = 0.15, 1.0
+"""The same of steps whose error is integrated: where no velocity is felt, and where one is."""
+_NEXT = 0.5  # of the tolerance is aimed at when that failed
+_LOOSE = 1e-3
+"""From it on order 5 is cheaper where bodies are only slowed and their error is integrated."""
 _HALVES = 3e-6
 """Below it halved steps are cheaper than a run at a tighter tolerance."""
 _LOOSEST = 0.3
@@ -160,7 +167,7 @@ def _aimed(asked: _Asked) -> Run:
         for attempt in range(_TRIES):
             if not math.isfinite(estimate.force_evaluations):
                 break
-            run = certify(asked.run(estimate))
+            run = certify_by_companion(asked.run(estimate))
             if run.certificate is not None and run.certificate.meets(tolerance):
                 return _noted(run, tolerance, attempt)
             reached = min(reached, _reached(run.certificate))
@@ -189,6 +196,9 @@ def _unweighed(asked: _Asked) -> Run | None:
     meet = bool(pairs_that_can_meet(scene, asked.duration))
     slowed = only_slowed(scene)
     try:
+        smooth = has_error_equation(scene, asked.duration, Dop853())
+        if smooth and (run := _with_error(asked)) is not None:
+            return run
         if not (meet or slowed or scene.joints or kinked(scene)) and tolerance < _HALVES:
             return _halved(asked)
         loose = tolerance >= (_IMPACTS if meet else _ORDER_8)
@@ -196,6 +206,36 @@ def _unweighed(asked: _Asked) -> Run | None:
         return _whole(asked, method, (_SLOWED if slowed and not meet else _PLAIN) * tolerance)
     except SimulationError:  # of a loose run; the plan refuses what cannot be
         return None
+
+
+def _with_error(asked: _Asked) -> Run | None:
+    """Return a run beside which its error is integrated; None if some are not within it."""
+    scene, tolerance = asked.scene, asked.tolerance
+    slowed = only_slowed(scene)
+    method = DormandPrince5 if slowed and tolerance >= _LOOSE else Dop853
+    rtol = tolerance * (_SLOWED if slowed else _FELT if felt_velocity(scene) else _FREE)
+    for attempt in range(_TRIES):
+        if rtol < TIGHTEST:
+            return None
+        try:
+            run, error = solve_with_error(
+                scene,
+                duration=asked.duration,
+                method=method(rtol=_own(rtol, _LOOSEST)),
+                times=asked.times,
+                progress=asked.progress,
+                work_limit=asked.work_limit,
+                watch=hopeless(scene, asked.duration, tolerance),
+            )
+        except HopelessError as stopped:
+            reached = stopped.share
+        else:
+            run = certify_with_error(run, error)
+            if _meets(run, asked):
+                return _first(run, tolerance, attempt)
+            reached = _reached(run.certificate)
+        rtol *= _NEXT * tolerance / min(reached, 1.0)
+    return None
 
 
 def _halved(asked: _Asked) -> Run | None:

@@ -10,8 +10,11 @@ from tamias2d.motion import ClosedForm, Dop853, Method, Reference
 from tamias2d.scene import Scene
 from tamias2d.scene.exact import closed_forms
 from tamias2d.solve import solve
+from tamias2d.solve.located import are_many
 from tamias2d.state import Array
+from tamias2d.study.error import scale
 from tamias2d.study.event_errors import errors
+from tamias2d.study.perturbed import rounding_spread
 from tamias2d.study.refusal import ToleranceError, sooner
 from tamias2d.study.sampled import Sampled, sampled
 from tamias2d.study.schedule import LONGEST
@@ -96,8 +99,15 @@ def truth_of(scene: Scene, duration: float) -> Truth:
 
 
 def floor_of(truth: Truth) -> float:
-    """Return how far an independent way is from the truth: no error below it means anything."""
+    """Return how far an independent way is from the truth: no error below it means anything.
+
+    Where other methods would follow so many bodies one by one, it is how far runs are whose starts
+    differ by a rounding.
+    """
     run = truth.history.run
+    if isinstance(run.method, ClosedForm) and are_many(run.scene):
+        spread = rounding_spread(run)
+        return max(1.0 if spread is None else spread / scale(run), _ROUNDING)
     other = _history(run.scene, run.duration, Dop853(_TIGHTEST))
     return max(errors(other, truth.history).size, _ROUNDING)
 

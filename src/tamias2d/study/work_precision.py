@@ -14,18 +14,21 @@ import numpy as np
 
 from tamias2d.cost import Cost
 from tamias2d.errors import TamiasError
+from tamias2d.motion import ClosedForm
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
+from tamias2d.solve.located import are_many
 from tamias2d.study.candidates import Candidate, candidates
 from tamias2d.study.event_errors import NAMES, Errors, errors
 from tamias2d.study.front import front
 from tamias2d.study.phases import LEAST, phases
 from tamias2d.study.sampled import sampled
-from tamias2d.study.schedule import Schedule
+from tamias2d.study.schedule import DEAREST, Schedule
 from tamias2d.study.truth import Truth, affordable_phases, common_times, floor_of, truth_of
 
 _FIRST = 16  # steps
 _RUNGS, _RUNGS_OF_IMPACTS = 9, 7  # each of twice the steps of the one before
+_PARTS = 1 / 64, 1 / 16  # of the duration, which tell what the whole takes
 _REPEATS = 5
 _LONG = 0.5  # s: what the timing of a point may take, but for its first run
 _ROUNDING = 1e-12  # relative: where errors get there, a finer setting can only cost more
@@ -159,9 +162,14 @@ def _points(
     rungs = _RUNGS_OF_IMPACTS if len(truths[0].history.run.impacts) else _RUNGS
     tried = list(candidates(scenes[0], rungs=[_FIRST * 2**k for k in range(rungs)]))
     schedule = Schedule(tried)
+    begun: set[str] = set()
     for done, (place, refused) in enumerate(schedule):
         candidate = tried[place]
         told(len(tried), done, f"{candidate.name} {candidate.setting}".strip())
+        if refused is None and candidate.name not in begun:
+            begun.add(candidate.name)
+            if refused := _too_long(candidate, scenes[0], truths[0], len(scenes)):
+                schedule.leave(place)
         if refused is not None:
             yield place, replace(_bare(candidate), failure=refused)
             continue
@@ -171,6 +179,34 @@ def _points(
         if point.worst and point.worst.size <= max(10 * floor, _ROUNDING):
             schedule.leave(place)
         yield place, point
+
+
+def _too_long(candidate: Candidate, scene: Scene, truth: Truth, phases: int) -> str | None:
+    """Return why a method is not run, if parts of a run tell that one point would take too long."""
+    duration = truth.history.run.duration
+    followed = candidate.peer or candidate.name == ClosedForm.__name__
+    if not followed and are_many(scene) and pairs_that_can_meet(scene, duration):
+        return "not run: so many bodies that may meet are followed by the closed form only"
+    runs = 2 * phases + 1
+    took: list[float] = []
+    for part in _PARTS:
+        began = thread_time()
+        try:
+            candidate.run(scene, part * duration, [part * duration])
+        except (TamiasError, ArithmeticError):
+            return None  # the point tells of that
+        took.append(thread_time() - began)
+        if took[-1] / part * runs <= DEAREST:
+            return None
+    each = took[0] + (took[1] - took[0]) / (
+        _PARTS[1] - _PARTS[0]
+    )  # what steps alone take is no more
+    if runs * each <= DEAREST:
+        return None
+    return (
+        f"not run: it would take about {runs * each:.2g} s or more, and a point at most "
+        f"{DEAREST:g} s"
+    )
 
 
 def _bare(candidate: Candidate) -> Point:

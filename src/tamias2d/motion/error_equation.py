@@ -1,0 +1,184 @@
+"""The error of a path by adaptive steps, integrated beside them (R5).
+
+A path P of steps misses the accelerations f by a defect. How far the exact motion is ahead of it,
+e, begins with nothing and solves e'' = f(P + e, P' + e') - P'' (Skeel, Thirteen ways to estimate
+global error, Numerische Mathematik 48, 1986, section 7, after Zadunaisky). Few digits of e are
+wanted, so that an explicit scheme of low order does; but over a step the defect nearly cancels,
+which takes a quadrature of a higher order than the steps have: Lobatto's.
+"""
+
+from collections.abc import Callable, Sequence
+from functools import cache
+from typing import TypeAlias
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from tamias2d.errors import SimulationError
+from tamias2d.motion.adaptive import Adaptive
+from tamias2d.motion.marching import Error, Rule
+from tamias2d.motion.memoised_field import MemoisedField
+from tamias2d.motion.polynomial import derivative
+from tamias2d.motion.step_batch import StepBatch
+from tamias2d.state import Array
+
+_AT_ONCE, _SHARE = 16, 2
+"""So many steps, or this share of those before, are taken before somebody may have seen enough."""
+
+Watch: TypeAlias = Callable[[float, Array, Array], None]
+"""Hears of the time reached, s, and of the largest errors and extents (n, 3) so far, m and rad."""
+
+
+class ErrorEquation:
+    """Takes the steps of a pair, and integrates the error of their path."""
+
+    def __init__(self, steps: Adaptive, watch: Watch, *, sweeps: int) -> None:
+        self._steps = steps
+        self._watch = watch
+        self._sweeps = sweeps
+        """The first knows rates within a step badly; where these are felt, one more knows them."""
+        self._rule = lobatto((steps.power + 5) // 2)
+        self._taken = 0  # steps
+        self._end: tuple[float, Array, Array] | None = None
+        self._error: Error | None = None
+        self._low = self._high = np.zeros((0, 3))
+        self.largest: Array | None = np.zeros((0, 3))
+        """(n, 3): of each coordinate of the bodies that move, m and rad.
+
+        None where another path was begun, as impacts do, where a force has no value beside it, and
+        where a law did what errors of steps had not told of.
+        """
+
+    def batch(
+        self,
+        field: MemoisedField,
+        start: float,
+        limit: float,
+        position: Array,
+        velocity: Array,
+        *,
+        most: int,
+    ) -> StepBatch:
+        """Take several steps at once, if the field can; raises as those do."""
+        most = min(most, max(_AT_ONCE, self._taken // _SHARE))
+        steps = self._steps.batch(field, start, limit, position, velocity, most=most)
+        self._taken += len(steps.times) - 1
+        if self.largest is not None:
+            self.largest = self._followed(field, steps)
+        if self._steps.missed:
+            self.largest = None
+        if self.largest is not None:
+            self._watch(steps.end, self.largest, self._high - self._low)
+        return steps
+
+    def _followed(self, field: MemoisedField, steps: StepBatch) -> Array | None:
+        """Return the largest errors up to the end of some steps, whose errors are integrated."""
+        first = steps.times[0], steps.knots[0, 0], steps.knots[0, 1]
+        beside = field.beside()
+        if self._error is None:
+            still = np.zeros_like(first[1])
+            self._error = Error(np.stack((still, still, beside(*first))), still.copy())
+            self._low = self._high = first[1]
+        elif self._end is None or not _same(self._end, first):
+            return None
+        self._low = np.minimum(self._low, steps.knots[:, 0].min(axis=0))
+        self._high = np.maximum(self._high, steps.knots[:, 0].max(axis=0))
+        self._end = steps.end, *steps.last
+        paths = along(steps, self._rule.nodes)
+        if not self._integrated(beside, steps.times, paths, self._error):
+            return None
+        good = np.isfinite(self._error.state).all()
+        return self._error.largest if good else None
+
+    def _integrated(
+        self, field: MemoisedField, times: Sequence[float], paths: Array, error: Error
+    ) -> bool:
+        """Integrate the error over some steps, at once if the field can; return whether it did."""
+        rule = self._rule
+        if field.marching is not None:
+            done = field.marching.follow(times, paths, rule, self._sweeps, error)
+            if done is not None:
+                nodes = self._sweeps * (len(rule.nodes) - 1)
+                field.tally.force_evaluations += nodes * (len(times) - 1)
+                return done
+        try:
+            for time, end, path in zip(times[:-1], times[1:], paths, strict=True):
+                self._step(field, time, end - time, path, error)
+        except SimulationError:
+            return False
+        return True
+
+    def _step(
+        self, field: MemoisedField, time: float, step: float, path: Array, error: Error
+    ) -> None:
+        """Go on over a step, s, whose path (3, m, n, 3) is that of places, rates, accelerations."""
+        nodes, early, whole = self._rule
+        ahead, rate, pull = error.state
+        lacking = np.empty_like(path[0])
+        lacking[0] = pull - path[2, 0]
+
+        def within(i: int, of: Array, last: int) -> tuple[Array, Array]:
+            turn, bend = (_summed(weights[i, :last], lacking) for weights in of)
+            way = ahead + step * nodes[i] * rate + step * step * bend
+            return way, rate + step * turn
+
+        for sweep in range(self._sweeps):
+            for i in range(1, len(nodes)):
+                way, turned = within(i, *((whole, len(nodes)) if sweep else (early, i)))
+                pull = field(time + step * nodes[i], path[0, i] + way, path[1, i] + turned)
+                lacking[i] = pull - path[2, i]
+        for i in range(1, len(nodes)):
+            way, turned = within(i, whole, len(nodes))
+            np.maximum(error.largest, np.abs(way), out=error.largest)
+        error.state[:] = way, turned, pull
+
+
+def _same(one: tuple[float, Array, Array], other: tuple[float, Array, Array]) -> bool:
+    """Whether times, coordinates and rates are those of the same state."""
+    equal = (np.array_equal(mine, theirs) for mine, theirs in zip(one[1:], other[1:], strict=True))
+    return one[0] == other[0] and all(equal)
+
+
+def _summed(weights: Array, rows: Array) -> Array:
+    """Return the weighted sum of the first of some rows: in this order, as compiled code has it."""
+    total: Array = weights[0] * rows[0]
+    for weight, row in zip(weights[1:], rows[1:], strict=False):
+        total = total + weight * row
+    return total
+
+
+@cache
+def lobatto(count: int) -> Rule:
+    """Return Lobatto's quadrature with so many nodes."""
+    inner = legendre.legroots(legendre.legder(np.eye(count)[-1]))
+    nodes = (np.concatenate(([-1.0], np.sort(inner), [1.0])) + 1) / 2
+    early, whole = np.zeros((2, 2, count, count))
+    for i, node in enumerate(nodes.tolist()):
+        whole[:, i] = _weights(nodes, node)
+        early[:, i, :i] = _weights(nodes[:i], node)
+    return Rule(nodes, early, whole)
+
+
+def along(steps: StepBatch, nodes: Array) -> Array:
+    """Return coordinates, rates and accelerations (k, 3, m, n, 3) at the nodes of k steps."""
+    powers = steps.coefficients
+    half = steps.half[:, None, None]
+    x = (2 * nodes - 1).reshape(-1, 1, 1, 1)
+    found = np.empty((3, len(nodes), *powers.shape[1:]))
+    for order in range(3):
+        terms = derivative(powers, order)
+        value = terms[-1]
+        for term in terms[-2::-1]:
+            value = value * x + term
+        found[order] = value / half**order
+    return np.ascontiguousarray(np.moveaxis(found, 2, 0))
+
+
+def _weights(nodes: Array, until: float) -> Array:
+    """Return the weights (2, i) of values at i nodes in an integral to a place, and in its own."""
+    powers = np.arange(len(nodes))
+    values = np.linalg.inv(np.vander(nodes, increasing=True)) if len(nodes) else np.zeros((0, 0))
+    once = until ** (powers + 1) / (powers + 1)
+    twice = until ** (powers + 2) / ((powers + 1) * (powers + 2))
+    found: Array = np.stack((once @ values, twice @ values))
+    return found

@@ -1,0 +1,103 @@
+"""Bounds of runs that choose their steps, from the equation of their error (R5)."""
+
+import numpy as np
+
+from tamias2d.motion import Dop853, DormandPrince5, Method
+from tamias2d.motion.error_equation import Watch
+from tamias2d.run import Run
+from tamias2d.scene import Scene
+from tamias2d.scene.acting import felt_velocity, kinked, only_slowed
+from tamias2d.scene.reach import pairs_that_can_meet
+from tamias2d.solve import StoppedError, solve_with_error
+from tamias2d.state import Array
+from tamias2d.study.bound import Bound, NoBoundError, Way, rounding
+from tamias2d.study.companion import limit_beside
+from tamias2d.study.error import radii, scale
+
+HOW = "and the equation of its error"
+TIGHTEST = 1e-12
+"""Of the tolerances of a method whose steps err by more than the equation is rounded."""
+_TRUSTED = 2.0  # times the error that was integrated
+_SLOWED = 3.0  # the same where bodies are only slowed: rates within a step are known badly
+_FEW = 24  # steps between which the quadrature errs: a small error may be luck
+_EARLY = 0.05  # of the run: before, its length says little
+_GROWTH = 1.5  # power of the time with which errors grow: from 1 to 2
+_FAR = 1e-3  # of the scale: as that is exceeded, steps are too few to say much of their error
+
+
+def has_error_equation(scene: Scene, duration: float, method: Method) -> bool:
+    """Whether the error of a run solves an equation that is smooth along its steps."""
+    return (
+        isinstance(method, Dop853 | DormandPrince5)
+        and not method.halved
+        and method.rtol >= TIGHTEST
+        and not (scene.joints or kinked(scene))
+        and not pairs_that_can_meet(scene, duration)
+    )
+
+
+def error_beside(run: Run) -> Array | None:
+    """Return the largest error (n, 3) beside a run, m and rad; the run is made again for that."""
+    assert isinstance(run.method, Dop853 | DormandPrince5)
+    limit = limit_beside(run)
+    return solve_with_error(
+        run.scene, duration=run.duration, method=run.method, times=run.times, work_limit=limit
+    )[1]
+
+
+def of_error(error: Array | None) -> Way:
+    """Return the way to bound the error of a run by the largest (n, 3) that was integrated."""
+
+    def way(run: Run, _: Array | None) -> Bound:
+        if error is None:
+            raise NoBoundError("the equation of its error has no solution beside the run")
+        value = _trusted(run.scene, error, scale(run))
+        if run.cost and run.cost.steps < _FEW and not only_slowed(run.scene):
+            value = max(value, run.method.rtol * scale(run))  # type: ignore[attr-defined]
+        return Bound("embedded", value + rounding(run), f"{run.method} {HOW}")
+
+    return way
+
+
+class HopelessError(StoppedError):
+    """A run is farther off than was asked for, and has not ended."""
+
+    def __init__(self, share: float) -> None:
+        super().__init__()
+        self.share = share
+        """What its bound would be at the end, of the scale."""
+
+
+def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
+    """Return what stops a run, by `HopelessError`, that will not be within a tolerance.
+
+    Errors grow at least with the time, where nothing that feels a velocity damps them.
+    """
+    grows = not felt_velocity(scene)
+
+    def watch(time: float, error: Array, extent: Array) -> None:
+        if not _EARLY * duration <= time < duration:
+            return
+        way = _farthest(extent, scene)
+        share = _trusted(scene, error, way) / way if way else 0.0
+        left = duration / time if grows else 1.0
+        if share * left > tolerance:
+            raise HopelessError(share * left**_GROWTH)
+
+    return watch
+
+
+def _trusted(scene: Scene, error: Array, length: float) -> float:
+    """Return how large an error may be that was integrated, m, beside a motion of a length, m."""
+    farthest = _farthest(error, scene)
+    times = _SLOWED if only_slowed(scene) else _TRUSTED
+    return times * farthest * (1 + farthest / (_FAR * length))
+
+
+def _farthest(moved: Array, scene: Scene) -> float:
+    """Return how far the worst point of the bodies that move goes, m, by coordinates (n, 3)."""
+    x, y, turn = moved.T
+    reach = radii(scene)
+    if len(moved) < len(reach):
+        reach = reach[[body.dynamic for body in scene.bodies]]
+    return float((np.hypot(x, y) + turn * reach).max(initial=0.0))
