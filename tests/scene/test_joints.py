@@ -153,6 +153,30 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
         lambda s: hinged(s, bears=0),
         "break force 0 N of joint 'joint0': must be > 0",
     ),
+    "a torque that a hinge never exerts": (
+        lambda s: s.add_joint(t2.Revolute(), (0, 0), "rod", other_anchor=(-0.5, 0), break_torque=1),
+        "break_torque of joint 'joint0': one of kind revolute exerts no torque",
+    ),
+    "a torque that a rope never exerts": (
+        lambda s: s.add_joint(
+            t2.Distance(limits=t2.Limits(upper=9, restitution=0)), (0, 0), "bob", break_torque=1
+        ),
+        "one of kind distance exerts no torque",
+    ),
+    "a torque that a pulley never exerts": (
+        lambda s: s.add_joint(
+            *(t2.Pulley(posts=[(0, 3), (1, 3)]), "rod", "bob"), break_force=1, break_torque=1
+        ),
+        "one of kind pulley exerts no torque",
+    ),
+    "a force that a gear never exerts": (
+        lambda s: s.add_joint(t2.Gear(ratio=2), "rod", (0, 0), break_force=1),
+        "break_force of joint 'joint0': one of kind gear exerts no force.*break_torque in N m",
+    ),
+    "a force that a ratchet never exerts": (
+        lambda s: s.add_joint(t2.Ratchet(pitch=1, restitution=0), (0, 0), "rod", break_force=1),
+        "one of kind ratchet exerts no force",
+    ),
     "a spring in what may break": (
         lambda s: hinged(s, bears=1, spring=t2.JointSpring(stiffness=1)),
         "has a spring and may break",
@@ -220,6 +244,7 @@ joints:
             "key 'stiffness' is missing",
         ),
         ("    anchor", "    break_torque: 0 N*m\n    anchor", "7:19", "must be > 0"),
+        ("    anchor", "    break_torque: 1 N*m\n    anchor", "7:19", "exerts no torque"),
         ("    anchor", "    limits: {lowest: 0 rad}\n    anchor", "7:14", "lower"),
     ],
 )

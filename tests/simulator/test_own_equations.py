@@ -51,6 +51,35 @@ def test_steps_converge_to_the_exact_way_with_order_two(make: Any) -> None:
     assert errors[1] / errors[2] == pytest.approx(4, abs=0.3)
 
 
+def test_a_hinge_of_two_differences_keeps_the_momenta_of_what_nothing_ties() -> None:
+    """Each of its rows keeps a direction in the plane, but bears nothing of it where both hold."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    rod = t2.Box(width=1.0, height=0.1)
+    for k, (mass, spin, up) in enumerate(((1.0, 3.0, 0.2), (100.0, -0.5, 1.45))):
+        moving: dict[str, Any] = {"velocity": (0.2, up), "angular_velocity": spin}
+        scene.add_body(rod, mass=mass, position=(k + 0.5, 0.0), restitution=0.0, **moving)
+    scene.add_joint(
+        t2.Equation(["x(point_b - point_a)", "y(point_b - point_a)"]),
+        *(0, 1),
+        anchor=(0.5, 0.0),
+        other_anchor=(-0.5, 0.0),
+    )
+    sim = plain(scene)
+    masses = np.array([body.mass for body in scene.bodies])
+    inertias = np.array([body.inertia for body in scene.bodies])
+
+    def momenta() -> np.ndarray[Any, Any]:
+        linear = masses @ sim.velocity
+        (x, y), (u, v) = sim.position.T, sim.velocity.T
+        about = masses @ (x * v - y * u) + inertias @ sim.angular_velocity
+        return np.array([*linear, about])
+
+    before = momenta()
+    sim.step(30)
+    assert momenta() == pytest.approx(before, abs=1e-11)
+    assert sim.reactions.separation.max() < 1e-6
+
+
 def test_velocities_are_those_of_the_drive_as_a_step_ends() -> None:
     sim = plain(trolley())
     for _ in range(60):

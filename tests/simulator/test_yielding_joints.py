@@ -22,6 +22,7 @@ from tamias2d import (
     HalfPlane,
     JointSpring,
     Limits,
+    Prismatic,
     Revolute,
     Scene,
     Simulator,
@@ -136,6 +137,40 @@ def test_a_rope_that_is_taken_beyond_its_reach_is_told() -> None:
         fastest = max(fastest, float(np.hypot(*sim.velocity.T).max()))
     assert fastest < AMPLIFICATION * math.sqrt(3)
     assert any("yields" in str(told) for told in sim.warnings)
+
+
+@pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")
+@pytest.mark.parametrize("speed", [0.1, 0.3])
+@pytest.mark.parametrize("gravity", [0.0, 9.81])
+def test_slides_at_their_stops_are_not_thrown_the_faster_the_shorter_steps_are(
+    gravity: float, speed: float
+) -> None:
+    """At most as rows may open, with the mass of all: before, 12 to 56 m/s at 1/960 s."""
+    links, rows = 5, 9
+    sim = Simulator(Scene(gravity=(0.0, -gravity)), time_step=1 / 960)
+    disc = Disc(radius=0.05)
+    kept: dict[str, Any] = {"restitution": 0.0, "mask": 0}
+    above = sim.add_kinematic(disc, position=(0.0, 0.0), **kept)
+    stops = Limits(lower=-0.2, upper=0.2, restitution=0.0)
+    for k in range(links):
+        plank = Box(width=0.9, height=0.1)
+        own = sim.add(plank, mass=1.0, position=(k + 0.5, 0.0), friction=0.3, **kept)
+        kind = Prismatic(axis=(1.0, 0.0), limits=stops) if 0 < k < 4 else Revolute()
+        sim.add_joint(kind, above, own, anchor=(0.5 * (k > 0), 0.0), other_anchor=(-0.5, 0.0))
+        above = own
+    hook = sim.add_kinematic(disc, position=(float(links), 0.0), **kept)
+    sim.add_joint(Revolute(), above, hook, anchor=(0.5, 0.0))
+    fastest = 0.0
+    for sign in (1.0, 0.0, -1.0, 0.0):
+        sim.velocity[hook] = sign * speed * np.array([math.cos(0.3), math.sin(0.3)])
+        for _ in range(round((1.2 / speed if sign else 0.5) / sim.time_step)):
+            sim.step()
+            fastest = max(fastest, float(np.hypot(*sim.velocity.T).max()))
+    freed = math.sqrt(2.0 * gravity * links)  # by all that they may fall
+    assert fastest < AMPLIFICATION * math.sqrt(links * rows) * speed + freed
+    assert any("yields" in str(told) for told in sim.warnings)
+    sim.step(4 * 960)
+    assert sim.reactions.separation.max() < 1e-3
 
 
 @pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")

@@ -126,3 +126,16 @@ def test_programs_say_whether_something_else_bears_them(text: str, free: bool) -
     """One that is not changed as its bodies are moved and turned as one keeps their momenta."""
     (program,) = equation_rows((text,)) or ()
     assert program.free is free
+
+
+@pytest.mark.parametrize(
+    ("texts", "free"),
+    [
+        (("x(point_b - point_a)", "y(point_b - point_a)"), True),  # a hinge
+        (("x(point_b - point_a)", "y(point_b - point_a)", "orientation_b - orientation_a"), True),
+        (("x(point_b - point_a) - 1[m]", "y(point_b - point_a)"), False),  # keeps a direction
+        (("x(point_b - point_a)", "y(point_b) - 1[m]"), False),
+    ],
+)
+def test_rows_are_looked_at_where_all_of_them_hold(texts: tuple[str, ...], free: bool) -> None:
+    assert all(program.free for program in equation_rows(texts) or ()) is free

@@ -894,11 +894,15 @@ J_LEFT_BEFORE = _joint_numbers()  # N s, that a spring has left to give as a par
 J_RESERVE = _joint_numbers()  # J, of its mechanism, in its first joint, as a part begins
 J_MOTION = _joint_numbers()  # J, likewise: of motion as the last part ended
 J_PULLED = _joint_numbers()  # likewise: substeps in which it follows what was moved by hand
+J_OPENED = (
+    _joint_numbers()
+)  # m/s, likewise: the fastest that what ties it has moved since it yielded
 J_FIRMEST = _joint_numbers(3)  # kg, of each row while its mechanism yields, else 0
 J_SCALE = _joint_numbers()  # J, likewise: the most of motion and springs lately
 J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over this part
 J_PULL = _joint_numbers(3)  # N s, impulse of each row over this part
 J_GIVEN = _joint_numbers(3)  # N s, of each row over this substep; of a spring less what was left
+J_DRIVEN = _joint_numbers()  # m/s, likewise: at which what ties it parts its rows in this substep
 J_ENERGY = _joint_numbers()  # J, likewise: of springs, as a part begins
 J_RESERVE_LATER = _joint_numbers()  # J, as it ends
 J_MOTION_LATER = _joint_numbers()  # J, as it ends

@@ -2563,6 +2563,24 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1570,
     ),
+    "closing_share": Symbol(
+        "closing_share",
+        "1",
+        "share of its value that a row that has yielded removes in a substep",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="s_c",
+        file="srs/symbols.md",
+        line=1575,
+    ),
+    "closing_way": Symbol(
+        "closing_way",
+        "m",
+        "way by which a row that has yielded may close in a substep at most",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="w_c",
+        file="srs/symbols.md",
+        line=1580,
+    ),
     "spring_change": Symbol(
         "spring_change",
         "J",
@@ -2570,7 +2588,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1575,
+        line=1585,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2579,7 +2597,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1580,
+        line=1590,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2588,7 +2606,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1585,
+        line=1595,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2596,7 +2614,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1590,
+        line=1600,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2605,7 +2623,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1594,
+        line=1604,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2614,7 +2632,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1599,
+        line=1609,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2623,7 +2641,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1604,
+        line=1614,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2631,7 +2649,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1609,
+        line=1619,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2640,7 +2658,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1613,
+        line=1623,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2648,7 +2666,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1618,
+        line=1628,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2656,7 +2674,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1622,
+        line=1632,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2665,7 +2683,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1626,
+        line=1636,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2674,7 +2692,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1631,
+        line=1641,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2683,7 +2701,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1636,
+        line=1646,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2691,7 +2709,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1641,
+        line=1651,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2699,7 +2717,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1645,
+        line=1655,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2707,7 +2725,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1649,
+        line=1659,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2716,7 +2734,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1653,
+        line=1663,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2725,7 +2743,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1658,
+        line=1668,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2734,7 +2752,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1663,
+        line=1673,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2743,7 +2761,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1668,
+        line=1678,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2752,7 +2770,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1673,
+        line=1683,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2761,7 +2779,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1678,
+        line=1688,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2770,7 +2788,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1683,
+        line=1693,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2779,7 +2797,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1688,
+        line=1698,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2787,7 +2805,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1693,
+        line=1703,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2796,7 +2814,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1697,
+        line=1707,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2804,7 +2822,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1702,
+        line=1712,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2813,7 +2831,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1706,
+        line=1716,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2822,7 +2840,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1711,
+        line=1721,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2831,7 +2849,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1716,
+        line=1726,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2840,7 +2858,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1721,
+        line=1731,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2849,7 +2867,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1726,
+        line=1736,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2857,7 +2875,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1731,
+        line=1741,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2866,7 +2884,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1735,
+        line=1745,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2875,7 +2893,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1740,
+        line=1750,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2884,7 +2902,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1745,
+        line=1755,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2893,7 +2911,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1750,
+        line=1760,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2901,7 +2919,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1755,
+        line=1765,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2909,7 +2927,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1759,
+        line=1769,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2918,7 +2936,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1763,
+        line=1773,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2927,7 +2945,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1768,
+        line=1778,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2936,7 +2954,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1773,
+        line=1783,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2945,7 +2963,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1778,
+        line=1788,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2954,7 +2972,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1783,
+        line=1793,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2963,7 +2981,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1788,
+        line=1798,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2972,7 +2990,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1793,
+        line=1803,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2981,7 +2999,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1798,
+        line=1808,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2990,7 +3008,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1803,
+        line=1813,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2998,7 +3016,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1808,
+        line=1818,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3006,7 +3024,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1812,
+        line=1822,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3015,7 +3033,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1816,
+        line=1826,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3023,7 +3041,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1821,
+        line=1831,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3031,7 +3049,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1825,
+        line=1835,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3040,7 +3058,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1829,
+        line=1839,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3049,7 +3067,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1834,
+        line=1844,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3058,7 +3076,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1839,
+        line=1849,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3066,7 +3084,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1844,
+        line=1854,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3075,7 +3093,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1848,
+        line=1858,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3083,7 +3101,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1853,
+        line=1863,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3092,7 +3110,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1857,
+        line=1867,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3100,7 +3118,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1862,
+        line=1872,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3109,7 +3127,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1866,
+        line=1876,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3117,7 +3135,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1871,
+        line=1881,
     ),
     "change": Symbol(
         "change",
@@ -3126,7 +3144,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1875,
+        line=1885,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3135,7 +3153,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1880,
+        line=1890,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3144,7 +3162,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1885,
+        line=1895,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3152,7 +3170,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1890,
+        line=1900,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3161,7 +3179,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1894,
+        line=1904,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3169,7 +3187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1899,
+        line=1909,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3177,7 +3195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1903,
+        line=1913,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3185,7 +3203,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1907,
+        line=1917,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3194,7 +3212,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1911,
+        line=1921,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3202,7 +3220,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1916,
+        line=1926,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3211,6 +3229,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1920,
+        line=1930,
     ),
 }

@@ -70,7 +70,7 @@ class Decision:
             if of[0] not in mode.broken
         )
 
-    def impacts(self) -> tuple[Array, list[JointEvent]]:
+    def impacts(self) -> tuple[Array, list[JointEvent[int]]]:
         """Return the velocities (n, 3) after limits were struck, and the events."""
         touched = [
             (of, side)

@@ -6,7 +6,7 @@ The events of a run tell at each time what holds: each limit, each motor, each j
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,18 +33,28 @@ KEEPS, PUSHES, PUSHES_BACK, CLICKS, BREAKS = 6, 7, 8, 9, 10
 _DRIVES = {0: KEEPS, 1: PUSHES, -1: PUSHES_BACK}
 
 
-class JointEvent(NamedTuple):
+Called = TypeVar("Called", int, str)
+"""A joint by its index in a scene, or in the frame loop, where joints come and go, by its name."""
+
+
+class JointEvent(NamedTuple, Generic[Called]):
     """One event."""
 
     time: float
-    joint: int
-    """Its index in the scene."""
+    """s; in the frame loop the end of the step"""
+    joint: Called
+    """Its index in the scene, or its name."""
     freedom: int
     """Of those that the joint governs; 0 where it breaks."""
     what: int
     """The number of its word."""
     value: float = 0.0
     """The impulse of a limit that is struck, N s or N m s; the angle of a tooth, rad."""
+
+    @property
+    def words(self) -> str:
+        """What it says of the joint, such as 'breaks' or 'clicks'."""
+        return WORDS[self.what]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,7 +75,7 @@ class JointEvents:
     def __len__(self) -> int:
         return len(self.time)
 
-    def __iter__(self) -> Iterator[JointEvent]:
+    def __iter__(self) -> Iterator[JointEvent[int]]:
         columns = (self.time, self.joint, self.freedom, self.what, self.value)
         for row in zip(*(column.tolist() for column in columns), strict=True):
             yield JointEvent(*row)
@@ -76,7 +86,7 @@ class JointEvents:
         return tuple(WORDS[k] for k in self.what.tolist())
 
 
-def joint_events(found: Iterable[JointEvent] = ()) -> JointEvents:
+def joint_events(found: Iterable[JointEvent[int]] = ()) -> JointEvents:
     """Return events as arrays."""
     rows = sorted(found, key=lambda event: event.time)
     return JointEvents(
@@ -104,7 +114,7 @@ class Mode:
     teeth: tuple[tuple[Of, float], ...] = ()
     """The tooth behind which a ratchet does not go back, rad."""
 
-    def after(self, event: JointEvent) -> "Mode":
+    def after(self, event: JointEvent[int]) -> "Mode":
         """Return what joints do after an event."""
         of = (event.joint, event.freedom)
         broken, held = set(self.broken), set(self.held)
@@ -122,7 +132,7 @@ class Mode:
         return Mode(frozenset(broken), frozenset(held), tuple(driven.items()), tuple(teeth.items()))
 
 
-def changes(time: float, before: Mode, after: Mode) -> Iterator[JointEvent]:
+def changes(time: float, before: Mode, after: Mode) -> Iterator[JointEvent[int]]:
     """Yield the events that lead from one mode to another."""
     for joint in sorted(after.broken - before.broken):
         yield JointEvent(time, joint, 0, BREAKS)
@@ -142,7 +152,7 @@ def changes(time: float, before: Mode, after: Mode) -> Iterator[JointEvent]:
 class Timeline:
     """The events of a scene's joints, and the modes of each mechanism."""
 
-    events: list[JointEvent] = field(default_factory=list)
+    events: list[JointEvent[int]] = field(default_factory=list)
     _modes: dict[frozenset[int], list[tuple[float, Mode]]] = field(default_factory=dict)
 
     def modes(self, joints: frozenset[int]) -> list[tuple[float, Mode]]:
@@ -161,7 +171,9 @@ class Timeline:
         """Forget the events of a mechanism after a time, s."""
         self.events[:] = [e for e in self.events if e.joint not in joints or e.time <= after]
 
-    def replace(self, joints: frozenset[int], since: float, events: Sequence[JointEvent]) -> None:
+    def replace(
+        self, joints: frozenset[int], since: float, events: Sequence[JointEvent[int]]
+    ) -> None:
         """Put events in the place of those that a mechanism has from a time on."""
         kept = [e for e in self.events if e.joint not in joints or e.time < since]
         self.events[:] = [*kept, *events]

@@ -266,7 +266,7 @@ class LimitedMechanism:
         self._timeline.drop(self._own, time)
         return self._cause if self._cause and self._cause.time == time else None
 
-    def enter(self, time: float, mode: Mode, strikes: Sequence[JointEvent]) -> None:
+    def enter(self, time: float, mode: Mode, strikes: Sequence[JointEvent[int]]) -> None:
         """Do what a mode says from a time in s on, after limits were struck."""
         events = list(strikes)
         if self._modes and self._modes[-1][0] == time:  # it has begun here before

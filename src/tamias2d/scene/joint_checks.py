@@ -21,6 +21,10 @@ _FITS = 1e-6
 """Of the joint's size, and of the speeds: by so much a joint may be off at the start, as written
 numbers are; the run begins with what fits."""
 
+_NO_FORCE = {"angle", "gear"}
+_NO_TORQUE = {"revolute", "distance", "pulley"}
+"""Constraints, and measures of freedoms, that exert none about the anchor of A."""
+
 
 def checked_joint(
     kind: object,
@@ -77,6 +81,7 @@ def checked_joint(
             "(GD23). Take one joint that breaks and another with the spring.",
             "break_force",
         )
+    _refuse_unfelt(joint, of)
     _refuse_idle(joint, bodies, of)
     return _fitted(joint, kind, bodies, of, time, at_rest=at_rest)
 
@@ -85,7 +90,7 @@ def checked_again(joint: Joint, bodies: Sequence[Body]) -> Joint:
     """Return a joint that holds at the start of other bodies, too, or raise `RuleError`."""
     of = f"joint '{joint.name}'"
     joint = _checked_start(joint, bodies, of)
-    refuse_crossed(joint.freedoms, _values(joint, bodies), of)
+    refuse_crossed(joint.freedoms, values_of_freedoms(joint, bodies), of)
     return joint
 
 
@@ -106,8 +111,8 @@ def _bears(value: object, symbol: str, of: str, key: str, unit: str) -> float | 
     return number(value, symbol, of, f"Give it in {unit}, or leave it out.", at=(key,))
 
 
-def _values(joint: Joint, bodies: Sequence[Body]) -> list[float]:
-    """Return where the freedoms of a joint are at the start, rad or m."""
+def values_of_freedoms(joint: Joint, bodies: Sequence[Body]) -> list[float]:
+    """Return where the freedoms of a joint are as its bodies stand, rad or m."""
     return [
         float(Start(joint.measured(each, 0.0), bodies).rows[0]) + 0.0 for each in joint.freedoms
     ]
@@ -126,6 +131,24 @@ def _anchor(end: End, anchor: object, of: str, key: str) -> Vector:
             key,
         )
     return end
+
+
+def _refuse_unfelt(joint: Joint, of: str) -> None:
+    """Refuse a largest force or torque of a joint that never exerts one."""
+    exerts = {joint.model} if joint.rigid else set()
+    exerts |= {each.measure for each in joint.freedoms}
+    for what, most, never, unit in (
+        ("force", joint.break_force, _NO_FORCE, "N m"),
+        ("torque", joint.break_torque, _NO_TORQUE, "N"),
+    ):
+        if most is not None and exerts <= never:
+            other = "torque" if what == "force" else "force"
+            raise RuleError(
+                f"break_{what} of {of}: one of kind {joint.kind} exerts no {what} where it holds "
+                "its bodies, and never breaks by one (GD23). Leave it out, or give "
+                f"break_{other} in {unit}.",
+                f"break_{what}",
+            )
 
 
 def _refuse_idle(joint: Joint, bodies: Sequence[Body], of: str) -> None:
@@ -165,7 +188,7 @@ def _governed(joint: Joint, bodies: Sequence[Body], of: str) -> Joint:
     """Return the joint with what its freedoms take from the start."""
     for each in joint.freedoms:
         _refuse_singular(Start(joint.measured(each, 0.0), bodies), bodies, of)
-    values = _values(joint, bodies)
+    values = values_of_freedoms(joint, bodies)
     refuse_crossed(joint.freedoms, values, of)
     return replace(joint, freedoms=freedoms_at_rest(joint.freedoms, values))
 

@@ -7,13 +7,13 @@ rigid bodies, which have none, break nothing.
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from tamias2d.engine import tables as tb
 from tamias2d.generated.constraints import CONSTRAINTS
-from tamias2d.motion.joint_events import BREAKS, CLICKS, WORDS
+from tamias2d.motion.joint_events import BREAKS, CLICKS, JointEvent
 from tamias2d.scene.freedoms import last_tooth
 from tamias2d.scene.joints import Joint
 from tamias2d.simulator.joint_layout import JointLayout
@@ -22,24 +22,6 @@ from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
 
 _IMPULSES = slice(tb.J_STEP_TOTAL, tb.J_STEP_TOTAL + 3)  # on A
-
-
-class JointEvent(NamedTuple):
-    """One event in the frame loop."""
-
-    time: float
-    """The end of the step, s"""
-    joint: str
-    """Its name"""
-    what: int
-    """The number of its word."""
-    value: float = 0.0
-    """The angle of a tooth, rad"""
-
-    @property
-    def words(self) -> str:
-        """What it says of the joint: 'breaks' or 'clicks'."""
-        return WORDS[self.what]
 
 
 class JointWatch:
@@ -62,15 +44,15 @@ class JointWatch:
         self._ratchets = [joint for joint in layout.joints if joint.pitch]
         self._teeth = {joint.name: tooth_of(joint) for joint in self._ratchets}
 
-    def events(self, pose: Array, time: float, time_step: float) -> Iterator[JointEvent]:
+    def events(self, pose: Array, time: float, time_step: float) -> Iterator[JointEvent[str]]:
         """Yield what the step, s, did that ended at a time, s, with bodies at poses (n, 3)."""
         for joint in self._overloaded(pose, time_step):
-            yield JointEvent(time, joint.name, BREAKS)
+            yield JointEvent(time, joint.name, 0, BREAKS)
         for joint in self._ratchets:
             tooth = tooth_reached(joint, pose)
             if tooth > self._teeth[joint.name]:
                 self._teeth[joint.name] = tooth
-                yield JointEvent(time, joint.name, CLICKS, tooth)
+                yield JointEvent(time, joint.name, 0, CLICKS, tooth)
 
     def _overloaded(self, pose: Array, time_step: float) -> list[Joint]:
         """Return the joints that bore more in a step of so many s than they can."""

@@ -88,9 +88,10 @@ class JointLayout:
         else:
             pulled = pulled_apart(self.joints, self._engine)
             numbers[self.places, tb.J_PULLED] = pulled[self.owner]
-        most = np.zeros(len(numbers))
-        np.maximum.at(most, self.first_rows, numbers[self.places, tb.J_PULLED])
-        numbers[:, tb.J_PULLED] = most
+        for column in (tb.J_PULLED, tb.J_OPENED):
+            most = np.zeros(len(numbers))
+            np.maximum.at(most, self.first_rows, numbers[self.places, column])
+            numbers[:, column] = most
         firmest = slice(tb.J_FIRMEST, tb.J_FIRMEST + MOST_ROWS)
         least = np.full(len(numbers), np.inf)
         np.minimum.at(least, self.first_rows, numbers[self.places, tb.J_FIRMEST])

@@ -8,14 +8,13 @@ from typing import cast
 import numpy as np
 
 from tamias2d.engine.engine import Engine
-from tamias2d.motion.joint_events import BREAKS, CLICKS
+from tamias2d.motion.joint_events import BREAKS, CLICKS, JointEvent
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.freedoms import Motor, with_motor
 from tamias2d.scene.joint_checks import checked_joint
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, Vector, shown
 from tamias2d.simulator.joint_events import (
-    JointEvent,
     JointWatch,
     on_tooth,
     tooth_of,
@@ -179,7 +178,9 @@ class JointSet:
         """Whether steps may break one, or let one click."""
         return self._watch is not None
 
-    def look(self, pose: Array, time: float, time_step: float) -> tuple[list[JointEvent], set[int]]:
+    def look(
+        self, pose: Array, time: float, time_step: float
+    ) -> tuple[list[JointEvent[str]], set[int]]:
         """Take over what a step did to joints; return that, and the bodies that are free of one.
 
         It was one of so many s, which ended at a time, s, with bodies at poses (n, 3).
@@ -193,7 +194,7 @@ class JointSet:
         broken = [event.joint for event in events if event.what == BREAKS]
         return events, self._break(broken) if broken else set()
 
-    def _click(self, event: JointEvent) -> None:
+    def _click(self, event: JointEvent[str]) -> None:
         self._joints[event.joint] = on_tooth(self._joints[event.joint], event.value)
         if event.joint in self.layout.alike:
             self._change(self.layout.kept())

@@ -4,11 +4,12 @@ Serves: the simulator, which tells each once. Each text comes with the name unde
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from typing import TypeAlias
 
 from tamias2d.engine.engine import Engine
 from tamias2d.scene.joints import Joint
+from tamias2d.simulator.hand_placed import beyond_limits
 from tamias2d.simulator.joint_faults import apart, gained, too_stiff, turned
 from tamias2d.simulator.joint_layout import APART, JointLayout
 
@@ -55,14 +56,33 @@ _REMEDIES = {
     "drive it by a Target.",
     "by hand": "It follows what was moved by hand within some steps: move that in smaller ones, or "
     "give a kinematic body a velocity.",
+    "placed": "A body that it holds was put elsewhere by hand. It comes back within some steps, "
+    "but lifts nothing for that: put all that hangs together where its joints fit.",
     "": "Give a shorter step or more substeps.",
 }
 
 
-def too_long_for_joints(layout: JointLayout, time: float, time_step: float) -> Iterator[Told]:
-    """Yield joints that were apart before a time, s (R13), turned far, or made energy (IM15)."""
+def held_beyond_limits(joints: Iterable[Joint], engine: Engine, time: float) -> Iterator[Told]:
+    """Yield joints whose bodies were put beyond a limit by hand before a time, s (GD21)."""
+    for joint, side, much in beyond_limits(joints, engine):
+        text = (
+            f"joint '{joint.name}' ({joint.kind}), at {time:.6g} s: it was put {much:.2g} (m or "
+            f"rad) beyond its {side} limit by hand (GD21). It comes back within some steps, but "
+            "lifts nothing for that: put its bodies where its limits allow."
+        )
+        yield f"{side} limit of {joint.name}", text
+
+
+def too_long_for_joints(
+    layout: JointLayout, placed: Collection[str], time: float, time_step: float
+) -> Iterator[Told]:
+    """Yield joints that were apart before a time, s (R13), turned far, or made energy (IM15).
+
+    Of some a body was placed by hand before the last steps.
+    """
     if (found := apart(layout)) is not None:
         joint, much, why = found
+        why = why or ("placed" if joint.name in placed else "")
         remedy = _REMEDIES[why]
         text = (
             f"joint '{joint.name}' ({joint.kind}), before {time:.6g} s: it was {much:.2g} "

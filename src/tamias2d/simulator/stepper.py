@@ -8,8 +8,8 @@ import numpy as np
 
 from tamias2d.engine.contact_report import Contacts
 from tamias2d.generated import impact
+from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene import Scene
-from tamias2d.simulator.joint_events import JointEvent
 from tamias2d.simulator.simulator import Simulator
 from tamias2d.state import Array, History, place_between
 
@@ -57,7 +57,7 @@ class Stepper:
         self.contacts = 0
         """Points of contact that were solved, summed over all steps."""
         self.met: list[Met] = []
-        self.joint_events: list[JointEvent] = []
+        self.joint_events: list[JointEvent[str]] = []
         self.deepest: Overlap | None = None
         """The deepest overlap of all steps."""
         self.split, self.most_parts = 0, 1

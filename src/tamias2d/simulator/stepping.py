@@ -9,12 +9,13 @@ import numpy as np
 from tamias2d.engine.contact_report import Touching
 from tamias2d.engine.engine import Engine
 from tamias2d.errors import StepWarning
+from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene import Scene
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.simulator.acting_scene import acting_scene
 from tamias2d.simulator.exclusive import busy
+from tamias2d.simulator.hand_placed import put_elsewhere
 from tamias2d.simulator.invalid_state import invalid_state
-from tamias2d.simulator.joint_events import JointEvent
 from tamias2d.simulator.joint_set import JointSet
 from tamias2d.simulator.selection import Bodies, selected
 from tamias2d.simulator.settings import checked_count
@@ -22,6 +23,7 @@ from tamias2d.simulator.spring_rows import spring_rows
 from tamias2d.simulator.step_warnings import (
     SPRINGS,
     Told,
+    held_beyond_limits,
     too_long_for_contacts,
     too_long_for_gravity,
     too_long_for_joints,
@@ -45,6 +47,7 @@ class Stepping(Views):
         "_happened",
         "_jointed",
         "_joints",
+        "_left",
         "_limits",
         "_names",
         "_pushed",
@@ -75,8 +78,9 @@ class Stepping(Views):
         """Forget what was asked for and told so far."""
         self._varying: VaryingLoads | None = None
         self._warned: dict[str, str] = {}
-        self._happened: tuple[JointEvent, ...] = ()
+        self._happened: tuple[JointEvent[str], ...] = ()
         self._limits = 0  # of which was told
+        self._left = self._engine.pose.copy()  # where the last step left bodies
         self._pushed: Array | None = None  # loads for the next step only
         self._touching: Touching | None = None
         self._unsettled = True
@@ -89,9 +93,10 @@ class Stepping(Views):
             SimulationError: a force that varies has no finite value.
 
         Warns:
-            StepWarning: the time step is too long for a force that varies or for a joint, once for
-                each; for springs, gravity, overlaps that grow, or masses, once. Thin walls only
-                just meet, where something thin moves, once.
+            StepWarning: the time step is too long for a force that varies or for a joint, or a body
+                was put beyond a joint's limit by hand, once for each; the step is too long for
+                springs, gravity, overlaps that grow, or masses, once. Thin walls only just meet,
+                where something thin moves, once.
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
             count = checked_count(count, "count", 0)
@@ -125,6 +130,7 @@ class Stepping(Views):
     def _advance(self, count: int) -> None:
         """Take some steps, or raise `RuleError`."""
         engine, step = self._engine, self._time_step
+        placed = self._placed_by_hand() if self._jointed else ()
         untouched = self._sleeps and self._untouched
         if (invalid := engine.step(count, untouched=untouched)) is not None:
             if self._jointed and self._joints.begin_anew_if_infinite():
@@ -138,11 +144,20 @@ class Stepping(Views):
                 too_long_for_contacts(engine, self._name_of, self.time, step, self._substeps)
             )
             if engine.joints_fail:
-                self._tell(too_long_for_joints(self._joints.layout, self.time, step))
+                self._tell(too_long_for_joints(self._joints.layout, placed, self.time, step))
+        if self._jointed:
+            self._left = engine.pose.copy()
         if self._scene is None or SPRINGS in self._warned:
             return
         if (row := engine.lossy_springs) >= 0:
             self._tell([too_long_for_springs(self._name_of(row), self.time, step)])
+
+    def _placed_by_hand(self) -> tuple[str, ...]:
+        """Return the names of joints whose bodies were put elsewhere; tell those beyond limits."""
+        placed = put_elsewhere(self._joints, self._left, self._engine)
+        if placed:
+            self._tell(held_beyond_limits(placed, self._engine, self.time))
+        return tuple(joint.name for joint in placed)
 
     def _tell(self, found: Iterable[Told]) -> None:
         """Warn of what the step is too long for, each once."""
@@ -234,7 +249,7 @@ class Stepping(Views):
         return self._engine.parts
 
     @property
-    def joint_events(self) -> tuple[JointEvent, ...]:
+    def joint_events(self) -> tuple[JointEvent[str], ...]:
         """What happened to joints in the last call of `step`: some broke (GD23), ratchets clicked.
 
         A joint that broke is gone.

@@ -7,6 +7,8 @@ which order a program finds what the solver asks for, so that it stops as soon a
 from collections.abc import Mapping
 from typing import NamedTuple
 
+import numpy as np
+
 from tamias2d.spec.constraint import ENDS, TIME, Constraint, Named, Values
 from tamias2d.spec.evaluate import Value, evaluate
 from tamias2d.spec.expression import Call, Name, Node, names
@@ -35,7 +37,9 @@ _SAMPLES: tuple[Mapping[str, Value], ...] = tuple(
     }
     for by in (0.6, 1.7, 3.1)
 )
-"""Places at which it is looked whether a row is free: three, so that chance is none."""
+"""Places near which it is looked whether a row is free: three, so that chance is none."""
+_CLOSINGS = 30  # steps of Newton to where rows hold, of which a few do where such a place is near
+_CLOSED = 1e-12  # m or rad, a step that is rounding
 _ROUNDING = 1e-9  # of slopes
 _KNOWN: Mapping[Node, str] = {
     Call(function, (Name(f"orientation_{end}"),)): f"{name}_{end}"
@@ -73,9 +77,52 @@ def row_programs(constraint: Constraint) -> tuple[RowProgram, ...]:
     slopes = {end: constraint.slopes(end) for end in constraint.bodies}
     bends = {end: constraint.bends(end) for end in constraint.bodies}
     timed, values = constraint.time_slopes(), constraint.values()
+    places = [_where_it_holds(constraint, values.rows, slopes, place) for place in _SAMPLES]
     return tuple(
-        _program(row, constraint, values, slopes, timed, bends) for row in range(len(values.rows))
+        _program(row, constraint, values, slopes, timed, bends, places)
+        for row in range(len(values.rows))
     )
+
+
+def _where_it_holds(
+    constraint: Constraint,
+    rows: tuple[Node, ...],
+    slopes: Mapping[str, Values],
+    place: Mapping[str, Value],
+) -> Mapping[str, Value]:
+    """Return a place near another one at which all rows are zero; that itself if none is found.
+
+    A hinge that is stated by two differences is free only where it holds.
+    """
+    found = dict(place)
+    try:
+        for _ in range(_CLOSINGS):
+            known = _with_points(found, constraint.where)
+            gaps = np.array([evaluate(row, known) for row in rows], dtype=np.float64)
+            moved = [
+                [evaluate(slope, known) for slope in own.rows[3 * k : 3 * k + 3]]
+                for k in range(len(rows))
+                for own in slopes.values()
+            ]
+            matrix = np.array(moved, dtype=np.float64).reshape(len(rows), -1)
+            by = -np.linalg.lstsq(matrix, gaps, rcond=None)[0].reshape(-1, 3)
+            for end, (x, y, turn) in zip(slopes, by.tolist(), strict=True):
+                at_x, at_y = found[f"position_{end}"]
+                found[f"position_{end}"] = (at_x + x, at_y + y)
+                found[f"orientation_{end}"] += turn
+            if not np.abs(by).max() > _CLOSED:
+                return found
+    except (ArithmeticError, ValueError, np.linalg.LinAlgError):
+        return place
+    return place
+
+
+def _with_points(place: Mapping[str, Value], where: Named) -> dict[str, Value]:
+    """Return a place with what its equations name besides."""
+    values = dict(place)
+    for name, tree in where:
+        values[name] = evaluate(tree, values)
+    return values
 
 
 def _program(
@@ -85,6 +132,7 @@ def _program(
     slopes: Mapping[str, Values],
     timed: Values,
     bends: Mapping[str, Values],
+    places: list[Mapping[str, Value]],
 ) -> RowProgram:
     line = StraightLine(INPUTS, dict(constraint.where), _KNOWN)
     outputs = [line.constant(0.0)] * OUTPUTS
@@ -107,7 +155,7 @@ def _program(
         tuple(outputs),
         constraint.bodies,
         TIME in used,
-        all(_is_free(moved, constraint.where, place) for place in _SAMPLES),
+        all(_is_free(moved, constraint.where, place) for place in places),
     )
 
 
@@ -115,11 +163,9 @@ def _is_free(
     moved: Mapping[str, tuple[Node, ...]], where: Named, place: Mapping[str, Value]
 ) -> bool:
     """Return whether slopes by x, y and orientation say so where bodies are at some place."""
-    values = dict(place)
     total, size = [0.0, 0.0, 0.0], 0.0
     try:
-        for name, tree in where:
-            values[name] = evaluate(tree, values)
+        values = _with_points(place, where)
         for end, slopes in moved.items():
             along_x, along_y, turning = (evaluate(slope, values) for slope in slopes)
             x, y = values[f"position_{end}"]

@@ -13,6 +13,7 @@ Cost: a visit to each body and spring, and two more where there is too much.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.island_charge import may_get_any, support_mechanism
+from tamias2d.engine.joints.opening import note_drive
 from tamias2d.engine.joints.yielding import energy_driven, mass_of_mechanism, yields
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
@@ -128,6 +129,17 @@ def energy_of_mechanism(n: int, bodies: Bodies, joints: Joints, islands: Islands
     see_from_support(n, bodies, joints, islands)
     base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
     return energy_of_motion(first, last, base, bodies, joints)
+
+
+def note_drive_of(
+    n: int, substep: float, control: Control, bodies: Bodies, joints: Joints, islands: Islands
+) -> None:
+    """Note how fast what ties a mechanism drives it in a substep, s: not at all if that stands."""
+    joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_DRIVEN] = 0.0
+    if joints.mechanisms[n, tb.M_CARRIED] + joints.mechanisms[n, tb.M_TIMED] > 0:
+        see_from_support(n, bodies, joints, islands)
+        row = islands.energy[joints.sparse[joints.sparse[n, tb.I_NODE], tb.N_BODY]]
+        note_drive(n, row, substep, control, bodies, joints)
 
 
 def see_from_support(n: int, bodies: Bodies, joints: Joints, islands: Islands) -> None:

@@ -22,6 +22,7 @@ from tamias2d.engine.joints.hinge_tree import (
     turn_tree,
 )
 from tamias2d.engine.joints.impulse import apply_joint_impulse
+from tamias2d.engine.joints.opening import closing_rate
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
     SLOWLY,
@@ -69,8 +70,8 @@ from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
 
-def aim_tree(n: int, length: float, joints: Joints) -> None:
-    """Note to which gaps a substep brings the hinges of a tree; its length is as `aim_joints` says.
+def aim_tree(n: int, length: float, substep: float, joints: Joints) -> None:
+    """Note to which gaps a substep, s, brings the hinges of a tree, as `aim_joints` does.
 
     They are the gaps as they were just written.
     """
@@ -78,8 +79,9 @@ def aim_tree(n: int, length: float, joints: Joints) -> None:
         row = joints.hinges[m]
         row[tb.H_AIM] = row_aim(row[tb.H_GAP], REMOVED_BY_JOINTS * length)
         row[tb.H_AIM + 1] = row_aim(row[tb.H_GAP + 1], REMOVED_BY_JOINTS * length)
+    way = closing_rate(n, joints) * substep
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
-        aim_joint(j, length, joints)
+        aim_joint(j, length, way, joints)
 
 
 def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:

@@ -98,6 +98,8 @@ def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
     """Find how firm the rows of a mechanism are that hold, and factor its matrix.
 
     Springs count through a substep, s; not where that is 0 and velocities alone are looked at.
+    Rounding leaves each pivot positive, as long as the bodies times the rows at one are less than
+    1e7: scaled by the roots of the masses, the matrix is one, and `FIRM` at most for each row.
     """
     meshed = joints.mechanisms[n, tb.M_MESHED] == 1
     first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]

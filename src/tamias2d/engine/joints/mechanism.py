@@ -24,16 +24,16 @@ def write_mechanism(n: int, bodies: Bodies, joints: Joints) -> None:
         linearise(n, bodies, joints)
 
 
-def aim_mechanism(n: int, length: float, joints: Joints) -> None:
+def aim_mechanism(n: int, length: float, substep: float, joints: Joints) -> None:
     """Note to which values a substep brings the rows of a mechanism, as `aim_joints` does.
 
     A net needs no note.
     """
     hinged, meshed = joints.mechanisms[n, tb.M_HINGED] == 1, joints.mechanisms[n, tb.M_MESHED] == 1
     if hinged and not meshed:
-        aim_tree(n, length, joints)
+        aim_tree(n, length, substep, joints)
     elif not hinged:
-        aim_joints(n, length, joints)
+        aim_joints(n, length, substep, joints)
 
 
 def bring_to_end(

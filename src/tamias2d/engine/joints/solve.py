@@ -18,6 +18,7 @@ from tamias2d.engine.joints.linearise import (
     place_members,
     rows_where_placed,
 )
+from tamias2d.engine.joints.opening import closing_rate, share_closed
 from tamias2d.engine.joints.placed_rows import write_values
 from tamias2d.engine.joints.yielding import (
     REMOVED_BY_JOINTS,
@@ -48,18 +49,22 @@ MOST_CHOICES = 4  # of the limits that hold, and of the motors that give the mos
 SOLVED_RATE = 1e-7  # of the largest error of the first iteration: as good as solved
 
 
-def aim_joints(n: int, length: float, joints: Joints) -> None:
-    """Note to which values a substep brings the rows of a mechanism, which were just written.
+def aim_joints(n: int, length: float, substep: float, joints: Joints) -> None:
+    """Note to which values a substep, s, brings the rows of a mechanism, which were just written.
 
     Its length is a share of that of a substep of a whole step: shorter ones remove less. A limit
     aims at nothing unless it is passed already. Of springs it is noted where they are.
     """
+    way = closing_rate(n, joints) * substep
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        aim_joint(j, length, joints)
+        aim_joint(j, length, way, joints)
 
 
-def aim_joint(j: int, length: float, joints: Joints) -> None:
-    """Note to which values a substep brings the rows of a joint; its length is as above."""
+def aim_joint(j: int, length: float, way: float, joints: Joints) -> None:
+    """Note to which values a substep brings the rows of a joint: by a way, m, at most.
+
+    Its length is as above.
+    """
     numbers, law = joints.numbers[j], joints.joints[j, tb.J_LAW]
     for r in range(joints.joints[j, tb.J_ROWS]):
         value = numbers[tb.J_ROW + ROW * r]
@@ -70,6 +75,7 @@ def aim_joint(j: int, length: float, joints: Joints) -> None:
         removed = 0.0 if law == tb.SPRING else REMOVED_BY_JOINTS * length
         if numbers[tb.J_FIRMEST] > 0.0:
             removed *= REMOVED_YIELDING
+        removed = share_closed(value, removed, way / numbers[tb.J_ARM + r])
         numbers[tb.J_AIM + r] = row_aim(value, removed)
         numbers[tb.J_GIVEN + r] = -numbers[tb.J_LEFT] if law == tb.SPRING else 0.0
 

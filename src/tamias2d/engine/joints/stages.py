@@ -14,6 +14,7 @@ from tamias2d.engine.joints.bounce import bounce_limits, note_limits
 from tamias2d.engine.joints.energy import (
     bound_mechanism,
     energy_of_mechanism,
+    note_drive_of,
     note_energy_of_springs,
     rise_of_yielding,
 )
@@ -30,6 +31,7 @@ from tamias2d.engine.joints.mechanism import (
     write_mechanism,
 )
 from tamias2d.engine.joints.moments import note_after_joints, note_before_joints
+from tamias2d.engine.joints.opening import forget_opened
 from tamias2d.engine.joints.step_impulses import begin_impulses
 from tamias2d.engine.joints.tree_blocks import write_blocks
 from tamias2d.engine.joints.yielding import hold_again, yields
@@ -99,7 +101,8 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
             continue
         if status == tb.IN_CONTACT or (status != tb.ASLEEP and not again):
             if not again:
-                aim_mechanism(n, length, joints)
+                note_drive_of(n, substep, control, bodies, joints, world.islands)
+                aim_mechanism(n, length, substep, joints)
                 begin_motors(n, substep, bodies, joints)
             before = (
                 energy_of_mechanism(n, bodies, joints, world.islands) if yields(n, joints) else -1.0
@@ -128,6 +131,7 @@ def relax_joints(world: World) -> None:
                 hold_again(n, joints)
             if yielded and not yields(n, joints):
                 write_mechanism(n, bodies, joints)
+            forget_opened(n, joints)
             if joints.mechanisms[n, tb.M_GOVERNED] == 1:
                 note_left(n, joints)
                 note_limits(n, bodies, joints)

@@ -14,18 +14,22 @@ from math import inf
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.hinge_tree import first_besides
 from tamias2d.engine.joints.linearise import apart_by_law, yield_of_row
-from tamias2d.engine.tables import Bodies, Control, Integers, Joints
+from tamias2d.engine.joints.opening import (
+    closing_rate,
+    fastest_drive,
+    note_opened,
+    rate_driven,
+)
+from tamias2d.engine.tables import Bodies, Control, Joints
 from tamias2d.generated.definitions import kinetic_energy
-from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import (
     change_most,
     firmness_most,
     row_impulse,
-    row_rate,
     spring_change,
 )
 from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Array, Vector
+from tamias2d.state import Array
 
 AMPLIFICATION = 4.0  # of the rates that rows have too much: a lever of 1:4 is no dead centre
 YIELDING = 1.0  # of them, by rows that yield: a mass is moved by half of what is asked for
@@ -67,6 +71,7 @@ def has_motor(n: int, joints: Joints) -> bool:
 def let_yield(n: int, joints: Joints) -> None:
     """Let the rows of a mechanism yield from now on."""
     mass = mass_of_mechanism(n, joints)
+    note_opened(joints.numbers[joints.mechanisms[n, tb.M_JOINT]])
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         numbers = joints.numbers[j]
         for k in range(3):
@@ -117,13 +122,17 @@ def energy_asked(
 
 
 def slight_rates(n: int, first: int, substep: float, joints: Joints) -> float:
-    """Return the square of the least rate, m/s, that parts a row by as much as is told."""
+    """Return the square of the least rate, m/s, that parts a row by as much as is told.
+
+    It grows as substeps shrink, and is no faster than what ties a mechanism that moves.
+    """
     slight = inf
     for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         numbers = joints.numbers[j]
         for r in range(joints.joints[j, tb.J_ROWS]):
             slight = min(slight, numbers[tb.J_SLIGHT + r] * numbers[tb.J_ARM + r])
-    return (slight / substep) * (slight / substep)
+    rate = min(slight / substep, fastest_drive(n, joints))
+    return rate * rate
 
 
 @inlined
@@ -143,35 +152,21 @@ def energy_driven(
     """
     substep = control.settings[tb.TIME_STEP] / control.counts[tb.SUBSTEPS]  # of a whole step
     removed = REMOVED_BY_JOINTS * REMOVED_YIELDING / substep if yields(n, joints) else 0.0
+    closing = closing_rate(n, joints)
     rates, first = seen[tb.DRIVEN_RATE] * seen[tb.DRIVEN_RATE], joints.mechanisms[n, tb.M_JOINT]
     if joints.mechanisms[n, tb.M_HINGED] == 1 and joints.mechanisms[n, tb.M_MESHED] == 0:
         first = first_besides(n, joints)
         for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
             row, hinged = joints.hinges[m], joints.members[m, tb.JOINED_HINGE] >= 0
             gap = max(abs(row[tb.H_GAP]), abs(row[tb.H_GAP + 1])) if hinged else 0.0
-            rates += removed * gap * (removed * gap)
+            rate = min(removed * gap, closing)
+            rates += rate * rate
     base = (seen[tb.REFERENCE], seen[tb.REFERENCE + 1])
     for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS] if ends[tb.J_LAW] < tb.MOTOR else 0):
-            rate = removed * apart_by_law(r, ends, numbers)
-            rate += rate_of_supports(r, ends, numbers, base, bodies, joints)
-            rate += abs(joints.laws[j, tb.LAW_RATE])
-            rates += numbers[tb.J_ARM + r] * rate * (numbers[tb.J_ARM + r] * rate)
-    rates += slight_rates(n, joints.mechanisms[n, tb.M_JOINT], substep, joints)
+            arm = numbers[tb.J_ARM + r]
+            rate = min(arm * removed * apart_by_law(r, ends, numbers), closing)
+            rate += arm * rate_driven(j, r, base, bodies, joints)
+            rates += rate * rate
     return change_most(mass, rates, 0.0, AMPLIFICATION)
-
-
-def rate_of_supports(
-    r: int, ends: Integers, numbers: Array, base: Vector, bodies: Bodies, joints: Joints
-) -> float:
-    """Return the rate that what nothing pushes gives a row, m/s, as seen from a velocity."""
-    rate = 0.0
-    for end in range(tb.ENDS_OF_JOINT):
-        if ends[tb.J_NODE + end] == tb.NOT_PUSHED:
-            at = tb.J_ROW + ROW * r + 1 + 3 * end
-            now = bodies.motion[joints.members[ends[tb.J_MEMBER + end], tb.JOINED_SLOT]]
-            velocity = (now[tb.VX] - base[0], now[tb.VY] - base[1])
-            slope = (numbers[at], numbers[at + 1])
-            rate += abs(row_rate(slope, numbers[at + 2], velocity, now[tb.SPIN]))
-    return rate

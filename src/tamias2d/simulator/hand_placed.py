@@ -1,0 +1,48 @@
+"""Bodies that were put elsewhere by hand, and the limits beyond which they are there (GD21).
+
+Serves: what a simulator warns of. The engine brings such a body back without energy, and so does
+not where it would have to lift it.
+"""
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.engine import Engine
+from tamias2d.scene.freedoms import Limits
+from tamias2d.scene.joint_checks import values_of_freedoms
+from tamias2d.scene.joints import Joint
+from tamias2d.simulator.joint_layout import APART
+from tamias2d.simulator.joint_separations import size_of_joint
+from tamias2d.simulator.standing_bodies import StandingBodies
+from tamias2d.state import Array
+
+
+def put_elsewhere(joints: Iterable[Joint], left: Array, engine: Engine) -> list[Joint]:
+    """Return the joints of bodies that move, and are not at the poses (n, 3) of before.
+
+    Bodies that came since may have been put anywhere.
+    """
+    pose, known = engine.pose, min(len(left), engine.size)
+    if known == len(left) == len(pose) and np.array_equal(pose, left):
+        return []
+    moved = engine.kind == tb.DYNAMIC
+    moved[:known] &= (pose[:known] != left[:known]).any(axis=1)
+    return [joint for joint in joints if moved[list(joint.bodies)].any()]
+
+
+def beyond_limits(joints: Iterable[Joint], engine: Engine) -> Iterator[tuple[Joint, str, float]]:
+    """Yield joints beyond a limit by more than is told, which limit, and how far, m or rad."""
+    bodies = StandingBodies(engine, {})
+    for joint in joints:
+        if not any(each.limits for each in joint.freedoms):
+            continue
+        values = values_of_freedoms(joint, bodies)  # type: ignore[arg-type]
+        for each, value in zip(joint.freedoms, values, strict=True):
+            most = APART * (1.0 if each.measure == "angle" else size_of_joint(joint, engine))
+            limits = each.limits or Limits(restitution=0.0)
+            if limits.lower is not None and limits.lower - value > most:
+                yield joint, "lower", limits.lower - value
+            if limits.upper is not None and value - limits.upper > most:
+                yield joint, "upper", value - limits.upper

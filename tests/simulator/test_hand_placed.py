@@ -1,0 +1,91 @@
+"""Bodies that are put beyond a limit, or off their joints, by hand: told, and back soon (GD21)."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import tamias2d as t2
+from tamias2d.errors import StepWarning
+
+LIMITS = t2.Limits(lower=-0.5, upper=0.5, restitution=0.0)
+
+
+def door(gravity: float = 0.0) -> t2.Simulator:
+    scene = t2.Scene(gravity=(0.0, gravity))
+    plank = t2.Box(width=1.0, height=0.1)
+    for k in range(2):
+        scene.add_body(plank, mass=1.0, position=(k + 0.5, 0.0), restitution=0.0)
+    scene.add_joint(t2.Revolute(limits=LIMITS), (0, 0), 0, other_anchor=(-0.5, 0), name="root")
+    ends: dict[str, Any] = {"anchor": (0.5, 0.0), "other_anchor": (-0.5, 0.0)}
+    scene.add_joint(t2.Revolute(), 0, 1, **ends, name="pin")
+    return t2.Simulator(scene, time_step=1 / 60, compiled=False)
+
+
+def turn(sim: t2.Simulator, angle: float) -> None:
+    """Turn both planks about the root by hand."""
+    along = np.array([math.cos(angle), math.sin(angle)])
+    for k in range(2):
+        sim.position[k], sim.orientation[k] = (k + 0.5) * along, angle
+
+
+@pytest.mark.parametrize(("angle", "side"), [(1.0, "upper"), (-1.0, "lower")])
+def test_what_is_put_beyond_a_limit_is_told_and_comes_back_without_energy(
+    angle: float, side: str
+) -> None:
+    sim = door()
+    sim.step()
+    turn(sim, angle)
+    says = f"'root'.*, at 0.0166667 s: it was put 0.5 .* beyond its {side} limit by hand"
+    with pytest.warns(StepWarning, match=says):
+        sim.step(12)
+    (told,) = sim.warnings
+    assert "put its bodies where its limits allow" in told
+    assert abs(sim.orientation[0]) == pytest.approx(0.5, abs=1e-5)  # 0.8 ** 48 of a half is left
+    speeds = np.abs(sim.velocity).max(), np.abs(sim.angular_velocity).max()
+    assert max(speeds) < 1e-4
+
+
+def test_what_would_have_to_be_lifted_back_stays_and_is_told() -> None:
+    sim = door(gravity=-9.81)
+    turn(sim, -1.0)
+    with pytest.warns(StepWarning, match="at 0 s: it was put 0.5 .* beyond its lower limit"):
+        sim.step()
+    assert sim.orientation[0] == pytest.approx(-1.0, abs=0.01)
+
+
+def test_what_is_put_within_its_limits_is_not_told() -> None:
+    sim = door()
+    sim.step()
+    turn(sim, 0.49)
+    sim.step(5)
+    turn(sim, 0.5 + 9e-4)  # a thousandth of a radian is told
+    sim.step(5)
+    assert not sim.warnings
+
+
+def test_a_body_put_off_its_joint_is_told_as_placed_by_hand() -> None:
+    sim = door()
+    sim.step()
+    sim.position[1] += (0.1, 0.0)
+    with pytest.warns(StepWarning, match="'pin'.*0.1 apart.*put elsewhere by hand"):
+        sim.step(10)
+    assert sim.reactions.separation.max() < 1e-4
+
+
+def test_a_tooth_behind_which_a_wheel_was_put_is_told() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 0.0), restitution=0.0)
+    scene.add_joint(t2.Revolute(), (0, 0), 0)
+    scene.add_joint(t2.Ratchet(pitch=0.1, restitution=0.0), (0, 0), 0, name="pawl")
+    sim = t2.Simulator(scene, compiled=False)
+    sim.angular_velocity[0] = 2.0
+    sim.step(20)
+    tooth = 0.1 * math.floor(float(sim.orientation[0]) / 0.1)
+    assert tooth > 0.2
+    sim.angular_velocity[0] = 0.0
+    sim.orientation[0] = tooth - 0.05
+    with pytest.warns(StepWarning, match="'pawl'.*put 0.05 .* beyond its lower limit"):
+        sim.step(10)
+    assert sim.orientation[0] == pytest.approx(tooth, abs=1e-4)
