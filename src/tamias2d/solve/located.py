@@ -22,6 +22,7 @@ from tamias2d.motion.mechanisms import fitted_history
 from tamias2d.motion.track import sample
 from tamias2d.run import Impacts, Run
 from tamias2d.scene import Scene, in_pieces, owners
+from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve.assembly import NO_IMPACTS, run_of, start_of
 from tamias2d.solve.following import Interrupted, follow
 from tamias2d.solve.plan import Plan
@@ -52,7 +53,7 @@ def run_by_paths(
         most_ruled=math.inf if asked else MOST_RULED,
     )
     try:
-        if not located.can_meet:
+        if not (located.can_meet and _may_meet(plan)):
             found = _without_contact(plan, method, motion)
             events = motion.joint_events()
             history = fitted_history(plan.scene, plan.times, found, events, joint_code)
@@ -64,6 +65,11 @@ def run_by_paths(
     except KeyboardInterrupt:
         raise Interrupted(lambda: _finite(plan, motion, located, follower)) from None
     return _reached(plan, motion, located, follower)
+
+
+def _may_meet(plan: Plan) -> bool:
+    """Return whether bodies may meet; for a few that is found while they are followed."""
+    return not are_many(plan.scene) or bool(pairs_that_can_meet(plan.scene, plan.duration))
 
 
 def _without_contact(plan: Plan, method: PathMethod, motion: Motion) -> History:
