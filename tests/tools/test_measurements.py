@@ -19,6 +19,7 @@ from tamias2d.study.stored import study_from_json
 from tools.measure import table
 from tools.measurements import (
     asked,
+    calls,
     certificates,
     crowds,
     drift,
@@ -52,6 +53,14 @@ def test_asked(monkeypatch: pytest.MonkeyPatch) -> None:
     assert found["outcomes"] == {"quality: met": 2, "tolerance: met": 2}
     assert len(rows) == 2
     assert asked.notes(found) == []
+
+
+def test_calls(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(calls, "measure", partial(calls.measure, boxes=[10], repeats=1))
+    found, rows = lines_of(calls)
+    assert len(rows) == 10
+    assert sum(row["pymunk"] is None for row in found["rows"]) == 2
+    assert calls.notes(found)
 
 
 def test_asked_tells_what_takes_long_or_breaks(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,6 +11,7 @@ import numpy as np
 from tamias2d.engine import tables as tb
 from tamias2d.engine.menu import QUERY, functions
 from tamias2d.engine.store import Store
+from tamias2d.engine.tables import World
 from tamias2d.kernels.groups import addresses
 from tamias2d.state import Array, IntArray
 
@@ -22,6 +23,7 @@ class QueryTree:
         self._store = store
         self._revision = -1
         self._pose = np.zeros((0, 3))
+        self._made_of: World | None = None  # the world whose arrays are asked
         self._argument: Any = None
         self._library: Any = None  # compiled when the first query comes
 
@@ -57,12 +59,19 @@ class QueryTree:
 
     def build(self) -> None:
         """Build the tree for the poses as they are; before it is asked, where it does not hold."""
-        store, world = self._store, self._store.world
-        self._revision, self._pose = store.revision, world.state.pose.copy()
+        store = self._store
+        self._revision, self._pose = store.revision, store.world.state.pose.copy()
+        if self._made_of is not store.world:
+            self._made_of = store.world
+            self._take_over(store.world)
+        self._library.build_query_tree(self._argument)
+
+    def _take_over(self, world: World) -> None:
+        """Ask the arrays of a world, with a tree of one's own."""
         tree = world.tree._replace(
             **{name: np.zeros_like(values) for name, values in world.tree._asdict().items()}
         )
         self._world = world._replace(tree=tree)  # keeps the arrays whose addresses are known
-        self._argument = addresses(self._world) if store.compiled else self._world
-        self._library = functions(QUERY, compiled=store.compiled)
-        self._library.build_query_tree(self._argument)
+        compiled = self._store.compiled
+        self._argument = addresses(self._world) if compiled else self._world
+        self._library = functions(QUERY, compiled=compiled)
