@@ -64,13 +64,11 @@ def _certificate_fault(recorded: Run, recomputed: Run) -> str:
     if claimed is None:
         return ""
     made = certify_as(recomputed, claimed).certificate
-    for field in fields(Certificate):
-        ours, theirs = getattr(claimed, field.name), getattr(made, field.name)
-        if field.name != "hashes" and ours != theirs:  # those of another version are other ones
-            return (
-                f"its certificate differs: {field.name}: recorded {ours!r}, computed again "
-                f"{theirs!r}"
-            )
+    names = [field.name for field in fields(Certificate)]
+    for name in ("how", *names):  # from another way all else follows
+        ours, theirs = getattr(claimed, name), getattr(made, name)
+        if name != "hashes" and ours != theirs:  # those of another version are other ones
+            return f"its certificate differs: {name}: recorded {ours!r}, computed again {theirs!r}"
     return ""
 
 

@@ -124,7 +124,10 @@ def test_nothing_passes_through_anything(seed):
 def test_a_run_tells_where_thin_bodies_may_pass_each_other(count, told):
     scene = t2.Scene(gravity=(0, 0))
     for k in range(count - 2):
-        scene.add_body(t2.Disc(radius=0.1), mass=1, position=(k, 0.0), restitution=1)
+        speed = 0.0 if k else 9.0  # two discs may meet
+        scene.add_body(
+            t2.Disc(radius=0.1), mass=1, position=(k, 0.0), velocity=(speed, 0.0), restitution=1
+        )
     for name in ("one", "other"):
         at = (-5.0, len(name))
         scene.add_body(t2.Segment(length=1), mass=1, position=at, restitution=1, name=name)

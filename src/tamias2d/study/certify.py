@@ -86,7 +86,7 @@ def certify_tighter(run: Run, looser: Run) -> Run:
 
 def certify_as(run: Run, told: Certificate) -> Run:
     """Return a run with a certificate that was made as another one tells, of all ways there are."""
-    if told.how.endswith(HOW):
+    if told.how.endswith(HOW) and has_error_equation(run.scene, run.duration, run.method):
         return certify_with_error(run, error_beside(run))
     usual, method = certify(run), run.method
     if usual.certificate is None or usual.certificate.how == told.how:
