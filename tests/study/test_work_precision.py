@@ -244,6 +244,7 @@ def test_a_study_without_a_point_is_none(spring: Scene) -> None:
 def test_phases_are_as_many_as_there_is_time_for(
     bounce: Scene, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr("tamias2d.study.truth.LONGEST", 1e9)
     assert affordable_phases(bounce, 1.5, 2) == 2
     monkeypatch.setattr("tamias2d.study.truth.LONGEST", 1e-9)
     assert affordable_phases(bounce, 1.5, 32) == 1
