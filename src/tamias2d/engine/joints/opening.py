@@ -12,6 +12,7 @@ from math import inf, sqrt
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.linearise import apart_by_law
 from tamias2d.engine.tables import Bodies, Control, Integers, Joints
+from tamias2d.generated.definitions import acceleration
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import closing_share, row_rate
 from tamias2d.kernels.assembled import inlined
@@ -49,12 +50,12 @@ def note_opened(whole: Array) -> None:
 
 def largest_load(n: int, control: Control, bodies: Bodies, joints: Joints) -> float:
     """Return the largest acceleration, m/s^2, that loads give a body of a mechanism."""
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     largest = 0.0
     for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
         i = joints.sparse[node, tb.N_BODY]
-        inverse_mass, load = bodies.properties[i, tb.INVERSE_MASS], bodies.load[i]
-        x = control.settings[tb.GRAVITY_X] + inverse_mass * load[0]
-        y = control.settings[tb.GRAVITY_Y] + inverse_mass * load[1]
+        load, inverse_mass = bodies.load[i], bodies.properties[i, tb.INVERSE_MASS]
+        x, y = acceleration(gravity, (load[0], load[1]), inverse_mass)
         largest = max(largest, x * x + y * y)
     return sqrt(largest)
 
