@@ -1,7 +1,6 @@
 """A study of stepped contacts as tables for people."""
 
-from itertools import groupby
-
+from tamias2d.commands.failures import print_failures
 from tamias2d.commands.output import error_text, figure, print_table, say
 from tamias2d.study.contact_study import ContactPoint, ContactStudy
 
@@ -22,21 +21,12 @@ def print_contacts(found: ContactStudy, name: str, tolerance: float | None) -> N
     say()
     print_table(heads, (_row(found, k, tolerance) for k in range(len(found.points))))
     _print_statistics(found)
-    _print_failures(found)
+    print_failures(found)
     say(
         "\nfront: nothing is both cheaper and better: in places by seconds (s) and by passes "
         "through the contacts (p), in overlap and energy by seconds (q). Seconds are those of the "
         "processor, medians of runs in turns without reading anything, and differ each time."
     )
-
-
-def _print_failures(found: ContactStudy) -> None:
-    """Print why there is no error, once where that is the same for settings of an engine."""
-    failed = (point for point in found.points if point.failure)
-    for (method, why), points in groupby(failed, key=lambda point: (point.method, point.failure)):
-        first, *more = (point.setting for point in points)
-        settings = f"{first} to {more[-1]}" if more else first
-        say(f"\n{f'{method} {settings}'.strip()}: {why}")
 
 
 def _row(found: ContactStudy, k: int, tolerance: float | None) -> list[str]:

@@ -3,11 +3,11 @@
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from itertools import groupby
 from pathlib import Path
 from typing import Any
 
 from tamias2d.commands.contact_tradeoff import print_contacts
+from tamias2d.commands.failures import print_failures
 from tamias2d.commands.names import find_scene, seconds
 from tamias2d.commands.output import error_text, figure, print_json, print_table, say
 from tamias2d.errors import InputError
@@ -118,21 +118,12 @@ def _print(found: Study, name: str, tolerance: float | None) -> None:
         heads.append(f"within {tolerance:g}")
     say()
     print_table(heads, (_row(found, k, tolerance) for k in range(len(found.points))))
-    _print_failures(found)
+    print_failures(found)
     say(
         "\nfront: nothing is both cheaper and better, by seconds (s) and by force evaluations (f). "
         "Seconds are the shortest of some runs, and differ each time. Forces that vary are "
         "computed for Pymunk by the scene's laws, which takes most of its seconds then."
     )
-
-
-def _print_failures(found: Study) -> None:
-    """Print why there is no error, once where that is the same for settings in a row."""
-    failed = (point for point in found.points if point.failure)
-    for (method, why), points in groupby(failed, key=lambda point: (point.method, point.failure)):
-        first, *more = (point.setting for point in points)
-        settings = f"{first} to {more[-1]}" if more else first
-        say(f"\n{f'{method} {settings}'.strip()}: {why}")
 
 
 def _row(found: Study, k: int, tolerance: float | None) -> list[str]:

@@ -1,7 +1,7 @@
 """Bodies that were put elsewhere by hand, and the limits beyond which they are there (GD21).
 
-Serves: what a simulator warns of. The engine brings such a body back without energy, and so does
-not where it would have to lift it.
+A simulator warns of them. The engine brings such a body back without energy, and so does not where
+it would have to lift it.
 """
 
 from collections.abc import Iterable, Iterator
