@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.record.drawing import PALETTE
+from tamias2d.record.drawing import PALETTE, titled
 
 pytest.importorskip("matplotlib")
 
@@ -67,3 +67,12 @@ def test_a_run_that_was_saved_is_read_back(tmp_path: Path) -> None:
     again = t2.Run.load(tmp_path / "fall.npz")
     assert isinstance(again, t2.Run)
     assert again.digest() == run.digest()
+
+
+def test_a_scene_without_a_name_has_pictures_without_one() -> None:
+    scene = t2.Scene(gravity=(0.0, -2.0))
+    scene.add_body(t2.Disc(radius=0.1), mass=1.0, position=(0.0, 0.0))
+    assert titled(t2.simulate(scene, duration=1.0), "1 s") == "1 s"
+    assert (
+        titled(t2.simulate(t2.catalogue.load("pendulum"), duration=0.1), "1 s") == "pendulum: 1 s"
+    )

@@ -78,13 +78,13 @@ def _stage(figure: Any, run: RunData) -> Callable[[int], None]:
     strokes, colours = _strokes(run, view)
     joints = list(joint_drawing.lines(run, view))
     areas.set_facecolor(shades)
-    lines.set_color([*colours, *(_unit(joint_drawing.COLOURS[joint.kind]) for joint in joints)])
+    lines.set_color([*colours, *(joint_drawing.on_white(joint.kind) for joint in joints)])
 
     def draw(k: int) -> None:
         areas.set_verts([_placed(run, k, rim) for rim in rims])
         moved = [_placed(run, k, stroke) for stroke in strokes]
         lines.set_segments([*moved, *(joint.points[k] for joint in joints)])
-        title.set_text(f"{run.scene.name}: {run.times[k]:.2f} s")
+        title.set_text(drawing.titled(run, f"{run.times[k]:.2f} s"))
 
     return draw
 

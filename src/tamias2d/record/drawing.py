@@ -135,6 +135,11 @@ def look(body: Body, view: View, *, crowd: bool = False) -> Look:
     return found
 
 
+def titled(run: RunData, what: str) -> str:
+    """Return the title of a picture: what it shows, after the name of the scene if it has one."""
+    return f"{run.scene.name}: {what}" if run.scene.name else what
+
+
 def _lines_of(piece: Part, *, crowd: bool) -> int:
     if crowd:
         return COARSE_BOX_LINES if isinstance(piece.shape, Box) else COARSE_LINES

@@ -29,6 +29,7 @@ COLOURS: dict[str, Colour] = {
 }
 """Of each kind of line; mid-tones, as bodies have."""
 REACTION: Colour = (235, 120, 190)
+_DARKER = 0.6  # times what the viewer shows
 _TURNS, _ZIGZAG = 8, 0.025  # of a spring; its half-width, of the view's reach
 _PIN, _TICK, _ARC = 0.012, 0.03, 0.1  # of the view's reach
 _LIMB = 0.5  # of the smaller body: an arc of limits is no larger, so that heaps stay visible
@@ -44,6 +45,11 @@ class Line:
     """Of `COLOURS`."""
     points: Points
     """(k, v, 2)"""
+
+
+def on_white(kind: str) -> tuple[float, ...]:
+    """Return the colour of a kind of line on white paper, where it is darker: 0 to 1."""
+    return tuple(_DARKER * (channel / 255) for channel in COLOURS[kind])
 
 
 def lines(run: RunData, view: View) -> Iterator[Line]:

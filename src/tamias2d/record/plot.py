@@ -102,13 +102,14 @@ def draw_world(axes: Any, run: RunData) -> None:
             strength = 1.0 if k == instants[-1] or body.static else 0.35
             _body(axes, run, int(k), index, view, colour, strength)
     for line in joint_drawing.lines(run, view):
-        colour = tuple(0.6 * channel for channel in _unit(joint_drawing.COLOURS[line.kind]))
+        colour = joint_drawing.on_white(line.kind)
         axes.plot(*line.points[instants[-1]].T, color=colour, linewidth=0.9)
     axes.plot(*run.impacts.point.T, "x", color="black", markersize=4, markeredgewidth=0.8)
     axes.set(xlim=(x - width, x + width), ylim=(y - height, y + height), aspect="equal")
     shown = ", ".join(f"{run.times[k]:.3g}" for k in instants)
     met = "; × where they met" if len(run.impacts) else ""
-    axes.set(xlabel="x, m", ylabel="y, m", title=f"{run.scene.name}: bodies at {shown} s{met}")
+    title = drawing.titled(run, f"bodies at {shown} s{met}")
+    axes.set(xlabel="x, m", ylabel="y, m", title=title)
     axes.title.set_fontsize("medium")
 
 
