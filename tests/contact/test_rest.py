@@ -206,3 +206,15 @@ def test_a_bounce_is_as_high_as_its_energy_says() -> None:
     highest = run.position[run.times > run.impacts.time[0], 1, 1].max() - 0.5
     assert highest == pytest.approx(0.64, abs=G / 120**2 / 2)  # between two samples
     assert rest.bounce_height(run.impacts.impulse[0] * 0.8 / 1.8, -G) == pytest.approx(0.64)
+
+
+def test_no_rest_is_told_that_begins_after_the_run():
+    """A bounce too low to be seen may yet take longer than the run, where hardly anything pulls."""
+    scene = t2.Scene(gravity=(0.0, -1e-14))
+    floor = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
+    scene.add_static(floor, restitution=0.5, friction=0.0, name="floor")
+    scene.add_body(
+        t2.Disc(radius=0.5), mass=1.0, position=(0.0, 0.5), velocity=(0.0, -1e-14),
+        restitution=0.5, friction=0.0, name="disc",
+    )  # fmt: skip
+    assert rest_time(t2.simulate(scene, duration=1.0)) == 0.0  # its bounces would end at 2 s

@@ -27,6 +27,7 @@ from tamias2d.path import Bounds, Piece
 from tamias2d.state import Vector
 
 _MAX_STEPS = 100_000  # of one search; a hundred are many
+_TURNED = 0.5  # cosine of a turn by which no side is mistaken for another (`from_side`)
 _BESIDE = 2.0**-20  # of the size: how far a body goes between looks beside a piece of a chain
 _TINY_STEP, _TINY_STEPS = (
     2.0**-48,
@@ -51,8 +52,9 @@ class Pair:
         `separating_direction` is the direction from A to B in which they were last apart.
         """
         self.cores = (a, b)
-        self.separating_direction = separating_direction
-        """The direction in which they were apart at the last time that was examined."""
+        self._direction = separating_direction
+        self.apart: list[tuple[float, Vector]] = []
+        """When, s, and in which direction they were found apart: the last, and each turn before."""
         self._lasting = lasting
         self._touching = False
         self._paths = (path_a, path_b)
@@ -158,7 +160,7 @@ class Pair:
         if self._lasting:
             _, near = self._other_corners(self._lasting, a, b)
         else:
-            near = gaps(a, b, max(self._axes(a, b, tolerance) or axes(a, b), key=_gap_of))
+            near = gaps(a, b, max(self._axes(a, b, time, tolerance) or axes(a, b), key=_gap_of))
         return min(near, key=lambda gap: gap.value), tolerance
 
     def _safe_step(self, time: float, end: float) -> float | None:
@@ -171,7 +173,7 @@ class Pair:
         if self._lasting:
             return self._step_to_other_corners(a, b, time, end)
         step = max(step, self._spinning_step(a, b, time, end))
-        found = self._axes(a, b, tolerance)
+        found = self._axes(a, b, time, tolerance)
         if not found:
             return max(step, _step_beside(a, b, tolerance, end - time))
         largest = max(axis.gap for axis in found)
@@ -184,16 +186,25 @@ class Pair:
                 steps.append(self._step_along(axis, near, a, b, time, end))
         return max(max(steps), step) if steps else None
 
-    def _axes(self, a: Placed, b: Placed, tolerance: float) -> list[Axis]:
+    def _axes(self, a: Placed, b: Placed, time: float, tolerance: float) -> list[Axis]:
         """Return the axes, where they touch only those of the side on which they were."""
         found = axes(a, b)
         best = max(found, key=_gap_of)
         self._touching = best.gap <= tolerance
         if self._touching:
             found = normals(a, b, found)
-            return from_side(a, b, found, self.separating_direction) if found else []
-        self.separating_direction = best.separating_direction
+            return from_side(a, b, found, self._direction) if found else []
+        self._note_apart(time, best.separating_direction)
         return found
+
+    def _note_apart(self, time: float, direction: Vector) -> None:
+        """Note in which direction they are apart; of times between two turns the last one stays."""
+        self._direction = x, y = direction
+        if len(self.apart) > 1:
+            _, (u, v) = self.apart[-2]
+            if x * u + y * v > _TURNED:
+                self.apart.pop()
+        self.apart.append((time, direction))
 
     def _step_to_other_corners(self, a: Placed, b: Placed, time: float, end: float) -> float | None:
         """Return the safe step for all other corners along the axis of a lasting contact."""
@@ -244,9 +255,7 @@ class Pair:
         owner = contacts[0].axis
         found = axes(a, b)
         same = [each for each in found if each[:2] == owner[:2]]
-        axis = (
-            same[0] if same else max(from_side(a, b, found, self.separating_direction), key=_gap_of)
-        )
+        axis = same[0] if same else max(from_side(a, b, found, self._direction), key=_gap_of)
         corners = {contact.gap.which[1] for contact in contacts if contact.axis[:2] == axis[:2]}
         corners |= {c.found[1] for c in contacts if c.found[0] == axis.swapped}
         return axis, [gap for gap in gaps(a, b, axis) if gap.which[1] not in corners]

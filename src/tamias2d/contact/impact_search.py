@@ -24,8 +24,7 @@ class ImpactSearch:
         self._paths = paths
         self._active = active
         self._queue = queue
-        self.separating_direction: dict[PairOf, Vector] = {}
-        """In which pairs were last apart."""
+        self._apart: dict[PairOf, list[tuple[float, Vector]]] = {}
         self.resume: dict[PairOf, float] = {}
         """From when on pairs that separate without normal velocity are resolved as apart, s."""
 
@@ -49,22 +48,30 @@ class ImpactSearch:
             return
         start = max(self.resume.get(pair, 0.0), now)
         end = min(self._paths.tracks[k][-1].end for k in pair)
-        search = self._pair(pair, lasting)
+        search = self._pair(pair, lasting, now)
         time = search.time_of_impact(start, end)
-        if search.separating_direction:
-            self.separating_direction[pair] = search.separating_direction
+        before = [known for known in self._apart.get(pair, ()) if known[0] <= now]
+        if search.apart:
+            self._apart[pair] = before[-1:] + search.apart
         if time is not None:
             self._queue.schedule(time, *pair)
+
+    def separating_direction(self, pair: PairOf, now: float) -> Vector | None:
+        """Return the direction in which a pair was last apart before a time, s, if that is known.
+
+        A search looks far ahead: where a pair is apart later on, it need not be so now.
+        """
+        known = [direction for time, direction in self._apart.get(pair, ()) if time <= now]
+        return known[-1] if known else None
 
     def update(self, instant: Instant) -> None:
         """Note in which directions pairs that touch at an instant leave one another."""
         for pair, touch in instant.touching_pairs.items():
-            self.separating_direction[pair] = touch.contacts[0].normal
+            self._apart[pair] = [(instant.time, touch.contacts[0].normal)]
 
     def keep_directions(self, pairs: Collection[PairOf]) -> None:
         """Forget the directions of all but some pairs, which may turn round."""
-        kept = self.separating_direction.keys() & pairs
-        self.separating_direction = {pair: self.separating_direction[pair] for pair in kept}
+        self._apart = {pair: self._apart[pair] for pair in self._apart.keys() & pairs}
 
     def resume_after(self, instant: Instant, until: float, moved: Collection[int]) -> None:
         """Find from when on pairs that separate without normal velocity are resolved as apart.
@@ -77,12 +84,12 @@ class ImpactSearch:
             touch = instant.touching_pairs[pair]
             longest = 2.0**-20 * (until - instant.time)
             step = min(math.sqrt(8 * touch.tolerance / acceleration), longest)
-            search = self._pair(pair, touch.staying)
+            search = self._pair(pair, touch.staying, instant.time)
             self.resume[pair] = search.separation_time(
                 instant.time, step, acceleration, touch.contacts
             )
 
-    def _pair(self, pair: PairOf, lasting: Sequence[Contact]) -> Pair:
-        (i, j), direction = pair, self.separating_direction.get(pair)
+    def _pair(self, pair: PairOf, lasting: Sequence[Contact], now: float) -> Pair:
+        (i, j), direction = pair, self.separating_direction(pair, now)
         paths = self._paths.path(i), self._paths.path(j)
         return Pair(self._cores[i], self._cores[j], *paths, lasting, direction)

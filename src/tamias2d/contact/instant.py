@@ -98,6 +98,11 @@ class Instant:
             beside = [one.noise for one in lasting if self._share_a_body(one.pair, touch.pair)]
             touch.noise = max([touch.noise, *beside])
 
+    @property
+    def until(self) -> float:
+        """When the run ends, s."""
+        return self._world.until
+
     def _share_a_body(self, one: PairOf, other: PairOf) -> bool:
         return any(self._world.cores[i].dynamic for i in set(one) & set(other))
 
@@ -114,9 +119,9 @@ class Instant:
         if not lasting and (_far(a, b, tolerance) or not _touch(a, b, tolerance)):
             return None
         self._refuse_far(a, b, tolerance)
-        separating_direction = self._world.separating_direction.get(
-            pair
-        ) or self._pressed_direction(a, b, tolerance)
+        separating_direction = self._world.separating_direction(pair) or self._pressed_direction(
+            a, b, tolerance
+        )
         contacts = manifold(a, b, tolerance, self.time, lasting, separating_direction)
         if not contacts:
             self._part(pair)

@@ -26,8 +26,8 @@ class InstantInputs(NamedTuple):
     """The contacts that have lasted until now."""
     sticking: Collection[PairOf]
     """The pairs of these that stick."""
-    separating_direction: Mapping[PairOf, Vector]
-    """The directions in which pairs were last apart."""
+    separating_direction: Callable[[PairOf], Vector | None]
+    """The direction in which a pair was last apart, if that is known."""
     restitution: Callable[[int, int], float]
     friction: Callable[[int, int], float]
     until: float

@@ -92,7 +92,8 @@ class Island:
     def projected(self, states: Mapping[int, State]) -> dict[int, State]:
         """Return the states without the remaining normal velocities."""
         if len(self.bodies) > 1:
-            return {i: states[i] for i in self.bodies}
+            settled = without_normal_velocity(self._cores, self.lasting, states)
+            return {i: settled[i] for i in self.bodies}
         (body,) = self.bodies
         state = states[body]
         if not self._flat() and self._angular():

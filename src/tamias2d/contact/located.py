@@ -299,7 +299,7 @@ class Located:
             lambda impulses: self._motion.struck(time, impulses, self._state),
             self._active.of,
             self._active.sticking,
-            self._search.separating_direction,
+            lambda pair: self._search.separating_direction(pair, time),
             self._scene.restitution,
             self._scene.friction,
             self._until,

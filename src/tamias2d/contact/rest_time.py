@@ -59,11 +59,12 @@ class RestTimes:
         """Return when a pair comes to rest that stays from an instant on, s; not before that.
 
         It is the best estimate, if the last bounce agrees: those of a body that comes down on one
-        corner after another are no geometric series.
+        corner after another are no geometric series. One that ends after the run is none, either:
+        what presses so little has no time to do it.
         """
         known, touch = self.of.pop(pair, None), instant.touching_pairs[pair]
         if known is None or not touch.rest_at:
             return instant.time
         seen = max(touch.rest_noise, touch.rest_at - instant.time)
         best = known.best if abs(known.best - touch.rest_at) <= seen else touch.rest_at
-        return max(best, instant.time)
+        return max(best, instant.time) if best <= instant.until else instant.time
