@@ -22,6 +22,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from tamias2d.kernels import kept_files
+from tamias2d.kernels.known_calls import known_calls
 from tamias2d.kernels.linking import EntryCompiler, HelperCompiler, SeparateCompiler
 from tamias2d.kernels.widening import compile_once
 
@@ -43,8 +44,9 @@ def njit(source: str) -> Callable[..., Callable[[FunctionType], Any]]:
                 compile_once(made)
             if cache:
                 made._cache = KernelCache(function.__qualname__, source)
-            for signature in signatures:
-                made.compile(signature)
+            with known_calls():
+                for signature in signatures:
+                    made.compile(signature)
             if signatures:
                 made.disable_compile()
             return made

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-_PACE = 8000  # bytes of source a second of processor time, to say about how long it takes
+_PACE = 9000  # bytes of source a second of processor time, to say about how long it takes
 
 
 @contextmanager
