@@ -2,6 +2,7 @@
 
 import tamias2d as t2
 from tamias2d.study.refined import Refined, refined
+from tamias2d.study.step_doubling import shorter_runs
 from tamias2d.study.work_precision import study
 from tests.study.test_contact_study import TIMES, brick
 
@@ -37,3 +38,11 @@ def test_runs_are_trusted_no_more_than_those_of_longer_steps() -> None:
     assert (both.doubt >= coarse.doubt).all()
     assert (both.doubt >= fine.doubt).all()
     assert both.finest is fine.finest
+
+
+def test_a_stepped_run_is_trusted_no_more_than_steps_of_its_own_length_agree() -> None:
+    run = t2.simulate(brick(), duration=0.4, method=t2.Stepped(), time_step=1 / 60, times=TIMES)
+    own = refined(brick(), duration=0.4, times=TIMES, time_step=1 / 60, grid=1 / 60)
+    found = shorter_runs(run)
+    assert (found.doubt >= own.doubt).all()
+    assert found.time_step == own.time_step / 2

@@ -33,7 +33,7 @@ def certify(run: Run) -> Run:
     grids (together three quarters of the run's cost, and a finer one if they disagree about the
     order), by an adaptive one with the equation of its error, at a tighter tolerance where impacts
     or joints hide that or, where its steps are halved, by whole ones,
-    through contacts four times by steps from a half to a quarter (some ten times the run's cost);
+    through contacts eight times by steps from its own to a quarter (some 15 times the run's cost);
     once more, perturbed, where steps are equal or a path is exact; and once to look for bodies that
     overlap or pass through each other.
     """
@@ -157,7 +157,7 @@ def _found(run: Run, way: Way, loosest: Run, *, told: bool) -> Bound:
 def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
     """Return a run by steps through contacts with a certificate, from runs by shorter steps.
 
-    Without such, four are made, by steps from a half to a quarter of its own.
+    Without such, eight are made, by steps from its own to a quarter of it.
     """
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=of_penetration(run, fault))

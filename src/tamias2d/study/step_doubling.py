@@ -69,17 +69,21 @@ def _order(coarse: float, fine: float) -> float | None:
 
 
 def shorter_runs(run: Run) -> Refined:
-    """Return what runs by shorter steps say."""
+    """Return what runs by shorter steps say, trusted no more than those from its own step on."""
     step, substeps = run.time_step or run.duration, getattr(run.method, "substeps", SUBSTEPS)
     try:
-        return refined(
-            run.scene,
-            duration=run.duration,
-            times=run.times,
-            time_step=step / 2,
-            grid=step,
-            substeps=max(substeps, SUBSTEPS),
+        longer, shorter = (
+            refined(
+                run.scene,
+                duration=run.duration,
+                times=run.times,
+                time_step=from_step,
+                grid=step,
+                substeps=max(substeps, SUBSTEPS),
+            )
+            for from_step in (step, step / 2)
         )
+        return shorter.after(longer)
     except RefusedError as fault:
         raise NoBoundError(f"runs by shorter steps were refused: {fault}") from fault
 
