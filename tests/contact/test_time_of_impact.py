@@ -120,3 +120,34 @@ def test_a_corner_comes_down_beside_a_lasting_contact_though_its_angle_stands_st
     assert len(lasting) == 1
     met = Pair(floor, box, *paths, lasting).time_of_impact(2.0, 3.0)
     assert met == pytest.approx(2.0 + tilt / -spin, rel=0, abs=2e-15 / -spin)  # two last places
+
+
+@pytest.mark.parametrize(("seed", "duration"), [(9600315, 1.2), (9600658, 2.45)])
+def test_a_pair_that_opens_by_rounding_and_comes_back_is_located(seed, duration):
+    """Drops in which a box that turns presses a body again right after they seemed to part."""
+    times = np.linspace(0.0, duration, 721)
+    run = t2.simulate(drop(seed), duration=duration, method=t2.ClosedForm(), times=times)
+    assert max(laws(run).values()) < ROUNDING
+
+
+def _opening(rate: float, acceleration: float) -> Pair:
+    """Return a pair of discs that touch and open, or are pressed back."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    for x in (0.0, 1.0):
+        scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(x, 0.0))
+    a, b = cores_of(scene)
+    still = State((0.0, 0.0), 0.0, (0.0, 0.0), 0.0)
+    goes = State((1.0, 0.0), 0.0, (rate, 0.0), 0.0)
+    return Pair(
+        a,
+        b,
+        Uniform(start=0.0, end=1.0, state=still, acceleration=(0.0, 0.0, 0.0)),
+        Uniform(start=0.0, end=1.0, state=goes, acceleration=(acceleration, 0.0, 0.0)),
+    )
+
+
+def test_a_pair_that_opens_slowly_is_found_apart_unless_it_comes_back():
+    apart = _opening(1e-10, 1e-2)._time_apart(0.0, 1e-12, 1.0)
+    assert apart is not None
+    assert 1e-7 < apart < 1e-2  # where 1e-10 t + 1e-2 t^2/2 is more than rounding
+    assert _opening(1e-10, -1e-2)._time_apart(0.0, 1e-12, 1.0) is None

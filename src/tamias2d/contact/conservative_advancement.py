@@ -70,12 +70,19 @@ class Pair:
         Raises:
             UndecidedContactError: float64 cannot tell it in a bounded number of steps.
         """
-        return self._first(self._safe_step, start, end)
+        return self._first(self._safe_step, start, end, self._time_apart)
 
     def _first(
-        self, safe_step: Callable[[float, float], float | None], start: float, end: float
+        self,
+        safe_step: Callable[[float, float], float | None],
+        start: float,
+        end: float,
+        time_apart: Callable[[float, float, float], float | None] = lambda *_: None,
     ) -> float | None:
-        """Return the first time in s from `start` to `end` from which there is no safe step."""
+        """Return the first time in s from `start` to `end` from which there is no safe step.
+
+        Where steps become tiny, it goes on when they are apart, if `time_apart` tells that.
+        """
         time, tiny_steps, tiny = start, 0, _TINY_STEP * max(abs(end), end - start)
         for _ in range(_MAX_STEPS):
             if not time < end:
@@ -87,9 +94,28 @@ class Pair:
             if tiny_steps > _TINY_STEPS:
                 if self._lasting and self._closes(time):
                     return time
-                break
+                apart = time_apart(time, tiny, end)
+                if apart is None:
+                    break
+                time, tiny_steps = apart, 0
+                continue
             time += step
         raise self._undecided(time)
+
+    def _time_apart(self, start: float, step: float, end: float) -> float | None:
+        """Return a time in s soon after `start` at which a pair that opens is apart, if it is.
+
+        Where bodies turn, bounds hide for long that they open.
+        """
+        least, _ = self._nearest(start)
+        while start + step < end:
+            nearest, tolerance = self._nearest(start + step)
+            if nearest.rate <= 0 or nearest.value < least.value - tolerance:
+                return None
+            if nearest.value > tolerance:
+                return start + step
+            step *= 2
+        return None
 
     def _closes(self, time: float) -> bool:
         """Whether a corner that comes down beside a lasting contact is there, but for rounding.
@@ -111,8 +137,8 @@ class Pair:
     ) -> float:
         """Return a time in s soon after `start` at which a parting pair is apart and opens.
 
-        It is earlier where another corner comes into contact than those of the contacts that are
-        `touching`. `step` is the first guess of how long that takes; it is doubled until float64
+        It is earlier where they come back, or where another corner comes into contact than those of
+        the contacts that are `touching`. `step` is the first guess of how long that takes; it is doubled until float64
         can tell. The `acceleration`, m/s^2, takes back what contacts that settle leave of an
         approach.
 
@@ -122,7 +148,7 @@ class Pair:
         end = min(path.end for path in self._paths)
         now, _ = self._nearest(start)
         left = min(now.value, 0.0) - min(now.rate, 0.0) ** 2 / acceleration  # twice how far it goes
-        before = start
+        before, last = start, now.value
         while True:
             time = min(start + step, end)
             met = self._others_meet(touching, before, time)
@@ -132,8 +158,13 @@ class Pair:
             if nearest.value > tolerance and nearest.rate > 0:
                 return time
             if nearest.value < left - 4 * tolerance:
-                raise self._undecided(start)
-            before, step = time, 2 * step
+                if last < -4 * tolerance or start + step / 2 == start:
+                    raise self._undecided(start)
+                if before > start:
+                    return before  # they opened too little, and come back
+                step /= 2
+                continue
+            before, last, step = time, nearest.value, 2 * step
 
     def _others_meet(self, touching: Sequence[Contact], start: float, end: float) -> float | None:
         """Return the first time in s at which another corner meets the side that one touches.
