@@ -32,6 +32,7 @@ from tamias2d.simulator.pushing import Pushing
 from tamias2d.simulator.saved_joints import restored_joints
 from tamias2d.simulator.settings import checked_flag, checked_substeps, checked_time_step
 from tamias2d.simulator.told_only import refuses_assignment
+from tamias2d.simulator.touching_rules import TouchingRules
 from tamias2d.simulator.varying_loads import VaryingLoads
 from tamias2d.suggestions import suggests
 
@@ -50,7 +51,7 @@ _LONGEST_WAIT = 2**31 - 1  # steps
 
 @suggests
 @refuses_assignment
-class Simulator(Pushing, Changing, Jointing, Asking):
+class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
     """A scene that is stepped through its contacts, and can be changed between the steps.
 
     `position` (n, 2), `orientation` (n,), `velocity` (n, 2), `angular_velocity` (n,), `force`
