@@ -5,16 +5,21 @@ from typing import Any
 import numpy as np
 
 from tamias2d.engine.state import LARGEST
-from tamias2d.scene.freedoms import Motor
+from tamias2d.scene.freedoms import JointSpring, Limits, Motor
 from tamias2d.scene.joint_kinds import Equation, Kind
-from tamias2d.scene.joints import End
+from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, VectorLike, vector
 from tamias2d.simulator.exclusive import exclusive
+from tamias2d.simulator.hand_placed import TAKEN_ALONG, beyond_limits
 from tamias2d.simulator.joint_reactions import Reactions
+from tamias2d.simulator.joint_set import LIMITS, MOTOR, SPRING, GovernedBy
 from tamias2d.simulator.standing_bodies import StandingBodies
+from tamias2d.simulator.step_warnings import held_beyond_limits, too_stiff_for_steps
 from tamias2d.simulator.stepping import Stepping
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.suggestions import suggests
+
+_CALLER = 5  # calls up from a warning, with those of two decorators
 
 
 @suggests
@@ -106,12 +111,58 @@ class Jointing(Stepping):
             InputError: there is no joint of that name, it has no motor, or a value breaks a rule
                 (R4).
         """
-        joint = self._joints.set_motor(name, motor)
-        if joint is None:
-            return
-        if self._sleeps:
-            self._engine.wake(np.array(joint.bodies, dtype=np.int64))
-        self._unsettled |= self._joints.new
+        self._govern(name, MOTOR, motor)
+
+    @exclusive
+    def set_limits(self, name: str, limits: Limits | None) -> None:
+        """Give a joint other limits, m or rad; None, or an end that is left out, limits nothing.
+
+        Ends are those that it was added with. It takes some 100 microseconds, and may be done
+        before each step. A limit that is moved past where the joint is, by up to 1/16 rad or of the
+        joint's size, takes it along as a winch does; past one that is moved farther it comes back
+        within some steps, but lifts nothing for that.
+
+        Raises:
+            InputError: there is no joint of that name, it has no such limits, or a value breaks a
+                rule (R4).
+
+        Warns:
+            StepWarning: a limit is moved so far past where the joint is.
+        """
+        if self._joints.new:
+            self._settle_between()
+        joint = self._govern(name, LIMITS, limits)
+        if joint is not None and any(beyond_limits([joint], self._engine, slight=0.0)):
+            told = list(held_beyond_limits([joint], self._engine, self.time, slight=TAKEN_ALONG))
+            self._joints.pull(joint, along=not told)
+            self._tell(told, _CALLER)
+
+    @exclusive
+    def set_spring(self, name: str, spring: JointSpring | None) -> None:
+        """Give a joint's spring another stiffness, damping and rest; None turns it off (DD64).
+
+        The rest that is left out is the one before. It takes some 50 microseconds, and may be done
+        before each step; what the spring holds more then, the mechanism is given.
+
+        Raises:
+            InputError: there is no joint of that name, it has no spring, or a value breaks a rule
+                (R4).
+
+        Warns:
+            StepWarning: it is too stiff for the time step.
+        """
+        joint = self._govern(name, SPRING, spring)
+        if joint is not None:
+            self._tell(too_stiff_for_steps([joint], self._engine, self._time_step), _CALLER)
+
+    def _govern(self, name: str, by: GovernedBy, given: object) -> Joint | None:
+        """Give a joint something that governs it; return the joint, None if it has that already."""
+        joint = self._joints.govern(name, by, given)
+        if joint is not None:
+            if self._sleeps:
+                self._engine.wake(np.array(joint.bodies, dtype=np.int64))
+            self._unsettled |= self._joints.new
+        return joint
 
     @property
     def joints(self) -> tuple[str, ...]:

@@ -159,12 +159,12 @@ class Stepping(Views):
             self._tell(held_beyond_limits(placed, self._engine, self.time))
         return tuple(joint.name for joint in placed)
 
-    def _tell(self, found: Iterable[Told]) -> None:
-        """Warn of what the step is too long for, each once."""
+    def _tell(self, found: Iterable[Told], level: int = 4) -> None:
+        """Warn of what the step is too long for, each once; whoever called is so many calls up."""
         for name, text in found:
             if name not in self._warned:
                 self._warned[name] = text
-                warn(text, StepWarning, stacklevel=4)
+                warn(text, StepWarning, stacklevel=level)
 
     def _settle(self) -> None:
         """Give what was added its place, and see which loads vary on what is left."""
