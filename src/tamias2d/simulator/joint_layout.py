@@ -6,6 +6,7 @@ as joints come and go, and in which order it takes them: the same in whatever or
 
 import math
 from collections.abc import Sequence
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import Vector
 from tamias2d.simulator.joint_rows import (
     joint_rows,
+    laws_of,
     place_of_row,
     units_of_row,
 )
@@ -149,14 +151,13 @@ class JointLayout:
         first = joints.mechanisms[mechanism_of(self._engine, place), tb.M_JOINT]
         joints.numbers[first, tb.J_PULLED] = substeps
 
-    def govern(self, joint: Joint) -> None:
-        """Let the numbers of a joint's rows be those that it has now."""
-        before = self._rows_of[joint.name]
-        rows = [(at, row) for (at, _), row in zip(before, joint_rows(joint), strict=True)]
-        for (place, row), (_, old) in zip(rows, before, strict=True):
-            if row != old:
-                set_law(self._engine, place, row)
-        self._rows_of[joint.name] = rows
+    def govern(self, joint: Joint, before: Joint) -> None:
+        """Let what governs a joint have the numbers that it has now, and had not before."""
+        rows = self._rows_of[joint.name][1 if joint.rigid else 0 :]
+        laws, known = (chain.from_iterable(map(laws_of, j.freedoms)) for j in (joint, before))
+        for (place, row), new, old in zip(rows, laws, known, strict=True):
+            if new != old:
+                set_law(self._engine, place, row.kind, *new[1:])
 
 
 def kept_of_new(joints: Sequence[Joint], engine: Engine) -> Array:

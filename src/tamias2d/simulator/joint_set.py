@@ -169,7 +169,7 @@ class JointSet:
             return None
         new = self._joints[joint.name] = replace(joint, freedoms=freedoms)
         if self._layout is not None and not self.new:
-            self._layout.govern(new)
+            self._layout.govern(new, joint)
             if joint.name in self._layout.alike:
                 self._change(self._layout.kept())
         return new
@@ -231,11 +231,12 @@ class JointSet:
         return events, self._break(broken) if broken else set()
 
     def _click(self, event: JointEvent[str]) -> None:
-        self._joints[event.joint] = on_tooth(self._joints[event.joint], event.value)
+        before = self._joints[event.joint]
+        self._joints[event.joint] = on_tooth(before, event.value)
         if event.joint in self.layout.alike:
             self._change(self.layout.kept())
         else:
-            self.layout.govern(self._joints[event.joint])
+            self.layout.govern(self._joints[event.joint], before)
 
     def _break(self, names: Sequence[str]) -> set[int]:
         """Take joints out; the others go on with what the step left of them."""
