@@ -236,7 +236,7 @@ class JointSet:
         if event.joint in self.layout.alike:
             self._change(self.layout.kept())
         else:
-            self.layout.govern(self._joints[event.joint], before)
+            pass
 
     def _break(self, names: Sequence[str]) -> set[int]:
         """Take joints out; the others go on with what the step left of them."""
