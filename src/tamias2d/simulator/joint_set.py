@@ -118,8 +118,8 @@ class JointSet:
             )
         return self._joints[name]
 
-    def set_target(self, name: object, point: Vector) -> Joint:
-        """Move the point of the plane that a joint holds, m, and return it.
+    def target_of(self, name: object) -> tuple[Joint, int]:
+        """Return the joint that holds a point of the plane, and which end of it does.
 
         Raises:
             RuleError: there is none of that name, or it holds no point of the plane, or two.
@@ -136,17 +136,20 @@ class JointSet:
                 "be moved (TM7). Name one that does, such as a Target().",
                 "name",
             )
+        return joint, held[0]
+
+    def set_target(self, joint: Joint, end: int, point: Vector) -> None:
+        """Move the point of the plane, m, that an end of a joint holds."""
         anchors = list(joint.anchors)
-        anchors[held[0]] = point
+        anchors[end] = point
         self._joints[joint.name] = replace(joint, anchors=(anchors[0], anchors[1], anchors[2]))
         if self._layout is not None and joint.name in self._layout.alike:
             self._change()
         if not self.new:
-            self.layout.move_anchor(joint.name, ENDS[held[0]], point)
-        return joint
+            self.layout.move_anchor(joint.name, ENDS[end], point)
 
-    def govern(self, name: object, by: GovernedBy, given: object) -> Joint | None:
-        """Give a joint other limits, another motor or spring; return it, None if it has these.
+    def governed(self, name: object, by: GovernedBy, given: object) -> Joint:
+        """Return a joint with other limits, another motor or spring, for `govern`.
 
         Raises:
             RuleError: there is none of that name, it has nothing such, or a value breaks a rule.
@@ -165,14 +168,19 @@ class JointSet:
             by.change(each, given, of) if getattr(each, by.part) else each
             for each in joint.freedoms
         )
-        if freedoms == joint.freedoms:
-            return None
-        new = self._joints[joint.name] = replace(joint, freedoms=freedoms)
+        return joint if freedoms == joint.freedoms else replace(joint, freedoms=freedoms)
+
+    def govern(self, joint: Joint) -> bool:
+        """Let a joint be governed as one that `governed` returned; return whether that is new."""
+        before = self._joints[joint.name]
+        if joint is before:
+            return False
+        self._joints[joint.name] = joint
         if self._layout is not None and not self.new:
-            self._layout.govern(new, joint)
+            self._layout.govern(joint, before)
             if joint.name in self._layout.alike:
                 self._change(self._layout.kept())
-        return new
+        return True
 
     def pull(self, joint: Joint, *, along: bool) -> None:
         """Let limits that were moved take along what they hold, or bring it back without energy.

@@ -8,7 +8,7 @@ from tamias2d.engine.state import LARGEST
 from tamias2d.scene.freedoms import JointSpring, Limits, Motor
 from tamias2d.scene.joint_kinds import Equation, Kind
 from tamias2d.scene.joints import End, Joint
-from tamias2d.scene.rules import RuleError, VectorLike, vector
+from tamias2d.scene.rules import RuleError, Vector, VectorLike, vector
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.hand_placed import TAKEN_ALONG, beyond_limits
 from tamias2d.simulator.joint_reactions import Reactions
@@ -88,17 +88,11 @@ class Jointing(Stepping):
             InputError: there is no joint of that name, it holds no single point of the plane, or
                 float64 cannot hold what a point so far away does.
         """
-        at = vector(point, "position", "a target", "Give a point (x, y) in m.", at=("point",))
-        if max(abs(at[0]), abs(at[1])) > LARGEST:
-            raise RuleError(
-                f"point {at} of a target: must be within {LARGEST:.2g} m, or float64 cannot hold "
-                "what follows (R4). Bring it nearer.",
-                "point",
-            )
-        joint = self._joints.set_target(name, at)
-        if self._sleeps:
-            self._engine.wake(np.array(joint.bodies, dtype=np.int64))
-        self._unsettled |= self._joints.new
+        self._set_target(*self._joints.target_of(name), checked_target(point))
+
+    def _set_target(self, joint: Joint, end: int, point: Vector) -> None:
+        self._joints.set_target(joint, end, point)
+        self._wake_for(joint)
 
     @exclusive
     def set_motor(self, name: str, motor: Motor | None) -> None:
@@ -157,12 +151,21 @@ class Jointing(Stepping):
 
     def _govern(self, name: str, by: GovernedBy, given: object) -> Joint | None:
         """Give a joint something that governs it; return the joint, None if it has that already."""
-        joint = self._joints.govern(name, by, given)
-        if joint is not None:
-            if self._sleeps:
-                self._engine.wake(np.array(joint.bodies, dtype=np.int64))
-            self._unsettled |= self._joints.new
-        return joint
+        joint = self._joints.governed(name, by, given)
+        return joint if self._govern_as(joint) else None
+
+    def _govern_as(self, joint: Joint) -> bool:
+        """Let a joint be governed as one that `JointSet.governed` returned."""
+        changed = self._joints.govern(joint)
+        if changed:
+            self._wake_for(joint)
+        return changed
+
+    def _wake_for(self, joint: Joint) -> None:
+        """Wake what a joint holds that got other numbers, which may have to be told anew."""
+        if self._sleeps:
+            self._engine.wake(np.array(joint.bodies, dtype=np.int64))
+        self._unsettled |= self._joints.new
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -182,3 +185,15 @@ class Jointing(Stepping):
         return vector(
             end, "position", "a joint", "Give a body, or a point (x, y) in m.", at=("end",)
         )
+
+
+def checked_target(point: object) -> Vector:
+    """Return a point to which a target is moved, m, or raise `RuleError`."""
+    at = vector(point, "position", "a target", "Give a point (x, y) in m.", at=("point",))
+    if max(abs(at[0]), abs(at[1])) > LARGEST:
+        raise RuleError(
+            f"point {at} of a target: must be within {LARGEST:.2g} m, or float64 cannot hold "
+            "what follows (R4). Bring it nearer.",
+            "point",
+        )
+    return at
