@@ -111,18 +111,29 @@ def _invertible(value: float, key: str, unit: str, of: str) -> float:
     return value
 
 
-def refuse_shape(shape: object, of: str, *, static: bool = False, none: bool = False) -> None:
-    """Refuse what is no shape unless it is `none`, and ground unless it is `static`."""
-    if isinstance(shape, HalfPlane | Chain) and not static:
-        what = "a chain" if isinstance(shape, Chain) else "a half-plane"
+def refuse_shape(
+    shape: object, of: str, *, static: bool = False, told: bool = False, none: bool = False
+) -> None:
+    """Refuse what is no shape unless it is `none`, and ground that may not move like its body.
+
+    A body is `static`, or moves as it is `told`, or freely.
+    """
+    if isinstance(shape, HalfPlane) and not static:
         raise RuleError(
-            f"shape of {of}: found {what}: it cannot move (R4). Add it as a static body.",
+            f"shape of {of}: found a half-plane: it cannot move (R4). Add it as a static body.",
+            "shape",
+        )
+    if isinstance(shape, Chain) and not (static or told):
+        raise RuleError(
+            f"shape of {of}: found a chain: it cannot move freely (R4). Add it as a static or a "
+            "kinematic body.",
             "shape",
         )
     if not (isinstance(shape, get_args(Shape)) or (shape is None and none)):
         raise RuleError(
             f"shape of {of}: found {shown(shape)}: must be a shape (R4). Give a Disc, Box, "
-            "Polygon, Capsule, Segment, Compound or, for a static body, a HalfPlane or Chain.",
+            "Polygon, Capsule, Segment, Compound or, for a static body, a HalfPlane or Chain; a "
+            "kinematic body may have a Chain.",
             "shape",
         )
 

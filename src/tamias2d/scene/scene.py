@@ -195,7 +195,7 @@ class Scene(SceneData):
         """
         name = self._free_name(name)
         of = f"kinematic body '{name}'"
-        refuse_shape(shape, of)
+        refuse_shape(shape, of, told=True)
         return self._append(
             Body(
                 name=name,

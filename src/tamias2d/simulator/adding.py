@@ -46,7 +46,7 @@ def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
     known = _counted(shapes, given["position"], of)
     count = len(known)
     for shape in {id(shape): shape for shape in known}.values():  # none may have a hash yet
-        refuse_shape(shape, of, static=kind == STATIC, none=kind == DYNAMIC)
+        refuse_shape(shape, of, static=kind == STATIC, told=kind == KINEMATIC, none=kind == DYNAMIC)
     _refuse_placed(known, given)
     many = {
         key: numbers(given.get(key, 0.0), key, of, remedy, count=count, symbol=key)
