@@ -1,6 +1,7 @@
 """The checks of a scene's and a body's values, one function a value (R2, R3, R4)."""
 
 import math
+from collections.abc import Container
 from typing import get_args
 
 import numpy as np
@@ -12,6 +13,8 @@ from tamias2d.scene.compound import Shape
 from tamias2d.scene.law import first_value
 from tamias2d.scene.rules import RuleError, Vector, number, shown, vector
 from tamias2d.scene.shapes import HalfPlane
+
+MAX_NAME = 100  # characters
 
 
 def checked_text(value: object, key: str) -> str:
@@ -78,6 +81,23 @@ def checked_mass(value: object, of: str) -> float:
     remedy = "Give a positive mass, or make the body static."
     mass = number(value, "mass", of, remedy, at=("mass",))
     return _invertible(mass, "mass", "kg", of)
+
+
+def checked_name(name: object, taken: Container[str]) -> str:
+    """Return the name of a body, which no other one has, or raise `RuleError`."""
+    text = checked_text(name, "name")
+    if not text.strip() or len(text) > MAX_NAME:
+        raise RuleError(
+            f"name {shown(text)} of a body: must have 1 to {MAX_NAME} characters (R1). "
+            "Give a word.",
+            "name",
+        )
+    if text in taken:
+        raise RuleError(
+            f"name '{text}': another body has it (R1). Give each body a name of its own.",
+            "name",
+        )
+    return text
 
 
 def remedy_of_inertia(value: object) -> str:

@@ -61,7 +61,7 @@ class Jointing(Stepping):
             (0.0, 0.0) if third is None else self._end(third),
         )
         anchors = (anchor, other_anchor, third_anchor)
-        standing: Any = StandingBodies(self._engine, self._staying)
+        standing: Any = StandingBodies(self._engine, self._names.of_row)
         joint = self._joints.add(
             *(kind, ends, anchors, name, collide, standing),
             bears=(break_force, break_torque),
