@@ -4,7 +4,7 @@ from typing import Any
 
 import tamias2d as t2
 from tools.fuzz.jointed_sequences import JointedFuzz
-from tools.fuzz.sequences import refused_of
+from tools.fuzz.sequences import BODIES, refused_of
 
 _NUMBERS = (0, 1, 2, 3, 6, 2**62, 2**63 - 1)
 
@@ -14,7 +14,7 @@ class ChangedFuzz(JointedFuzz):
 
     def act(self) -> None:
         """Do something at random."""
-        match self.chance.randrange(15):
+        match self.chance.randrange(18):
             case 0 | 1:
                 self.sim.set_filters(self.some(), **self.said(category=self.bits, mask=self.bits))
             case 2:
@@ -26,8 +26,31 @@ class ChangedFuzz(JointedFuzz):
                 self.govern(self.chance.choice(self.sim.joints))
             case 7:
                 self.restore()
+            case 8:
+                self.add_named()
+            case 9:
+                self.add_platform()
             case _:
                 super().act()
+
+    def add_named(self) -> None:
+        """Add a body whose name may be taken, and remove the one that has another name."""
+        one, other = self.chance.sample(("this", "that", "those"), 2)
+        shape, mass = self.chance.choice(BODIES), abs(self.number(0.1, 9.0))
+        self.sim.add(shape, mass=mass, position=self.pair(), restitution=0.1, name=one)
+        self.sim.remove(other)
+
+    def add_platform(self) -> None:
+        """Add a chain that moves."""
+        corners = [(2.0, 0.0), (0.5, self.chance.uniform(-0.3, 0.3)), (-2.0, 0.0)]
+        self.sim.add_kinematic(
+            t2.Chain(vertices=corners, one_sided=self.chance.random() < 0.7),
+            position=self.pair(),
+            velocity=self.pair(),
+            angular_velocity=self.number(),
+            friction=0.3,
+            restitution=0.1,
+        )
 
     def govern(self, name: str) -> None:
         """Give a joint something else that governs it, whether it has such or not."""
