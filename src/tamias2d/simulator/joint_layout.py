@@ -146,10 +146,17 @@ class JointLayout:
         """Let a joint be pulled together as what was moved by hand, with energy for it, or not."""
         self._pull(self._rows_of[name][0][0], PULLED if along else 0.0)
 
+    def is_pulled(self, joint: Joint) -> bool:
+        """Return whether a joint is pulled together with energy for it."""
+        return bool(self.numbers[self._first_row(self._rows_of[joint.name][0][0]), tb.J_PULLED])
+
     def _pull(self, place: int, substeps: float = PULLED) -> None:
-        joints = self._engine.world.joints
-        first = joints.mechanisms[mechanism_of(self._engine, place), tb.M_JOINT]
-        joints.numbers[first, tb.J_PULLED] = substeps
+        self.numbers[self._first_row(place), tb.J_PULLED] = substeps
+
+    def _first_row(self, place: int) -> int:
+        """Return the place of the first row of the mechanism of a row."""
+        mechanisms = self._engine.world.joints.mechanisms
+        return int(mechanisms[mechanism_of(self._engine, place), tb.M_JOINT])
 
     def govern(self, joint: Joint, before: Joint) -> None:
         """Let what governs a joint have the numbers that it has now, and had not before."""

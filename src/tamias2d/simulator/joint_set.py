@@ -244,7 +244,7 @@ class JointSet:
         if event.joint in self.layout.alike:
             self._change(self.layout.kept())
         else:
-            pass
+            self.layout.govern(self._joints[event.joint], before)
 
     def _break(self, names: Sequence[str]) -> set[int]:
         """Take joints out; the others go on with what the step left of them."""

@@ -157,7 +157,8 @@ class Stepping(Views):
         """Return the names of joints whose bodies were put elsewhere; tell those beyond limits."""
         placed = put_elsewhere(self._joints, self._left, self._engine)
         if placed:
-            self._tell(held_beyond_limits(placed, self._engine, self.time))
+            still = [joint for joint in placed if not self._joints.layout.is_pulled(joint)]
+            self._tell(held_beyond_limits(still, self._engine, self.time))
         return tuple(joint.name for joint in placed)
 
     def _tell(self, found: Iterable[Told], level: int = 4) -> None:
