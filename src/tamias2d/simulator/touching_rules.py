@@ -36,7 +36,7 @@ class TouchingRules(Stepping):
         Each is a whole number for all of k bodies, or an array (k,); a mask of 2**63 - 1 meets all.
         What touched and may no longer leaves `contacts`, and is not told as `ended`; what overlaps
         and may touch now is pushed apart as bodies are that were moved by hand. What sleeps wakes
-        where something changes. It takes some 50 microseconds, and the next step looks for pairs.
+        where something changes. It takes some 100 microseconds, and the next step looks for pairs.
 
         Raises:
             InputError: a body is not there, or a value breaks a rule (R4).
@@ -57,7 +57,7 @@ class TouchingRules(Stepping):
         """Change the friction and restitution of bodies, from the next step on (R3).
 
         Each is a number for all of k bodies, or an array (k,); what is left out stays, and so does
-        what is set for a pair. What sleeps on a surface that changes wakes. It takes some 50
+        what is set for a pair. What sleeps on a surface that changes wakes. It takes some 80
         microseconds, and the next step looks for pairs.
 
         Raises:
