@@ -128,6 +128,7 @@ EDITS = {
     "staying twice": ("about", told(staying=[0, 0]), "names a body twice"),
     "half a row": ("about", told(staying=[0.5]), "must be numbers, rows and names"),
     "names": ("about", told(names={"a": 99}), "names a body not there"),
+    "names twice": ("about", told(names={"a": 0, "b": 0}), "names a body twice"),
     "names of others": ("about", told(names={}), "names other bodies"),
     "scene": ("about", told(scene="}"), "about"),
     "nothing": ("about", lambda _: np.array("[" * 100_000), "about"),

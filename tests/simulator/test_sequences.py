@@ -2,7 +2,7 @@
 
 import pytest
 
-from tools.fuzz import jointed_sequences
+from tools.fuzz import changed_sequences, jointed_sequences
 from tools.fuzz.sequences import sequence
 
 FOUND = (2408, 3033, 3913, 4159)
@@ -10,6 +10,10 @@ FOUND = (2408, 3033, 3913, 4159)
 FOUND_JOINTED = (46, 101, 600403)
 """Likewise: a step that float64 could not hold left joints, and the rest of a wall, with what is no
 number."""
+
+
+FOUND_CHANGED = (50390,)
+"""Likewise: an engine that was not told of the click of a ratchet."""
 
 
 @pytest.mark.parametrize("seed", [*FOUND, *range(150)])
@@ -20,6 +24,11 @@ def test_a_sequence_of_calls_breaks_nothing(seed: int) -> None:
 @pytest.mark.parametrize("seed", [*FOUND_JOINTED, *range(40)])
 def test_a_sequence_of_calls_with_joints_breaks_nothing(seed: int) -> None:
     jointed_sequences.case(seed)
+
+
+@pytest.mark.parametrize("seed", [*FOUND_CHANGED, *range(40)])
+def test_a_sequence_of_calls_that_change_things_breaks_nothing(seed: int) -> None:
+    changed_sequences.case(seed)
 
 
 def test_sequences_are_refused_now_and_then() -> None:

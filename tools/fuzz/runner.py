@@ -18,6 +18,7 @@ KINDS = {
     "scenes": "scenes:case",
     "files": "documents:case",
     "sequences": "sequences:case",
+    "sequences-changed": "changed_sequences:case",
     "sequences-jointed": "jointed_sequences:case",
     "saved": "damage:saved",
     "cached": "damage:cached",

@@ -9,12 +9,15 @@ import time
 import warnings
 from argparse import ArgumentParser
 from collections.abc import Callable
+from itertools import count as count_from
 from typing import Any
 
 import numpy as np
 
 from tamias2d.errors import StepWarning
 from tamias2d.scene import Box, Disc, HalfPlane, Scene
+from tamias2d.scene.freedoms import JointSpring, Limits, Motor
+from tamias2d.scene.joint_kinds import Revolute
 from tamias2d.simulator import Simulator
 from tools.measurements.columns import Columns
 from tools.measurements.progress import TOLD
@@ -87,6 +90,7 @@ class _Own:
         self._sim = Simulator(scene, time_step=_STEP)
         self._sim.step(_SETTLING)
         self._disc = Disc(radius=0.05)
+        self._other = count_from(1)
 
     def step(self) -> None:
         """Take a step."""
@@ -108,7 +112,28 @@ class _Own:
             "a box": lambda: sim.in_box((0.0, 0.0), (1.0, 1.0)),
             "an impulse": lambda: sim.apply_impulse(3, (0.0, 1e-6)),
             "all positions": lambda: np.asarray(sim.position).sum(),
+            "another filter": lambda: sim.set_filters(3, group=next(self._other)),
+            "a frame with that filter": self._frame_filtered,
+            "another surface": lambda: sim.set_surface(3, friction=0.5 + 1e-9 * next(self._other)),
+            **self._governing(),
         }
+
+    def _governing(self) -> dict[str, _Call]:
+        """Return what is set of the hinge of a door, which hangs in a world of its own."""
+        swing, other = _door(), self._other
+        return {
+            "another motor": lambda: swing.set_motor("hinge", Motor(speed=1e-9 * next(other))),
+            "other limits": lambda: swing.set_limits(
+                "hinge", Limits(lower=-1.0 - 1e-9 * next(other), upper=1.0, restitution=0.0)
+            ),
+            "another spring": lambda: swing.set_spring(
+                "hinge", JointSpring(stiffness=1.0 + 1e-9 * next(other))
+            ),
+        }
+
+    def _frame_filtered(self) -> None:
+        self._sim.set_filters(3, group=next(self._other))
+        self._sim.step()
 
     def _frame(self) -> None:
         self._sim.remove(self._comes((-9.0, 5.0)))
@@ -119,6 +144,21 @@ class _Own:
 
     def _come(self) -> Any:
         return self._comes(np.column_stack((np.full(_MANY, -9.0), 5.0 + 0.2 * np.arange(_MANY))))
+
+
+def _door() -> Simulator:
+    """Return a door whose hinge has limits, a motor and a spring."""
+    scene = Scene(gravity=(0.0, 0.0))
+    scene.add_body(Box(width=1.0, height=0.1), mass=1.0, position=(0.5, 0.0))
+    hinge = Revolute(
+        limits=Limits(lower=-1.0, upper=1.0, restitution=0.0),
+        motor=Motor(speed=0.0),
+        spring=JointSpring(stiffness=1.0),
+    )
+    scene.add_joint(hinge, (0.0, 0.0), 0, other_anchor=(-0.5, 0.0), name="hinge")
+    swing = Simulator(scene)
+    swing.step()
+    return swing
 
 
 class _Chipmunk:
@@ -132,7 +172,7 @@ class _Chipmunk:
         floor = pymunk.Segment(self._space.static_body, (-1e3, -0.1), (1e3, -0.1), 0.1)
         floor.friction = 0.5**0.5
         self._space.add(floor)
-        self._boxes = []
+        self._boxes, self._other = [], count_from(1)
         for place in _places(count):
             body = pymunk.Body(1.0, 1.0 / 24.0)
             body.position = place
@@ -140,6 +180,7 @@ class _Chipmunk:
             shape.friction = 0.5**0.5
             self._space.add(body, shape)
             self._boxes.append(body)
+            self._shape = shape
         for _ in range(_SETTLING):
             self.step()
 
@@ -160,11 +201,24 @@ class _Chipmunk:
             "a box": lambda: space.bb_query(near, anyone),
             "an impulse": lambda: self._boxes[3].apply_impulse_at_world_point((0.0, 1e-6), (0, 0)),
             "all positions": lambda: sum(body.position[0] for body in self._boxes),
+            "another filter": self._filter,
+            "a frame with that filter": self._frame_filtered,
+            "another surface": self._rub,
         }
 
     def _frame(self) -> None:
         self._space.remove(*self._comes(5.0))
         self.step()
+
+    def _filter(self) -> None:
+        self._shape.filter = self._pymunk.ShapeFilter(group=next(self._other))
+
+    def _frame_filtered(self) -> None:
+        self._filter()
+        self.step()
+
+    def _rub(self) -> None:
+        self._shape.friction = 0.5 + 1e-9 * next(self._other)
 
     def _many(self) -> None:
         for found in [self._comes(5.0 + 0.2 * k) for k in range(_MANY)]:

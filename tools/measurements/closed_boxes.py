@@ -21,6 +21,7 @@ from tools.measurements.columns import Columns
 from tools.measurements.progress import each
 
 WALLS = ("segments", "boards", "half-planes", "loop", "frame", "driven frame")
+ASKED = ("driven loop",)  # walls that are not drawn, but may be asked for
 ENDS = ("overlap", "just meet")  # at corners; half-planes overlap, and the sides of a loop meet
 BODIES = ("disc", "box", "capsule", "polygon", "segment", "needle")
 SECONDS = 3.0
@@ -54,13 +55,16 @@ def options(parser: ArgumentParser) -> None:
     parser.add_argument("--count", type=int, default=200, help="boxes (200)")
     parser.add_argument("--first", type=int, default=0, help="seed of the first box (0)")
     parser.add_argument("--bodies", type=int, default=60, help="in a box at most (60)")
+    parser.add_argument("--walls", choices=WALLS + ASKED, help="of all boxes (at random)")
 
 
-def measure(count: int = 200, first: int = 0, bodies: int = 60) -> dict[str, Any]:
+def measure(
+    count: int = 200, first: int = 0, bodies: int = 60, walls: str | None = None
+) -> dict[str, Any]:
     """Return for each kind of walls how many boxes kept all bodies, and the seeds of others."""
     rows: dict[tuple[str, str], dict[str, Any]] = {}
     for seed in each(range(first, first + count), "boxes"):
-        box = closed_box(seed, bodies)
+        box = closed_box(seed, bodies, walls)
         row = rows.setdefault((box.walls, box.ends), _row(box))
         row["boxes"] += 1
         row["bodies"] += len(box.reach)
@@ -108,11 +112,12 @@ def leaks(box: ClosedBox) -> bool | None:
     return None
 
 
-def closed_box(seed: int, most: int) -> ClosedBox:
-    """Return the box of a seed, with so many bodies at most."""
+def closed_box(seed: int, most: int, asked: str | None = None) -> ClosedBox:
+    """Return the box of a seed, with so many bodies at most, and the walls that are asked for."""
     chance = random.Random(seed)
-    walls, half = chance.choice(WALLS), 10.0 ** chance.uniform(-1.0, 1.5)
-    ends = "overlap" if walls == "half-planes" else "just meet" if walls == "loop" else ""
+    drawn, half = chance.choice(WALLS), 10.0 ** chance.uniform(-1.0, 1.5)
+    walls = asked or drawn
+    ends = "overlap" if walls == "half-planes" else "just meet" if walls.endswith("loop") else ""
     ends = ends or chance.choice(ENDS)
     thin = walls not in ("boards", "frame", "driven frame")
     thickness = 0.0 if thin else half * 10.0 ** chance.uniform(-9.0, -1.0)
@@ -191,7 +196,7 @@ def _add_container(
 
 
 def _container(walls: str, half: float, thickness: float, longer: float) -> Shape:
-    if walls == "loop":
+    if walls.endswith("loop"):
         corners = [(-half, -half), (half, -half), (half, half), (-half, half)]
         return t2.Chain(vertices=corners, loop=True)
     sides = _sides(half, thickness, longer)

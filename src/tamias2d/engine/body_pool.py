@@ -8,6 +8,7 @@ swapped without a difference.
 """
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,6 +43,7 @@ class BodyPool:
         self._placed: list[int] = []  # shapes of such bodies, of each in their order
         self._form_number: dict[tuple[float, ...], int] = {}  # as they came, since all had ranks
         self._leaving = np.zeros(0, dtype=np.int64)  # removed since the pool was settled
+        self._refiltered = False  # whether filters were changed since then
         self._propagators = Propagators(store)
 
     def add(self, batch: Batch) -> IntArray:
@@ -68,6 +70,47 @@ class BodyPool:
         for row in rows.tolist():
             self._new.pop(row, None)
 
+    def set_filters(self, rows: IntArray, columns: Mapping[int, IntArray]) -> bool:
+        """Set columns of the filters of bodies, each (k,); return whether any changed.
+
+        Pairs that may touch no longer leave the list of contacts once the pool is settled.
+        """
+        changed = self._set(self.store.world.shapes.filters, rows, columns)
+        self._refiltered |= changed
+        return changed
+
+    def set_surfaces(self, rows: IntArray, columns: Mapping[int, Array]) -> bool:
+        """Set columns of the material of bodies, each (k,); return whether any changed."""
+        return self._set(self.store.world.shapes.material, rows, columns)
+
+    def _set(
+        self, table: NDArray[Any], rows: IntArray, columns: Mapping[int, NDArray[Any]]
+    ) -> bool:
+        """Set columns of what shapes have by their bodies; wake what that concerns."""
+        given, owner = self._place_of(rows), self.store.world.state.body_of_shape
+        shapes = np.flatnonzero(given[owner] >= 0)
+        before = table[shapes]
+        for column, values in columns.items():
+            table[shapes, column] = values[given[owner[shapes]]]
+        changed = shapes[(table[shapes] != before).any(axis=1)]
+        if len(changed):
+            self._begin_anew(np.unique(owner[changed]).astype(np.int64))
+        return len(changed) > 0
+
+    def _place_of(self, rows: IntArray) -> IntArray:
+        """Return of all bodies the last place among some, or -1."""
+        place = np.full(len(self.store.world.state.kind), -1)
+        place[rows] = np.arange(len(rows))
+        return place
+
+    def _begin_anew(self, rows: IntArray) -> None:
+        """Let bodies touch others as if they were new: they wake, and wake what they touch."""
+        state, links = self.store.world.state, self.store.world.islands.links
+        self.wake(rows)
+        still = rows[state.kind[rows] != tb.DYNAMIC]
+        links[state.slot_of_body[still], tb.SLOW_STEPS] = 0
+        self.store.forget_pairs()
+
     def override_pairs(
         self,
         friction: Mapping[tuple[int, int], float],
@@ -84,7 +127,10 @@ class BodyPool:
         self.store.forget_pairs()
 
     def settle(self) -> None:
-        """Let go of what was removed, and give all that is new its rank."""
+        """Let go of what was removed or may touch no longer, and give all that is new its rank."""
+        if self._refiltered:
+            self._drop(~self._may_touch())
+            self._refiltered = False
         if not (len(self._leaving) or self._new):
             return
         new, gone = np.array(list(self._new), dtype=np.int64), self._leaving
@@ -232,6 +278,18 @@ class BodyPool:
         side, size = world.broad_phase.counts[[tb.BUFFER, tb.CONTACTS]]
         slots = world.buffers.pairs[side, :size, tb.SLOT_A : tb.SLOT_B + 1]
         return world.state.body_of_slot[slots].astype(np.int64)
+
+    def _may_touch(self) -> NDArray[np.bool_]:
+        """Return which contacts (k,) on the list are of shapes that filters let touch (R3)."""
+        world = self.store.world
+        side, size = world.broad_phase.counts[[tb.BUFFER, tb.CONTACTS]]
+        a, b = world.shapes.filters[world.buffers.pairs[side, :size, :2].T.astype(np.int64)]
+        group = a[:, tb.GROUP]
+        meet = (a[:, tb.CATEGORY] & b[:, tb.MASK] != 0) & (b[:, tb.CATEGORY] & a[:, tb.MASK] != 0)
+        found: NDArray[np.bool_] = np.where(
+            (group == b[:, tb.GROUP]) & (group != 0), group > 0, meet
+        )
+        return found
 
     def _drop(self, left: NDArray[np.bool_]) -> None:
         """Take contacts (k,) out of the list, and wake their bodies."""

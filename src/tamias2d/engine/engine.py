@@ -208,6 +208,23 @@ class Engine(Store):
         """Set the friction and restitution of pairs of bodies, given by rows."""
         self._pool.override_pairs(friction, restitution)
 
+    def set_filters(
+        self, rows: NDArray[np.int64], columns: Mapping[int, NDArray[np.int64]]
+    ) -> bool:
+        """Set columns of the filters of bodies, each (k,); return whether any changed."""
+        return self._pool.set_filters(rows, columns)
+
+    def set_surfaces(self, rows: NDArray[np.int64], columns: Mapping[int, Array]) -> bool:
+        """Set columns of the material of bodies, each (k,); return whether any changed."""
+        return self._pool.set_surfaces(rows, columns)
+
+    def stated_restitutions(self) -> set[tuple[int, int]]:
+        """The pairs of bodies, the lower row first, for which a restitution is stated."""
+        stated = self.world.shapes.pair_overrides
+        shapes = stated[stated[:, 3] >= 0.0, :2].astype(np.int64)
+        owner = np.sort(self.world.state.body_of_shape[shapes].astype(np.int64), axis=1)
+        return set(map(tuple, owner.tolist()))
+
     def set_springs(self, rows: Sequence[SpringRow]) -> None:
         """Let springs act between bodies, given by rows, in this order, and no others."""
         set_springs(self, rows)

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from tamias2d.engine.contact_report import Contacts
 from tamias2d.engine.memory import aligned_zeros
 from tamias2d.engine.tables import GRAVITY_X, GRAVITY_Y
+from tamias2d.ensemble.controls import Controls
 from tamias2d.ensemble.execution import cores
 from tamias2d.ensemble.sampling import Design
 from tamias2d.ensemble.worlds import Maker, VariedWorlds, refuse_other_bodies, worlds_of
@@ -29,7 +30,6 @@ from tamias2d.simulator import Simulator
 from tamias2d.simulator.exclusive import between_calls, exclusive
 from tamias2d.simulator.settings import checked_count
 from tamias2d.simulator.told_only import REMEDIES, refuses_assignment
-from tamias2d.simulator.views import Views
 from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests
 
@@ -63,7 +63,7 @@ class _Shared:
 
 @suggests
 @refuses_assignment
-class Simulators(Views):
+class Simulators(Controls):
     """A scene in many worlds, each of which is stepped as by a `Simulator` alone, to the bit.
 
     The views are those of `Simulator` with an axis of worlds before all others: `position`
@@ -71,7 +71,7 @@ class Simulators(Views):
     and `gravity` (worlds, 2). What is written counts from the next step on.
     """
 
-    __slots__ = ("_sims", "_starts", "_stopped", "_threads")
+    __slots__ = ("_starts", "_stopped", "_threads")
 
     def __init__(
         self,

@@ -219,7 +219,7 @@ def _extent(run: RunData) -> tuple[Points, Points]:
         if not isinstance(body.shape, HalfPlane):
             path = run.position[:, index]
             size = body.shape.bounding_radius if body.shape else 0.0
-            if isinstance(body.shape, Chain):
+            if isinstance(body.shape, Chain) and not body.kinematic:
                 path, size = placed(outlines(body)[0], path[0], body.orientation), 0.0
             boxes.append((path.min(axis=0) - size, path.max(axis=0) + size))
     boxes += [(np.array(point), np.array(point)) for point in _fixed(run)]

@@ -20,7 +20,9 @@ FREE: Corner = (-1.0, 0.0)
 @suggests
 @dataclass(frozen=True, init=False)
 class Chain:
-    """A line through `vertices`, in m, for static bodies: hills, caves, the ground of a game.
+    """A line through `vertices`, in m: hills, caves, the ground of a game, for static bodies.
+
+    Kinematic bodies may have one, too: platforms that move, drums that turn.
 
     A `loop` goes on from the last vertex to the first. Bodies slide over inner vertices without
     catching on them. A chain is solid from both sides or, if it is `one_sided`, from its right

@@ -1,6 +1,7 @@
 """The checks of a scene's and a body's values, one function a value (R2, R3, R4)."""
 
 import math
+from collections.abc import Container
 from typing import get_args
 
 import numpy as np
@@ -12,6 +13,8 @@ from tamias2d.scene.compound import Shape
 from tamias2d.scene.law import first_value
 from tamias2d.scene.rules import RuleError, Vector, number, shown, vector
 from tamias2d.scene.shapes import HalfPlane
+
+MAX_NAME = 100  # characters
 
 
 def checked_text(value: object, key: str) -> str:
@@ -80,6 +83,23 @@ def checked_mass(value: object, of: str) -> float:
     return _invertible(mass, "mass", "kg", of)
 
 
+def checked_name(name: object, taken: Container[str]) -> str:
+    """Return the name of a body, which no other one has, or raise `RuleError`."""
+    text = checked_text(name, "name")
+    if not text.strip() or len(text) > MAX_NAME:
+        raise RuleError(
+            f"name {shown(text)} of a body: must have 1 to {MAX_NAME} characters (R1). "
+            "Give a word.",
+            "name",
+        )
+    if text in taken:
+        raise RuleError(
+            f"name '{text}': another body has it (R1). Give each body a name of its own.",
+            "name",
+        )
+    return text
+
+
 def remedy_of_inertia(value: object) -> str:
     """Return what to do about an inertia, or several; an infinite one has a joint instead."""
     remedy = "Give a positive inertia in kg m^2, or leave it out."
@@ -111,18 +131,29 @@ def _invertible(value: float, key: str, unit: str, of: str) -> float:
     return value
 
 
-def refuse_shape(shape: object, of: str, *, static: bool = False, none: bool = False) -> None:
-    """Refuse what is no shape unless it is `none`, and ground unless it is `static`."""
-    if isinstance(shape, HalfPlane | Chain) and not static:
-        what = "a chain" if isinstance(shape, Chain) else "a half-plane"
+def refuse_shape(
+    shape: object, of: str, *, static: bool = False, told: bool = False, none: bool = False
+) -> None:
+    """Refuse what is no shape unless it is `none`, and ground that may not move like its body.
+
+    A body is `static`, or moves as it is `told`, or freely.
+    """
+    if isinstance(shape, HalfPlane) and not static:
         raise RuleError(
-            f"shape of {of}: found {what}: it cannot move (R4). Add it as a static body.",
+            f"shape of {of}: found a half-plane: it cannot move (R4). Add it as a static body.",
+            "shape",
+        )
+    if isinstance(shape, Chain) and not (static or told):
+        raise RuleError(
+            f"shape of {of}: found a chain: it cannot move freely (R4). Add it as a static or a "
+            "kinematic body.",
             "shape",
         )
     if not (isinstance(shape, get_args(Shape)) or (shape is None and none)):
         raise RuleError(
             f"shape of {of}: found {shown(shape)}: must be a shape (R4). Give a Disc, Box, "
-            "Polygon, Capsule, Segment, Compound or, for a static body, a HalfPlane or Chain.",
+            "Polygon, Capsule, Segment, Compound or, for a static body, a HalfPlane or Chain; a "
+            "kinematic body may have a Chain.",
             "shape",
         )
 

@@ -83,6 +83,8 @@ class JointSpring:
 
 
 _OFF = Motor(speed=0.0, maximum=0.0)  # it gives nothing
+_SLACK = JointSpring(stiffness=0.0)  # likewise
+_FAR = 1e15  # m or rad: a limit there is never reached
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -124,6 +126,47 @@ def with_motor(freedom: Freedom, motor: object, of: str) -> Freedom:
     return replace(freedom, motor=_motor(motor, freedom.measure, of) or _OFF)
 
 
+def with_limits(freedom: Freedom, limits: object, of: str) -> Freedom:
+    """Return a freedom with other limits, checked; what they leave out, or None, limits nothing."""
+    new, own = _limits(limits, freedom.measure, of), freedom.limits or Limits(restitution=0.0)
+    if freedom.pitch is not None:
+        raise RuleError(
+            f"limits of {of}: its teeth limit a ratchet (GD21). Add one of another pitch.", "limits"
+        )
+    kept = own.restitution if new is None else new.restitution
+    lower, upper = (None, None) if new is None else (new.lower, new.upper)
+    for end, had, value in (("lower", own.lower, lower), ("upper", own.upper, upper)):
+        if had is None and value is not None:
+            raise RuleError(
+                f"{end} {value:g} of limits of {of}: it has no such limit that could be set "
+                "(GD21). Leave it out, or give the joint both as you add it.",
+                *("limits", end),
+            )
+    return replace(
+        freedom,
+        limits=Limits(
+            restitution=kept,
+            lower=_or_far(lower, own.lower, -_FAR),
+            upper=_or_far(upper, own.upper, _FAR),
+        ),
+    )
+
+
+def _or_far(value: float | None, had: float | None, far: float) -> float | None:
+    """Return a limit; one that is left out, where there was one, is far away."""
+    return far if value is None and had is not None else value
+
+
+def with_spring(freedom: Freedom, spring: object, of: str) -> Freedom:
+    """Return a freedom with another spring, checked; None turns it off.
+
+    It is at rest where the one before was unless said.
+    """
+    new, own = _spring(spring, freedom.measure, of) or _SLACK, freedom.spring
+    rest = own.rest if own and new.rest is None else new.rest
+    return replace(freedom, spring=replace(new, rest=rest))
+
+
 def ratchet(of: str, *, pitch: object, restitution: object) -> tuple[Freedom, ...]:
     """Return an angle that falls back no further than to its last tooth, checked."""
     remedy = "Give the angle from one tooth to the next, rad."
@@ -141,14 +184,19 @@ def last_tooth(angle: float, pitch: float) -> float:
 def target(of: str, *, spring: object) -> tuple[Freedom, Freedom]:
     """Return both travels of a point that springs alike pull to another one, checked."""
     pull = _checked(spring, JointSpring, spring_symbols("travel"), f"spring of {of}", "spring")
-    if pull.rest:
+    refuse_rest(pull, of)
+    along = Freedom(measure="travel", spring=replace(pull, rest=0.0))
+    return along, replace(along, across=True)
+
+
+def refuse_rest(spring: JointSpring, of: str) -> None:
+    """Refuse a spring of a target that is at rest elsewhere than at the point."""
+    if spring.rest:
         raise RuleError(
-            f"spring of {of}: rest {pull.rest:g} m: it pulls to the point itself (DD64). "
+            f"spring of {of}: rest {spring.rest:g} m: it pulls to the point itself (DD64). "
             "Leave rest out, and move the point.",
             *("spring", "rest"),
         )
-    along = Freedom(measure="travel", spring=replace(pull, rest=0.0))
-    return along, replace(along, across=True)
 
 
 def at_rest(freedoms: Sequence[Freedom], start: Sequence[float]) -> tuple[Freedom, ...]:

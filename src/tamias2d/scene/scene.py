@@ -10,12 +10,14 @@ from typing import Any
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.checks import (
+    MAX_NAME,
     checked_angle,
     checked_drag,
     checked_duration,
     checked_friction,
     checked_inertia,
     checked_mass,
+    checked_name,
     checked_restitution,
     checked_spin,
     checked_text,
@@ -39,8 +41,6 @@ from tamias2d.scene.scene_data import SceneData
 from tamias2d.scene.springs import checked_spring, refuse_spring
 from tamias2d.scene.writing import scene_text
 from tamias2d.suggestions import suggests
-
-_MAX_NAME = 100
 
 
 @suggests
@@ -195,7 +195,7 @@ class Scene(SceneData):
         """
         name = self._free_name(name)
         of = f"kinematic body '{name}'"
-        refuse_shape(shape, of)
+        refuse_shape(shape, of, told=True)
         return self._append(
             Body(
                 name=name,
@@ -378,9 +378,9 @@ class Scene(SceneData):
         if name is None:
             name = next(free for k in count(len(taken)) if (free := f"joint{k}") not in taken)
         name = checked_text(name, "name")
-        if not name.strip() or len(name) > _MAX_NAME or name in taken:
+        if not name.strip() or len(name) > MAX_NAME or name in taken:
             raise RuleError(
-                f"name {shown(name)} of a joint: must have 1 to {_MAX_NAME} characters, and be no "
+                f"name {shown(name)} of a joint: must have 1 to {MAX_NAME} characters, and be no "
                 "other joint's (R1). Give a word of its own.",
                 "name",
             )
@@ -398,19 +398,7 @@ class Scene(SceneData):
     def _free_name(self, name: object) -> str:
         if name is None:
             name = next(free for k in count(len(self)) if (free := f"body{k}") not in self._index)
-        name = checked_text(name, "name")
-        if not name.strip() or len(name) > _MAX_NAME:
-            raise RuleError(
-                f"name {shown(name)} of a body: must have 1 to {_MAX_NAME} characters (R1). "
-                "Give a word.",
-                "name",
-            )
-        if name in self._index:
-            raise RuleError(
-                f"name '{name}': another body has it (R1). Give each body a name of its own.",
-                "name",
-            )
-        return name
+        return checked_name(name, self._index)
 
 
 def _surface(

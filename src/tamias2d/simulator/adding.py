@@ -30,7 +30,7 @@ _VECTORS = {
     "velocity": "Give (x, y) in m/s.",
     "force": "Give (x, y) in N.",
 }
-_SURFACE = {
+SURFACE = {
     "friction": "Give a number such as 0.5, or 0 for a smooth surface.",
     "restitution": "Give a number from 0 to 1.",
 }
@@ -46,7 +46,7 @@ def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
     known = _counted(shapes, given["position"], of)
     count = len(known)
     for shape in {id(shape): shape for shape in known}.values():  # none may have a hash yet
-        refuse_shape(shape, of, static=kind == STATIC, none=kind == DYNAMIC)
+        refuse_shape(shape, of, static=kind == STATIC, told=kind == KINEMATIC, none=kind == DYNAMIC)
     _refuse_placed(known, given)
     many = {
         key: numbers(given.get(key, 0.0), key, of, remedy, count=count, symbol=key)
@@ -69,7 +69,7 @@ def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
         drag_rates=drag_rates(many["linear_drag"], mass, many["angular_drag"], inertia),
         filters=_filters(given, of, count),
         shapes=known,
-        **{key: _surface(given.get(key), key, of, count) for key in _SURFACE},
+        **{key: _surface(given.get(key), key, of, count) for key in SURFACE},
     )
 
 
@@ -150,7 +150,7 @@ def _refuse_turned(many: dict[str, Array], inertia: Array, of: str, kind: int) -
 def _surface(value: object, key: str, of: str, count: int) -> Array:
     if value is None:
         return np.full(count, UNSTATED)
-    return numbers(value, key, of, _SURFACE[key], count=count, symbol=key)
+    return numbers(value, key, of, SURFACE[key], count=count, symbol=key)
 
 
 def _filters(given: dict[str, Any], of: str, count: int) -> IntArray:

@@ -14,6 +14,8 @@ from tamias2d.simulator.selection import Bodies
 from tamias2d.simulator.stepping import Stepping
 from tamias2d.suggestions import suggests
 
+_NAMED = ("self", "shape", "name")
+
 
 @suggests
 class Changing(Stepping):
@@ -42,23 +44,25 @@ class Changing(Stepping):
         mask: object = None,
         group: object = 0,
         sensor: bool = False,
+        name: object = None,
     ) -> Any:
         """Add bodies that move, and return their indices (R2).
 
         One body where `position` is (2,), with its index; k bodies where it is (k, 2), with an
         array of indices. Of all else, one value serves all, or there is an array with a row for
-        each. `shape` is one, or a list of k; the words are those of `Scene.add_body`. Attraction
-        and fields of the scene that are for all bodies that move act on them, too.
+        each. `shape` is one, or a list of k, and so is `name`, by which bodies are found and
+        told of, if they are given names; the words are those of `Scene.add_body`. Attraction and
+        fields of the scene that are for all bodies that move act on them, too.
 
         Raises:
             InputError: a value breaks a rule (R4), or a field has no finite value where a body is;
                 the message names it and its place.
         """
-        given = {key: value for key, value in locals().items() if key not in ("self", "shape")}
+        given = {key: value for key, value in locals().items() if key not in _NAMED}
         batch = added_batch(DYNAMIC, shape, **given)
         if self._scene is not None:
             batch = with_steady_loads(self._scene, batch, self.time)
-        return self._add(batch, position)
+        return self._add(batch, position, name)
 
     @exclusive
     def add_static(
@@ -73,10 +77,11 @@ class Changing(Stepping):
         mask: object = None,
         group: object = 0,
         sensor: bool = False,
+        name: object = None,
     ) -> Any:
         """Add bodies that nothing moves, and return their indices, as `add` does."""
-        given = {key: value for key, value in locals().items() if key not in ("self", "shape")}
-        return self._add(added_batch(STATIC, shape, **given), position)
+        given = {key: value for key, value in locals().items() if key not in _NAMED}
+        return self._add(added_batch(STATIC, shape, **given), position, name)
 
     @exclusive
     def add_kinematic(
@@ -93,14 +98,17 @@ class Changing(Stepping):
         mask: object = None,
         group: object = 0,
         sensor: bool = False,
+        name: object = None,
     ) -> Any:
         """Add bodies that move as they are told, and return their indices, as `add` does."""
-        given = {key: value for key, value in locals().items() if key not in ("self", "shape")}
-        return self._add(added_batch(KINEMATIC, shape, **given), position)
+        given = {key: value for key, value in locals().items() if key not in _NAMED}
+        return self._add(added_batch(KINEMATIC, shape, **given), position, name)
 
-    def _add(self, batch: Batch, position: object) -> Any:
+    def _add(self, batch: Batch, position: object, name: object) -> Any:
+        names = self._names.checked(name, len(batch))
         refuse_missing_restitution(self._engine, batch, self._name_of)
         rows = self._engine.add(batch)
+        self._names.give(rows.tolist() if names else (), names)
         self._look()
         self._unsettled = True
         one = len(rows) == 1 and np.ndim(position) == 1  # type: ignore[arg-type]
@@ -119,6 +127,6 @@ class Changing(Stepping):
         self._engine.remove(rows)
         if self._pushed is not None:
             self._pushed[rows[rows < len(self._pushed)]] = 0.0
-        for row in gone.intersection(self._staying):
-            del self._names[self._staying.pop(row)]
+        self._names.forget(gone)
+        self._staying -= gone
         self._unsettled = True

@@ -14,12 +14,14 @@ from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, number, refuse_masked, shown
 from tamias2d.state import Array, IntArray
 
+_MANY = {"body": "bodies", "world": "worlds"}
+
 
 def numbers(value: object, key: str, of: str, remedy: str, *, count: int, symbol: str) -> Array:
     """Return a number for each of so many bodies (count,), or raise `RuleError`."""
     if _is_good(value, symbol):
         return np.full(count, value + 0.0)  # no negative zeros
-    return _judged(_spread(value, key, of, remedy, (count,)), key, of, remedy, symbol)
+    return judged(spread(value, key, of, remedy, (count,)), key, of, remedy, symbol)
 
 
 def vectors(value: object, key: str, of: str, remedy: str, *, count: int, symbol: str) -> Array:
@@ -28,7 +30,7 @@ def vectors(value: object, key: str, of: str, remedy: str, *, count: int, symbol
         x, y = value
         if _is_good(x, symbol) and _is_good(y, symbol):
             return np.full((count, 2), (x + 0.0, y + 0.0))
-    return _judged(_spread(value, key, of, remedy, (count, 2)), key, of, remedy, symbol)
+    return judged(spread(value, key, of, remedy, (count, 2)), key, of, remedy, symbol)
 
 
 def wholes(value: object, key: str, of: str, *, count: int, check: Callable[..., int]) -> IntArray:
@@ -52,8 +54,10 @@ def _is_good(value: object, symbol: str) -> TypeGuard[float]:
     return type(value) is float and SYMBOLS[symbol].admits(value)
 
 
-def _spread(value: object, key: str, of: str, remedy: str, shape: tuple[int, ...]) -> Array:
-    """Return real numbers, each row for one body; one row alone stands for all."""
+def spread(
+    value: object, key: str, of: str, remedy: str, shape: tuple[int, ...], each: str = "body"
+) -> Array:
+    """Return real numbers, each row for one body, or for another `each`; one alone is for all."""
     given = as_array(value, key, of, remedy)
     if given.dtype.kind not in "fiu":
         raise RuleError(
@@ -61,7 +65,7 @@ def _spread(value: object, key: str, of: str, remedy: str, shape: tuple[int, ...
             key,
         )
     if given.shape not in (shape, shape[1:]):
-        raise _misshapen(given, key, of, shape, remedy)
+        raise _misshapen(given, key, of, shape, remedy, each)
     return np.broadcast_to(given, shape).astype(np.float64) + 0.0  # no negative zeros
 
 
@@ -79,17 +83,22 @@ def as_array(value: object, key: str, of: str, remedy: str) -> NDArray[np.generi
 
 
 def _misshapen(
-    given: NDArray[np.generic], key: str, of: str, shape: tuple[int, ...], remedy: str
+    given: NDArray[np.generic],
+    key: str,
+    of: str,
+    shape: tuple[int, ...],
+    remedy: str,
+    each: str = "body",
 ) -> RuleError:
     one = "one number" if len(shape) == 1 else "two components"
     return RuleError(
         f"{label((key,))} of {of}: found an array of shape {given.shape}: must be {one}, or "
-        f"{shape} for {shape[0]} {'body' if shape[0] == 1 else 'bodies'} (R4). {remedy}",
+        f"{shape} for {shape[0]} {each if shape[0] == 1 else _MANY[each]} (R4). {remedy}",
         key,
     )
 
 
-def _judged(values: Array, key: str, of: str, remedy: str, symbol: str) -> Array:
+def judged(values: Array, key: str, of: str, remedy: str, symbol: str) -> Array:
     """Return the values if each is finite and in the range of its symbol."""
     limits = SYMBOLS[symbol].range
     good = np.isfinite(values)

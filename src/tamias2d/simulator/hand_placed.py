@@ -18,6 +18,9 @@ from tamias2d.simulator.joint_separations import size_of_joint
 from tamias2d.simulator.standing_bodies import StandingBodies
 from tamias2d.state import Array
 
+TAKEN_ALONG = 2.0**-4
+"""Of the size of a joint, or rad: by how much a limit may pass it at once that takes it along."""
+
 
 def put_elsewhere(joints: Iterable[Joint], left: Array, engine: Engine) -> list[Joint]:
     """Return the joints of bodies that move, and are not at the poses (n, 3) of before.
@@ -32,15 +35,20 @@ def put_elsewhere(joints: Iterable[Joint], left: Array, engine: Engine) -> list[
     return [joint for joint in joints if moved[list(joint.bodies)].any()]
 
 
-def beyond_limits(joints: Iterable[Joint], engine: Engine) -> Iterator[tuple[Joint, str, float]]:
-    """Yield joints beyond a limit by more than is told, which limit, and how far, m or rad."""
+def beyond_limits(
+    joints: Iterable[Joint], engine: Engine, slight: float = APART
+) -> Iterator[tuple[Joint, str, float]]:
+    """Yield joints beyond a limit, which limit, and how far, m or rad.
+
+    What is less than `slight`, in rad or of the size of a joint, does not count.
+    """
     bodies = StandingBodies(engine, {})
     for joint in joints:
         if not any(each.limits for each in joint.freedoms):
             continue
         values = values_of_freedoms(joint, bodies)  # type: ignore[arg-type]
         for each, value in zip(joint.freedoms, values, strict=True):
-            most = APART * (1.0 if each.measure == "angle" else size_of_joint(joint, engine))
+            most = slight * (1.0 if each.measure == "angle" else size_of_joint(joint, engine))
             limits = each.limits or Limits(restitution=0.0)
             if limits.lower is not None and limits.lower - value > most:
                 yield joint, "lower", limits.lower - value

@@ -9,7 +9,6 @@ from tamias2d.engine.engine import Engine
 from tamias2d.generated.joint_rows import MOST_ROWS
 from tamias2d.scene.joints import Joint
 from tamias2d.simulator.joint_layout import APART, JointLayout
-from tamias2d.simulator.joint_rows import joint_rows, units_of_row
 
 STIFFEST = 2.0**29  # of a spring, times the squared step, over mass or inertia
 
@@ -23,11 +22,12 @@ def too_stiff(
     """
     for joint in joints:
         bodies = list(joint.bodies)
-        for row in joint_rows(joint):
-            long = units_of_row(row)[0] == "m"
-            inverse = (engine.inverse_mass if long else engine.inverse_inertia)[bodies]
-            if row.law == tb.SPRING and row.numbers[2] * time_step**2 * inverse.max() > STIFFEST:
-                return joint, row.numbers[2]
+        for each in joint.freedoms:
+            turns = each.measure == "angle"
+            inverse = (engine.inverse_inertia if turns else engine.inverse_mass)[bodies]
+            stiffness = each.spring.stiffness if each.spring else 0.0
+            if stiffness * time_step**2 * inverse.max() > STIFFEST:
+                return joint, stiffness
     return None
 
 

@@ -6,6 +6,7 @@ as joints come and go, and in which order it takes them: the same in whatever or
 
 import math
 from collections.abc import Sequence
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -14,15 +15,14 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.placement import PULLED
-from tamias2d.engine.joints.rows import mechanism_of, move_anchor, set_angle, set_motor
+from tamias2d.engine.joints.rows import mechanism_of, move_anchor, set_law
 from tamias2d.generated.joint_rows import MOST_ROWS
-from tamias2d.scene.freedoms import Motor
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import Vector
 from tamias2d.simulator.joint_rows import (
     joint_rows,
+    laws_of,
     place_of_row,
-    rate_and_most,
     units_of_row,
 )
 from tamias2d.simulator.joint_separations import separations, size_of_joint
@@ -137,24 +137,34 @@ class JointLayout:
 
     def move_anchor(self, name: str, end: str, point: Vector) -> None:
         """Move the point of the plane, m, that a joint holds; what it ties follows."""
-        joints = self._engine.world.joints
         for place, row in self._rows_of[name]:
             move_anchor(self._engine, place, row.kind, end, point)
             if row.law != tb.SPRING:
-                first = joints.mechanisms[mechanism_of(self._engine, place), tb.M_JOINT]
-                joints.numbers[first, tb.J_PULLED] = PULLED
+                self._pull(place)
 
-    def move_lower_limit(self, name: str, angle: float) -> None:
-        """Let the lower limit of a joint's angle be at another one, rad."""
-        for place, row in self._rows_of[name]:
-            if row.law == tb.LOWER_LIMIT:
-                set_angle(self._engine, place, angle)
+    def pull(self, name: str, *, along: bool) -> None:
+        """Let a joint be pulled together as what was moved by hand, with energy for it, or not."""
+        self._pull(self._rows_of[name][0][0], PULLED if along else 0.0)
 
-    def set_motor(self, name: str, motor: Motor) -> None:
-        """Give the motor of a joint another speed and maximum."""
-        for place, row in self._rows_of[name]:
-            if row.law == tb.MOTOR:
-                set_motor(self._engine, place, *rate_and_most(motor))
+    def is_pulled(self, joint: Joint) -> bool:
+        """Return whether a joint is pulled together with energy for it."""
+        return bool(self.numbers[self._first_row(self._rows_of[joint.name][0][0]), tb.J_PULLED])
+
+    def _pull(self, place: int, substeps: float = PULLED) -> None:
+        self.numbers[self._first_row(place), tb.J_PULLED] = substeps
+
+    def _first_row(self, place: int) -> int:
+        """Return the place of the first row of the mechanism of a row."""
+        mechanisms = self._engine.world.joints.mechanisms
+        return int(mechanisms[mechanism_of(self._engine, place), tb.M_JOINT])
+
+    def govern(self, joint: Joint, before: Joint) -> None:
+        """Let what governs a joint have the numbers that it has now, and had not before."""
+        rows = self._rows_of[joint.name][1 if joint.rigid else 0 :]
+        laws, known = (chain.from_iterable(map(laws_of, j.freedoms)) for j in (joint, before))
+        for (place, row), new, old in zip(rows, laws, known, strict=True):
+            if new != old:
+                set_law(self._engine, place, row.kind, *new[1:])
 
 
 def kept_of_new(joints: Sequence[Joint], engine: Engine) -> Array:

@@ -5,9 +5,9 @@ from collections.abc import Iterable
 from typing import Any, cast
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.joint_row import JointRow
+from tamias2d.engine.joints.joint_row import JointRow, LawNumbers
 from tamias2d.generated.joint_rows import MOST_ROWS
-from tamias2d.scene.freedoms import Freedom, Motor
+from tamias2d.scene.freedoms import Freedom
 from tamias2d.scene.joint_equation import equation_rows
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import RuleError
@@ -36,30 +36,30 @@ def joint_rows(joint: Joint) -> list[JointRow]:
 
 
 def _governed(joint: Joint, freedom: Freedom) -> Iterable[JointRow]:
+    for law, at, numbers in laws_of(freedom):
+        yield _row(joint.measured(freedom, at), law, numbers)
+
+
+def laws_of(freedom: Freedom) -> Iterable[tuple[int, float, LawNumbers]]:
+    """Yield what governs a freedom: each law, the value at which it is measured, its numbers."""
     limits, motor, spring = freedom.limits, freedom.motor, freedom.spring
     bounces = (0.0, 0.0, 0.0, 0.0, limits.restitution if limits else 0.0)
     if limits and limits.lower is not None:
-        yield _row(joint.measured(freedom, limits.lower), tb.LOWER_LIMIT, bounces)
+        yield tb.LOWER_LIMIT, limits.lower, bounces
     if limits and limits.upper is not None:
-        yield _row(joint.measured(freedom, limits.upper), tb.UPPER_LIMIT, bounces)
+        yield tb.UPPER_LIMIT, limits.upper, bounces
     if motor:
-        numbers = (*rate_and_most(motor), 0.0, 0.0, 0.0)
-        yield _row(joint.measured(freedom, 0.0), tb.MOTOR, numbers)
+        most = math.inf if motor.maximum is None else motor.maximum
+        yield tb.MOTOR, 0.0, (motor.speed, most, 0.0, 0.0, 0.0)
     if spring:
-        rest = cast(float, spring.rest)
         numbers = (0.0, 0.0, spring.stiffness, spring.damping, 0.0)
-        yield _row(joint.measured(freedom, rest), tb.SPRING, numbers)
-
-
-def rate_and_most(motor: Motor) -> tuple[float, float]:
-    """Return the speed of a motor and its maximum."""
-    return motor.speed, math.inf if motor.maximum is None else motor.maximum
+        yield tb.SPRING, cast(float, spring.rest), numbers
 
 
 def _row(
     joint: Joint,
     law: int = tb.KEPT,
-    numbers: tuple[float, float, float, float, float] = (0.0,) * 5,
+    numbers: LawNumbers = (0.0,) * 5,
 ) -> JointRow:
     given = [joint.given[name] for name in joint.functions.parameters]
     parts = [x for value in given for x in (value if isinstance(value, tuple) else (value,))]

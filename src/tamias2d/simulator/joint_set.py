@@ -1,16 +1,23 @@
 """The joints of a simulator: which there are, by their names."""
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import cast
+from typing import NamedTuple
 
 import numpy as np
 
 from tamias2d.engine.engine import Engine
 from tamias2d.motion.joint_events import BREAKS, CLICKS, JointEvent
 from tamias2d.scene.bodies import Body
-from tamias2d.scene.freedoms import Motor, with_motor
+from tamias2d.scene.freedoms import (
+    Freedom,
+    JointSpring,
+    refuse_rest,
+    with_limits,
+    with_motor,
+    with_spring,
+)
 from tamias2d.scene.joint_checks import checked_joint
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, Vector, shown
@@ -25,6 +32,22 @@ from tamias2d.simulator.joint_reactions import Reactions, reactions_of
 from tamias2d.simulator.joint_rows import refuse_unknown
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
+
+
+class GovernedBy(NamedTuple):
+    """What governs a freedom of a joint, and is set between steps."""
+
+    part: str
+    """its name in `Freedom`"""
+    change: Callable[[Freedom, object, str], Freedom]
+    """returns a freedom with another one"""
+    rule: str
+    example: str
+
+
+LIMITS = GovernedBy("limits", with_limits, "GD21", "some, Limits(lower=, upper=, restitution=)")
+MOTOR = GovernedBy("motor", with_motor, "GD22", "one, Motor(speed=, maximum=)")
+SPRING = GovernedBy("spring", with_spring, "DD64", "one, JointSpring(stiffness=, damping=)")
 
 
 class JointSet:
@@ -95,8 +118,8 @@ class JointSet:
             )
         return self._joints[name]
 
-    def set_target(self, name: object, point: Vector) -> Joint:
-        """Move the point of the plane that a joint holds, m, and return it.
+    def target_of(self, name: object) -> tuple[Joint, int]:
+        """Return the joint that holds a point of the plane, and which end of it does.
 
         Raises:
             RuleError: there is none of that name, or it holds no point of the plane, or two.
@@ -113,39 +136,60 @@ class JointSet:
                 "be moved (TM7). Name one that does, such as a Target().",
                 "name",
             )
+        return joint, held[0]
+
+    def set_target(self, joint: Joint, end: int, point: Vector) -> None:
+        """Move the point of the plane, m, that an end of a joint holds."""
         anchors = list(joint.anchors)
-        anchors[held[0]] = point
+        anchors[end] = point
         self._joints[joint.name] = replace(joint, anchors=(anchors[0], anchors[1], anchors[2]))
         if self._layout is not None and joint.name in self._layout.alike:
             self._change()
         if not self.new:
-            self.layout.move_anchor(joint.name, ENDS[held[0]], point)
-        return joint
+            self.layout.move_anchor(joint.name, ENDS[end], point)
 
-    def set_motor(self, name: object, motor: object) -> Joint | None:
-        """Give a joint's motor another speed and maximum; return the joint, None if it has these.
+    def governed(self, name: object, by: GovernedBy, given: object) -> Joint:
+        """Return a joint with other limits, another motor or spring, for `govern`.
 
         Raises:
-            RuleError: there is none of that name, it has no motor, or a value breaks a rule.
+            RuleError: there is none of that name, it has nothing such, or a value breaks a rule.
         """
         joint = self._named(name)
-        driven = next((each for each in joint.freedoms if each.motor), None)
-        if driven is None:
+        if not any(getattr(each, by.part) for each in joint.freedoms):
             raise RuleError(
-                f"joint '{joint.name}' ({joint.kind}): it has no motor that could be set (GD22). "
-                "Give it one, Motor(speed=, maximum=), as you add it.",
+                f"joint '{joint.name}' ({joint.kind}): it has no {by.part} that could be set "
+                f"({by.rule}). Give it {by.example}, as you add it.",
                 "name",
             )
-        new = with_motor(driven, motor, f"joint '{joint.name}'")
-        if new == driven:
-            return None
-        freedoms = tuple(new if each is driven else each for each in joint.freedoms)
-        self._joints[joint.name] = replace(joint, freedoms=freedoms)
-        if self._layout is not None and joint.name in self._layout.alike:
-            self._change(self.layout.kept())
-        if not self.new:
-            self.layout.set_motor(joint.name, cast(Motor, new.motor))
-        return joint
+        of = f"joint '{joint.name}'"
+        if joint.kind == "target" and isinstance(given, JointSpring):
+            refuse_rest(given, of)
+        freedoms = tuple(
+            by.change(each, given, of) if getattr(each, by.part) else each
+            for each in joint.freedoms
+        )
+        return joint if freedoms == joint.freedoms else replace(joint, freedoms=freedoms)
+
+    def govern(self, joint: Joint) -> bool:
+        """Let a joint be governed as one that `governed` returned; return whether that is new."""
+        before = self._joints[joint.name]
+        if joint is before:
+            return False
+        self._joints[joint.name] = joint
+        if self._layout is not None and not self.new:
+            self._layout.govern(joint, before)
+            if joint.name in self._layout.alike:
+                self._change(self._layout.kept())
+        return True
+
+    def pull(self, joint: Joint, *, along: bool) -> None:
+        """Let limits that were moved take along what they hold, or bring it back without energy.
+
+        The engine knows of the joint.
+        """
+        self.layout.pull(joint.name, along=along)
+        if self.new:
+            self._saved = self.layout.kept()
 
     def drop_bodies(self, gone: set[int]) -> list[int]:
         """Take out the joints of bodies that leave; return the other bodies that these held."""
@@ -195,11 +239,12 @@ class JointSet:
         return events, self._break(broken) if broken else set()
 
     def _click(self, event: JointEvent[str]) -> None:
-        self._joints[event.joint] = on_tooth(self._joints[event.joint], event.value)
+        before = self._joints[event.joint]
+        self._joints[event.joint] = on_tooth(before, event.value)
         if event.joint in self.layout.alike:
             self._change(self.layout.kept())
         else:
-            self.layout.move_lower_limit(event.joint, event.value)
+            self.layout.govern(self._joints[event.joint], before)
 
     def _break(self, names: Sequence[str]) -> set[int]:
         """Take joints out; the others go on with what the step left of them."""

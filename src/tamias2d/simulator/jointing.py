@@ -5,16 +5,21 @@ from typing import Any
 import numpy as np
 
 from tamias2d.engine.state import LARGEST
-from tamias2d.scene.freedoms import Motor
+from tamias2d.scene.freedoms import JointSpring, Limits, Motor
 from tamias2d.scene.joint_kinds import Equation, Kind
-from tamias2d.scene.joints import End
-from tamias2d.scene.rules import RuleError, VectorLike, vector
+from tamias2d.scene.joints import End, Joint
+from tamias2d.scene.rules import RuleError, Vector, VectorLike, vector
 from tamias2d.simulator.exclusive import exclusive
+from tamias2d.simulator.hand_placed import TAKEN_ALONG, beyond_limits
 from tamias2d.simulator.joint_reactions import Reactions
+from tamias2d.simulator.joint_set import LIMITS, MOTOR, SPRING, GovernedBy
 from tamias2d.simulator.standing_bodies import StandingBodies
+from tamias2d.simulator.step_warnings import held_beyond_limits, too_stiff_for_steps
 from tamias2d.simulator.stepping import Stepping
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.suggestions import suggests
+
+_CALLER = 5  # calls up from a warning, with those of two decorators
 
 
 @suggests
@@ -56,7 +61,7 @@ class Jointing(Stepping):
             (0.0, 0.0) if third is None else self._end(third),
         )
         anchors = (anchor, other_anchor, third_anchor)
-        standing: Any = StandingBodies(self._engine, self._staying)
+        standing: Any = StandingBodies(self._engine, self._names.of_row)
         joint = self._joints.add(
             *(kind, ends, anchors, name, collide, standing),
             bears=(break_force, break_torque),
@@ -83,17 +88,11 @@ class Jointing(Stepping):
             InputError: there is no joint of that name, it holds no single point of the plane, or
                 float64 cannot hold what a point so far away does.
         """
-        at = vector(point, "position", "a target", "Give a point (x, y) in m.", at=("point",))
-        if max(abs(at[0]), abs(at[1])) > LARGEST:
-            raise RuleError(
-                f"point {at} of a target: must be within {LARGEST:.2g} m, or float64 cannot hold "
-                "what follows (R4). Bring it nearer.",
-                "point",
-            )
-        joint = self._joints.set_target(name, at)
-        if self._sleeps:
-            self._engine.wake(np.array(joint.bodies, dtype=np.int64))
-        self._unsettled |= self._joints.new
+        self._set_target(*self._joints.target_of(name), checked_target(point))
+
+    def _set_target(self, joint: Joint, end: int, point: Vector) -> None:
+        self._joints.set_target(joint, end, point)
+        self._wake_for(joint)
 
     @exclusive
     def set_motor(self, name: str, motor: Motor | None) -> None:
@@ -106,9 +105,64 @@ class Jointing(Stepping):
             InputError: there is no joint of that name, it has no motor, or a value breaks a rule
                 (R4).
         """
-        joint = self._joints.set_motor(name, motor)
-        if joint is None:
-            return
+        self._govern(name, MOTOR, motor)
+
+    @exclusive
+    def set_limits(self, name: str, limits: Limits | None) -> None:
+        """Give a joint other limits, m or rad; None, or an end that is left out, limits nothing.
+
+        Ends are those that it was added with. It takes some 100 microseconds, and may be done
+        before each step. A limit that is moved past where the joint is, by up to 1/16 rad or of the
+        joint's size, takes it along as a winch does; past one that is moved farther it comes back
+        within some steps, but lifts nothing for that.
+
+        Raises:
+            InputError: there is no joint of that name, it has no such limits, or a value breaks a
+                rule (R4).
+
+        Warns:
+            StepWarning: a limit is moved so far past where the joint is.
+        """
+        if self._joints.new:
+            self._settle_between()
+        joint = self._govern(name, LIMITS, limits)
+        if joint is not None and any(beyond_limits([joint], self._engine, slight=0.0)):
+            told = list(held_beyond_limits([joint], self._engine, self.time, slight=TAKEN_ALONG))
+            self._joints.pull(joint, along=not told)
+            self._tell(told, _CALLER)
+
+    @exclusive
+    def set_spring(self, name: str, spring: JointSpring | None) -> None:
+        """Give a joint's spring another stiffness, damping and rest; None turns it off (DD64).
+
+        The rest that is left out is the one before. It takes some 50 microseconds, and may be done
+        before each step; what the spring holds more then, the mechanism is given.
+
+        Raises:
+            InputError: there is no joint of that name, it has no spring, or a value breaks a rule
+                (R4).
+
+        Warns:
+            StepWarning: it is too stiff for the time step.
+        """
+        joint = self._govern(name, SPRING, spring)
+        if joint is not None:
+            self._tell(too_stiff_for_steps([joint], self._engine, self._time_step), _CALLER)
+
+    def _govern(self, name: str, by: GovernedBy, given: object) -> Joint | None:
+        """Give a joint something that governs it; return the joint, None if it has that already."""
+        joint = self._joints.governed(name, by, given)
+        return joint if self._govern_as(joint) else None
+
+    def _govern_as(self, joint: Joint) -> bool:
+        """Let a joint be governed as one that `JointSet.governed` returned."""
+        changed = self._joints.govern(joint)
+        if changed:
+            self._wake_for(joint)
+        return changed
+
+    def _wake_for(self, joint: Joint) -> None:
+        """Wake what a joint holds that got other numbers, which may have to be told anew."""
         if self._sleeps:
             self._engine.wake(np.array(joint.bodies, dtype=np.int64))
         self._unsettled |= self._joints.new
@@ -131,3 +185,15 @@ class Jointing(Stepping):
         return vector(
             end, "position", "a joint", "Give a body, or a point (x, y) in m.", at=("end",)
         )
+
+
+def checked_target(point: object) -> Vector:
+    """Return a point to which a target is moved, m, or raise `RuleError`."""
+    at = vector(point, "position", "a target", "Give a point (x, y) in m.", at=("point",))
+    if max(abs(at[0]), abs(at[1])) > LARGEST:
+        raise RuleError(
+            f"point {at} of a target: must be within {LARGEST:.2g} m, or float64 cannot hold "
+            "what follows (R4). Bring it nearer.",
+            "point",
+        )
+    return at

@@ -1,6 +1,6 @@
 """No pair that can meet is without a restitution (R3); bodies alike are looked at once."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from itertools import combinations_with_replacement, product
 from typing import NamedTuple
 
@@ -11,6 +11,8 @@ from tamias2d.engine.engine import Engine
 from tamias2d.engine.tables import DYNAMIC, SENSOR
 from tamias2d.errors import SceneError
 from tamias2d.scene.filters import may_touch
+from tamias2d.scene.joints import Joint, kept_apart
+from tamias2d.state import IntArray
 
 
 class _Class(NamedTuple):
@@ -34,19 +36,49 @@ def refuse_missing_restitution(
     Bodies of the engine are given by rows, those of the batch count on from their number; `stated`
     are the restitutions of pairs, the lower number first. `place_of` a pair begins the message.
     """
-    known = stated or {}
-    new = list(_new(batch, engine.size))
-    if not new:
-        return
+    new = dict(_new(batch, engine.size))
+    if new:
+        _refuse(new, dict(_present(engine)), named, stated or {}, place_of)
+
+
+def refuse_refiltered(
+    engine: Engine,
+    rows: IntArray,
+    columns: Mapping[int, IntArray],
+    named: Callable[[int], str],
+    joints: Iterable[Joint],
+) -> None:
+    """Raise `SceneError` if a body that gets other filters can meet one without a restitution.
+
+    `columns` (k,) of the filters of k bodies are those that they get; joints keep pairs apart.
+    """
+    present = dict(_present(engine))
+    new = {
+        row: present[row]._replace(**{_Class._fields[1 + n]: int(x[k]) for n, x in columns.items()})
+        for k, row in enumerate(rows.tolist())
+        if row in present
+    }
+    if new:
+        _refuse(new, present, named, engine.stated_restitutions() | kept_apart(joints))
+
+
+def _refuse(
+    new: Mapping[int, _Class],
+    present: Mapping[int, _Class],
+    named: Callable[[int], str],
+    stated: Container[tuple[int, int]],
+    place_of: Callable[[int, int], str] = lambda *_: "",
+) -> None:
+    """Refuse a pair of bodies, one of them new, that can meet and for which nothing is stated."""
     groups: dict[_Class, list[int]] = {}
-    for row, what in (*_present(engine), *new):
+    for row, what in {**present, **new}.items():
         groups.setdefault(what, []).append(row)
     for one, other in combinations_with_replacement(groups, 2):
         if not (may_touch(one, other) and (one.dynamic or other.dynamic)):
             continue
         for i, j in product(groups[one], groups[other]):
-            if i != j and max(i, j) >= engine.size and (min(i, j), max(i, j)) not in known:
-                first, second = min(i, j), max(i, j)
+            first, second = min(i, j), max(i, j)
+            if i != j and (i in new or j in new) and (first, second) not in stated:
                 raise SceneError(
                     f"{place_of(first, second)}restitution of the pair {named(first)} and "
                     f"{named(second)}: not stated, and they can meet (R3). Give one of "

@@ -33,7 +33,7 @@ class About:
     substeps: int
     steps: int
     names: Mapping[str, int]
-    """Rows of the scene's bodies that are still there, by name."""
+    """Rows of the bodies that have a name, by that."""
     staying: list[int]
     """Rows of the scene's bodies that are still there."""
     scene: str | None
@@ -132,10 +132,12 @@ def scene_of(about: About, kind: NDArray[np.int8], *, dynamic: int, where: str) 
     Raises:
         UnfitError: they do not, or it is no scene.
     """
-    rows = {*about.staying, *about.names.values()}
-    require(len(set(about.staying)) == len(about.staying), _ABOUT, "names a body twice")
+    named, staying = set(about.names.values()), set(about.staying)
+    rows = staying | named
+    once = len(staying) == len(about.staying) and len(named) == len(about.names)
+    require(once, _ABOUT, "names a body twice")
     require(all(row < len(kind) and kind[row] for row in rows), _ABOUT, "names a body not there")
-    require(rows == set(about.staying) == set(about.names.values()), _ABOUT, "names other bodies")
+    require(staying <= named, _ABOUT, "names other bodies")
     if about.scene is None:
         return None
     try:

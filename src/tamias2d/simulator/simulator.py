@@ -23,6 +23,7 @@ from tamias2d.simulator import saving
 from tamias2d.simulator.acting_scene import acts_on_all
 from tamias2d.simulator.asking import Asking
 from tamias2d.simulator.batch import scene_batch
+from tamias2d.simulator.body_names import BodyNames
 from tamias2d.simulator.changing import Changing
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.joint_set import JointSet
@@ -32,6 +33,7 @@ from tamias2d.simulator.pushing import Pushing
 from tamias2d.simulator.saved_joints import restored_joints
 from tamias2d.simulator.settings import checked_flag, checked_substeps, checked_time_step
 from tamias2d.simulator.told_only import refuses_assignment
+from tamias2d.simulator.touching_rules import TouchingRules
 from tamias2d.simulator.varying_loads import VaryingLoads
 from tamias2d.suggestions import suggests
 
@@ -50,7 +52,7 @@ _LONGEST_WAIT = 2**31 - 1  # steps
 
 @suggests
 @refuses_assignment
-class Simulator(Pushing, Changing, Jointing, Asking):
+class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
     """A scene that is stepped through its contacts, and can be changed between the steps.
 
     `position` (n, 2), `orientation` (n,), `velocity` (n, 2), `angular_velocity` (n,), `force`
@@ -96,9 +98,9 @@ class Simulator(Pushing, Changing, Jointing, Asking):
         acts = scene.springs or acts_on_all(scene)
         acts = acts or not VaryingLoads(scene, moving, self._name_of, {}).empty
         self._scene = deepcopy(scene) if acts else None  # what acts is all that is asked of it
-        self._names = {body.name: k for k, body in enumerate(scene.bodies)}
+        self._names = BodyNames({body.name: k for k, body in enumerate(scene.bodies)})
         self._joints = JointSet(scene.joints)
-        self._staying = {k: body.name for k, body in enumerate(scene.bodies)}
+        self._staying = set(range(len(scene)))
         engine = Engine(
             gravity=scene.gravity,
             time_step=self._time_step,
@@ -151,8 +153,8 @@ class Simulator(Pushing, Changing, Jointing, Asking):
             time_step=self._time_step,
             substeps=self._substeps,
             steps=self._engine.steps,
-            names=self._names,
-            staying=list(self._staying),
+            names=self._names.rows,
+            staying=sorted(self._staying),
             scene=None if self._scene is None else scene_text(self._scene),
             joints=[asdict(joint) for joint in self._joints],
         )
@@ -168,8 +170,7 @@ class Simulator(Pushing, Changing, Jointing, Asking):
     def _take_over(self, content: Mapping[str, NDArray[Any]], where: str, compiled: bool) -> None:
         about, arrays = saving.opened(content, where)
         self._time_step, self._substeps = about.time_step, about.substeps
-        self._names = dict(about.names)
-        self._staying = {row: name for name, row in about.names.items()}
+        self._names, self._staying = BodyNames(about.names), set(about.staying)
         engine = restored_engine(
             saving.part(arrays, "engine"),
             time_step=about.time_step,

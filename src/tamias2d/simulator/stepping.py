@@ -13,6 +13,7 @@ from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene import Scene
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.simulator.acting_scene import acting_scene
+from tamias2d.simulator.body_names import BodyNames
 from tamias2d.simulator.exclusive import busy
 from tamias2d.simulator.hand_placed import put_elsewhere
 from tamias2d.simulator.invalid_state import invalid_state
@@ -62,8 +63,8 @@ class Stepping(Views):
         "_warned",
     )  # fmt: skip
     _joints: JointSet
-    _names: dict[str, int]  # of the scene's bodies that are there, their rows
-    _staying: dict[int, str]  # the same, by rows
+    _names: BodyNames
+    _staying: set[int]  # rows of the scene's bodies that are there
     _scene: Scene | None  # whose loads vary
     _substeps: int
     _time_step: float
@@ -156,15 +157,16 @@ class Stepping(Views):
         """Return the names of joints whose bodies were put elsewhere; tell those beyond limits."""
         placed = put_elsewhere(self._joints, self._left, self._engine)
         if placed:
-            self._tell(held_beyond_limits(placed, self._engine, self.time))
+            still = [joint for joint in placed if not self._joints.layout.is_pulled(joint)]
+            self._tell(held_beyond_limits(still, self._engine, self.time))
         return tuple(joint.name for joint in placed)
 
-    def _tell(self, found: Iterable[Told]) -> None:
-        """Warn of what the step is too long for, each once."""
+    def _tell(self, found: Iterable[Told], level: int = 4) -> None:
+        """Warn of what the step is too long for, each once; whoever called is so many calls up."""
         for name, text in found:
             if name not in self._warned:
                 self._warned[name] = text
-                warn(text, StepWarning, stacklevel=4)
+                warn(text, StepWarning, stacklevel=level)
 
     def _settle(self) -> None:
         """Give what was added its place, and see which loads vary on what is left."""
@@ -262,16 +264,25 @@ class Stepping(Views):
         return tuple(self._warned.values())
 
     def index(self, name: str) -> int:
-        """Return the index of a body of the scene by its name; raise `InputError` if none."""
+        """Return the index of a body by its name; raise `InputError` if there is none."""
         if not isinstance(name, str):
             raise RuleError(f"name: found {shown(name)}: must be a name (R1). Give a text.", "name")
         return int(self._rows(name)[0])
 
+    def name(self, body: int) -> str | None:
+        """Return the name of a body by its index, None if it has none.
+
+        Raises:
+            InputError: the body is not there.
+        """
+        (row,) = self._rows(body).tolist()
+        return self._names.of_row.get(row)
+
     def _rows(self, bodies: Bodies) -> IntArray:
-        return selected(bodies, self._engine.kind, self._names)
+        return selected(bodies, self._engine.kind, self._names.rows)
 
     def _name_of(self, row: int) -> str:
         if row >= self._engine.size:
             return f"body {row - self._engine.size} of those added"
-        name = self._staying.get(row)
+        name = self._names.of_row.get(row)
         return f"body {row}" if name is None else f"body '{name}'"

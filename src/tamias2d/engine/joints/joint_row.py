@@ -1,12 +1,15 @@
 """A joint as the engine is told of it."""
 
 import math
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from tamias2d.engine.tables import KEPT, MOTOR, SPRING
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
 from tamias2d.spec.row_program import RowProgram
+
+LawNumbers: TypeAlias = tuple[float, float, float, float, float]
+"""Rate, maximum, stiffness, damping and restitution."""
 
 
 class JointRow(NamedTuple):
@@ -21,8 +24,8 @@ class JointRow(NamedTuple):
     """Whether its bodies may not touch each other."""
     law: int = KEPT
     """What governs it, one of those in `tables`."""
-    numbers: tuple[float, float, float, float, float] = (0.0, math.inf, 0.0, 0.0, 0.0)
-    """Of its law: rate, maximum, stiffness, damping and restitution."""
+    numbers: LawNumbers = (0.0, math.inf, 0.0, 0.0, 0.0)
+    """Of its law."""
     program: RowProgram | None = None
     """Its row, if it has an equation of its own; `given` are its anchors then."""
     steepness: tuple[float, float] = (1.0, 1.0)

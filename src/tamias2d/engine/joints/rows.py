@@ -10,13 +10,15 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.elimination import Elimination, eliminated
 from tamias2d.engine.joints.equal_trees import equal_trees, rows_of, write_blocks_of
 from tamias2d.engine.joints.hinges import HingeTree, by_level, hinge_tree, is_net
-from tamias2d.engine.joints.joint_row import JointRow
+from tamias2d.engine.joints.joint_row import JointRow, LawNumbers
 from tamias2d.engine.joints.linearise import TURNED_TOGETHER
 from tamias2d.engine.joints.program_tables import lengths_of_programs, write_programs
 from tamias2d.engine.store import Store
+from tamias2d.engine.tables import Joints
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.kernels.lanes import LANES
+from tamias2d.scene.freedoms import VALUE_OF
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Vector
 
@@ -88,41 +90,51 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
 def move_anchor(store: Store, place: int, kind: str, end: str, point: Vector) -> None:
     """Let a joint hold the plane at another point, m; what was made of the old one is made anew."""
     joints = store.world.joints
-    column = anchor_column(kind, end)
-    if column is None:
-        return
+    column = 2 * ENDS.index(end)  # an equation of its own is no kind, and has all anchors
+    if kind in CONSTRAINTS:
+        if f"anchor_{end}" not in CONSTRAINTS[kind].parameters:
+            return
+        column = parameter_column(kind, f"anchor_{end}")
     joints.given[place, column], joints.given[place, column + 1] = point
     n = mechanism_of(store, place)
-    joints.mechanisms[n, tb.M_WRITTEN] = 0
+    _forget_written(n, joints)
     m = joints.sparse[n, tb.I_NODE] + 1
     if joints.mechanisms[n, tb.M_HINGED] == 0 or joints.members[m, tb.JOINED_HINGE] != place:
         return
     joints.hinges[m, tb.H_FAR_ANCHOR : tb.H_FAR_ANCHOR + 2] = point
     if joints.mechanisms[n, tb.M_IN_BLOCK]:
-        trees = joints.tree_blocks[:, tb.T_MECHANISM : tb.T_MECHANISM + LANES]
-        block, lane = np.argwhere(trees == n)[0]
+        block, lane = _lane_of(n, joints)
         row = joints.tree_lanes[joints.tree_blocks[block, tb.T_FIRST] + 1]
         row[tb.T_FAR_ANCHOR_X + lane], row[tb.T_FAR_ANCHOR_Y + lane] = point
-        joints.tree_blocks[block, tb.T_WRITTEN] = 0
 
 
-def set_angle(store: Store, place: int, angle: float) -> None:
-    """Let a limit of an angle be at another one, rad."""
+def set_law(store: Store, place: int, kind: str, at: float, numbers: LawNumbers) -> None:
+    """Let a row of a freedom, of a kind, be measured at another value, m or rad, by its law."""
     joints = store.world.joints
-    joints.given[place, 0] = angle
-    joints.mechanisms[mechanism_of(store, place), tb.M_WRITTEN] = 0
-
-
-def set_motor(store: Store, place: int, rate: float, most: float) -> None:
-    """Let a motor keep another rate, m/s or rad/s, with at most a force, N, or a torque, N m."""
-    joints = store.world.joints
-    joints.laws[place, [tb.LAW_RATE, tb.LAW_MOST]] = rate, most
+    joints.given[place, parameter_column(kind, VALUE_OF[kind])] = at
+    joints.laws[place] = numbers
     n = mechanism_of(store, place)
     own = slice(*joints.mechanisms[n : n + 2, tb.M_JOINT])
     law, mechanism = joints.joints[own, tb.J_LAW], joints.mechanisms[n]
     turned = ((law == tb.MOTOR) & (joints.laws[own, tb.LAW_RATE] != 0.0)).any()
     mechanism[tb.M_TURNED_BY_MOTOR] = turned
     mechanism[tb.M_DRIVEN] = turned or mechanism[tb.M_TIMED] or (law == tb.SPRING).any()
+    mechanism[tb.M_BOUNCING] = (joints.laws[own, tb.LAW_RESTITUTION] > 0.0).any()
+    _forget_written(n, joints)
+
+
+def _forget_written(n: int, joints: Joints) -> None:
+    """Write the rows of a mechanism anew before they are next solved, and its block if any."""
+    joints.mechanisms[n, tb.M_WRITTEN] = 0
+    if joints.mechanisms[n, tb.M_IN_BLOCK]:
+        joints.tree_blocks[_lane_of(n, joints)[0], tb.T_WRITTEN] = 0
+
+
+def _lane_of(n: int, joints: Joints) -> tuple[int, int]:
+    """Return the block of a tree, and its lane there."""
+    trees = joints.tree_blocks[:, tb.T_MECHANISM : tb.T_MECHANISM + LANES]
+    block, lane = np.argwhere(trees == n)[0].tolist()
+    return block, lane
 
 
 def mechanism_of(store: Store, place: int) -> int:
@@ -133,17 +145,10 @@ def mechanism_of(store: Store, place: int) -> int:
 
 
 @cache
-def anchor_column(kind: str, end: str) -> int | None:
-    """Return where among its parameters a kind of joint has the anchor of an end; None if none.
-
-    An equation of its own is no kind, and has the anchors of all ends.
-    """
-    if kind not in CONSTRAINTS:
-        return 2 * ENDS.index(end)
+def parameter_column(kind: str, name: str) -> int:
+    """Return where among the numbers that a kind of joint is given a parameter begins."""
     parameters = CONSTRAINTS[kind].parameters
-    if f"anchor_{end}" not in parameters:
-        return None
-    before = parameters[: parameters.index(f"anchor_{end}")]
+    before = parameters[: parameters.index(name)]
     symbols = [SYMBOLS.get(name) or SYMBOLS[name.rpartition("_")[0]] for name in before]
     return sum(2 if symbol.shape == "vector" else 1 for symbol in symbols)
 

@@ -1,0 +1,80 @@
+"""What bodies touch, and how, is changed between steps: filters and surfaces (R3)."""
+
+from tamias2d.engine.tables import CATEGORY, FRICTION, GROUP, MASK, RESTITUTION
+from tamias2d.scene.filters import checked_whole
+from tamias2d.scene.rules import RuleError
+from tamias2d.simulator.adding import SURFACE
+from tamias2d.simulator.columns import numbers, wholes
+from tamias2d.simulator.exclusive import exclusive
+from tamias2d.simulator.missing_restitution import refuse_refiltered
+from tamias2d.simulator.selection import Bodies
+from tamias2d.simulator.stepping import Stepping
+from tamias2d.suggestions import suggests
+
+_OF = "the bodies"
+_FILTERS = {"category": CATEGORY, "mask": MASK, "group": GROUP}
+_MATERIAL = {"friction": FRICTION, "restitution": RESTITUTION}
+
+
+@suggests
+class TouchingRules(Stepping):
+    """Bodies get other filters and surfaces."""
+
+    __slots__ = ()
+
+    @exclusive
+    def set_filters(
+        self,
+        bodies: Bodies,
+        *,
+        category: object = None,
+        mask: object = None,
+        group: object = None,
+    ) -> None:
+        """Change which others bodies may touch, from the next step on; what is left out stays (R3).
+
+        Each is a whole number for all of k bodies, or an array (k,); a mask of 2**63 - 1 meets all.
+        What touched and may no longer leaves `contacts`, and is not told as `ended`; what overlaps
+        and may touch now is pushed apart as bodies are that were moved by hand. What sleeps wakes
+        where something changes. It takes some 100 microseconds, and the next step looks for pairs.
+
+        Raises:
+            InputError: a body is not there, or a value breaks a rule (R4).
+            SceneError: bodies can meet now for which no restitution is stated.
+        """
+        rows, said = self._rows(bodies), {"category": category, "mask": mask, "group": group}
+        columns = {
+            _FILTERS[key]: wholes(value, key, _OF, count=len(rows), check=checked_whole)
+            for key, value in _stated(said).items()
+        }
+        refuse_refiltered(self._engine, rows, columns, self._name_of, self._joints)
+        self._unsettled |= self._engine.set_filters(rows, columns)
+
+    @exclusive
+    def set_surface(
+        self, bodies: Bodies, *, friction: object = None, restitution: object = None
+    ) -> None:
+        """Change the friction and restitution of bodies, from the next step on (R3).
+
+        Each is a number for all of k bodies, or an array (k,); what is left out stays, and so does
+        what is set for a pair. What sleeps on a surface that changes wakes. It takes some 80
+        microseconds, and the next step looks for pairs.
+
+        Raises:
+            InputError: a body is not there, or a value breaks a rule (R4).
+        """
+        rows, said = self._rows(bodies), {"friction": friction, "restitution": restitution}
+        columns = {
+            _MATERIAL[key]: numbers(value, key, _OF, SURFACE[key], count=len(rows), symbol=key)
+            for key, value in _stated(said).items()
+        }
+        self._engine.set_surfaces(rows, columns)
+
+
+def _stated(said: dict[str, object]) -> dict[str, object]:
+    """Return what is not left out; refuse to change nothing."""
+    stated = {key: value for key, value in said.items() if value is not None}
+    if not stated:
+        words = " or ".join((", ".join(list(said)[:-1]), list(said)[-1]))
+        raise RuleError(f"{_OF}: found nothing to change (R3). Give {words}.", next(iter(said)))
+    return stated
