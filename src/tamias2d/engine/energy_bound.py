@@ -2,7 +2,7 @@
 
 The kinetic energy of an island may be no more than when the step began and what gravity and forces
 have given it since. Where they have taken some, as overlaps are pushed apart against them, the
-bodies that are lifted pay for it (`lifting`). Each contact is solved by itself; where many hold the
+bodies that rise pay for it (`lifting`). Each contact is solved by itself; where many hold the
 same bodies, together they may give more than there was.
 
 Of restitution an island keeps the largest share that the bound allows; of what is still too much
@@ -20,7 +20,7 @@ from tamias2d.engine.solver.island_damping import (
     sum_island_motions,
 )
 from tamias2d.engine.solver.joined_gains import note_gains
-from tamias2d.engine.solver.lifting import charge_lifted
+from tamias2d.engine.solver.lifting import charge_rising
 from tamias2d.engine.solver.support import (
     SUPPORTED_BY_MORE,
     find_references,
@@ -80,7 +80,7 @@ def bound_energy(
         sum_island_motions(bodies, touching, constraints, islands)
         damp_islands(bodies, touching, constraints, islands)
         note_gains(control, islands, joints)
-    charge_lifted(bodies, touching, constraints, islands)
+    charge_rising(control, bodies, touching, constraints, islands)
 
 
 def sum_island_energies(

@@ -1,32 +1,35 @@
-"""Bodies that are lifted out of overlaps pay for it with their motion (DD87).
+"""Bodies that rise pay for what contacts lift (DD87).
 
 Contacts push overlaps apart, also against gravity and forces. What that takes is missing from the
-motion of those bodies to which contacts have given energy: otherwise a heap would swing up and down
-on its overlaps. A support that turns lifts what lies on it, since its way bends: there, nothing is
-taken. Cost: a visit to each body, where something is lifted.
+motion against these of the bodies to which contacts have given energy: otherwise a heap would swing
+up and down on its overlaps. A support that turns lifts what lies on it, since its way bends: there,
+nothing is taken. Cost: a visit to each body, where something is lifted.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
+from tamias2d.engine.solver.energy import GRACE
 from tamias2d.engine.solver.support import SUPPORTED_BY_ONE, is_root, reference_at
-from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
-from tamias2d.generated.definitions import kinetic_energy
+from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Touching
+from tamias2d.generated.definitions import acceleration
 from tamias2d.generated.island_energy import (
-    angular_velocity_damped,
-    angular_velocity_seen,
     damped_share,
-    kinetic_energy_charged,
     kinetic_energy_most,
-    velocity_damped,
+    rising_energy,
+    rising_energy_charged,
+    velocity_charged,
     velocity_seen,
 )
 from tamias2d.state import Array
 
 
-def charge_lifted(
-    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
+def charge_rising(
+    control: Control,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
 ) -> None:
-    """Take from lifted bodies what their islands have too much for it, as far as they move."""
+    """Take from bodies that rise what their islands have too much, as far as they have it."""
     some = False
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
@@ -39,7 +42,7 @@ def charge_lifted(
         if bodies.kind[i] == tb.DYNAMIC and islands.energy[i, tb.ENERGY_GIVEN] > 0.0:
             row = islands.energy[islands.links[i, tb.ROOT]]
             if row[tb.ENERGY_SURPLUS] > 0.0:
-                charge(i, row, bodies, islands)
+                charge(i, row, control, bodies, islands)
 
 
 def surplus_of_lift(row: Array) -> float:
@@ -52,16 +55,19 @@ def surplus_of_lift(row: Array) -> float:
     return float(surplus) if surplus > GRACE * kept else 0.0
 
 
-def charge(i: int, row: Array, bodies: Bodies, islands: Islands) -> None:
-    """Take from a body its part of what its island has too much."""
-    velocity, spin = reference_at(i, bodies, islands)
-    mass, inertia = mass_and_inertia(i, bodies.properties)
+def charge(i: int, row: Array, control: Control, bodies: Bodies, islands: Islands) -> None:
+    """Take from the motion of a body against the forces on it what it has to pay."""
+    inverse_mass, load = bodies.properties[i, tb.INVERSE_MASS], bodies.load[i]
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
+    x, y = acceleration(gravity, (load[0], load[1]), inverse_mass)
+    (by_x, by_y), _ = reference_at(i, bodies, islands)
     now = bodies.motion[i]
-    seen = velocity_seen((now[tb.VX], now[tb.VY]), velocity)
-    energy = kinetic_energy(mass, seen, inertia, angular_velocity_seen(now[tb.SPIN], spin))
+    seen = velocity_seen((now[tb.VX], now[tb.VY]), (by_x, by_y))
+    if not (seen[0] * x + seen[1] * y < 0.0 and x * x + y * y > 0.0):
+        return
+    energy = rising_energy(1.0 / inverse_mass, seen, (x, y))
     given = islands.energy[i, tb.ENERGY_GIVEN]
-    left = kinetic_energy_charged(energy, row[tb.ENERGY_SURPLUS], given, row[tb.ENERGY_GIVEN_ALL])
+    left = rising_energy_charged(energy, row[tb.ENERGY_SURPLUS], given, row[tb.ENERGY_GIVEN_ALL])
     if energy > left:
-        share = damped_share(energy, left, 0.0)
-        now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), velocity, share)
-        now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
+        kept = velocity_charged(seen, (x, y), damped_share(energy, left, 0.0))
+        now[tb.VX], now[tb.VY] = by_x + kept[0], by_y + kept[1]
