@@ -489,7 +489,7 @@ def rising_energy_charged(
     Args:
         rising_energy: Energy of the motion of a body along the acceleration that forces give
             it, J
-        energy_surplus: Energy of motion that an island has too much for what it has lifted, J
+        energy_surplus: Energy that contacts have given an island in all, as it was lifted, J
         energy_given: Energy that contacts have given a body in a step, negative if they took
             it, J
         energy_given_all: Energy that contacts have given those bodies of an island that got

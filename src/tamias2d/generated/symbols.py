@@ -1958,7 +1958,7 @@ SYMBOLS: dict[str, Symbol] = {
     "energy_surplus": Symbol(
         "energy_surplus",
         "J",
-        "energy of motion that an island has too much for what it has lifted",
+        "energy that contacts have given an island in all, as it was lifted",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",

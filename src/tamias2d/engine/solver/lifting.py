@@ -13,7 +13,7 @@ from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Touchi
 from tamias2d.generated.definitions import acceleration
 from tamias2d.generated.island_energy import (
     damped_share,
-    kinetic_energy_most,
+    energy_given,
     rising_energy,
     rising_energy_charged,
     velocity_charged,
@@ -51,7 +51,7 @@ def surplus_of_lift(row: Array) -> float:
     if not steady or row[tb.WORK] >= 0.0:
         return 0.0
     kept = min(row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND])
-    surplus = kept - kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK])
+    surplus = energy_given(kept, row[tb.ENERGY_START], row[tb.WORK])
     return float(surplus) if surplus > GRACE * kept else 0.0
 
 
