@@ -1,6 +1,7 @@
 """What contacts lift out of overlaps is paid for by bodies that rise (DD87)."""
 
-import numpy as np
+from typing import Any
+
 import pytest
 
 from tamias2d.simulator import Simulator
@@ -25,7 +26,7 @@ def test_only_bodies_that_do_not_rise_get_energy_from_overlaps(radius: float, fa
     assert lifted >= 5
 
 
-def energies(sim: Simulator, rows: Array) -> Array:
+def energies(sim: Simulator, rows: Any) -> Array:
     """Return the energies of motion and of gravity of some bodies, J."""
     mass, inertia = sim.mass[rows], 1.0 / sim._engine.inverse_inertia[rows]
     speed, spin = (sim.velocity[rows] ** 2).sum(axis=1), sim.angular_velocity[rows]
