@@ -33,4 +33,5 @@ def ways(saved: Path) -> Array:
 
     with patch("tamias2d.engine.step.end_part", watched), np.errstate(all="ignore"):
         sim.step()
-    return length
+    alone: Array = np.hypot(*(sim.position - place).T)  # bodies without contacts take no parts
+    return length + alone
