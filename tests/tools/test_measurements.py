@@ -174,7 +174,7 @@ def test_certificates_that_are_stopped_are_told(monkeypatch: pytest.MonkeyPatch)
 
 
 def test_crowds() -> None:
-    found = crowds.measure(bodies=9, steps=3)
+    found = crowds.measure(bodies=9, steps=3, by_way=True)
     assert json.loads(json.dumps(found)) == found
     heads, rows = table(crowds, found)
     assert {len(row) for row in rows} == {len(heads)}

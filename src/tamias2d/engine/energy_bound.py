@@ -1,8 +1,9 @@
 """A bound on energy: contacts never make any, however many act at once (IM11, DD36, DD37).
 
 The kinetic energy of an island may be no more than when the step began and what gravity and forces
-have given it since; pushing overlaps apart costs nothing. Each contact is solved by itself; where
-many hold the same bodies, together they may give more than there was.
+have given it since. Where they have taken some, as overlaps are pushed apart against them, the
+bodies that rise pay for it (`lifting`). Each contact is solved by itself; where many hold the
+same bodies, together they may give more than there was.
 
 Of restitution an island keeps the largest share that the bound allows; of what is still too much
 its motion is damped. The bound is tested where there is restitution, or where there is more energy
@@ -19,6 +20,7 @@ from tamias2d.engine.solver.island_damping import (
     sum_island_motions,
 )
 from tamias2d.engine.solver.joined_gains import note_gains
+from tamias2d.engine.solver.lifting import charge_rising
 from tamias2d.engine.solver.support import (
     SUPPORTED_BY_MORE,
     find_references,
@@ -31,7 +33,7 @@ from tamias2d.generated.island_energy import (
     accumulated_impulse_kept,
     angular_velocity_kept,
     angular_velocity_seen,
-    bounce_energy_most,
+    energy_given,
     kept_share_falling,
     kept_share_rising,
     kinetic_energy_kept,
@@ -78,6 +80,7 @@ def bound_energy(
         sum_island_motions(bodies, touching, constraints, islands)
         damp_islands(bodies, touching, constraints, islands)
         note_gains(control, islands, joints)
+    charge_rising(control, bodies, touching, constraints, islands)
 
 
 def sum_island_energies(
@@ -98,8 +101,9 @@ def sum_island_energies(
         if bodies.kind[i] == tb.DYNAMIC:
             velocity, spin = reference_at(i, bodies, islands)
             row = islands.energy[islands.links[i, tb.ROOT]]
-            row[tb.WORK] += work_seen(i, velocity, spin, control, bodies)
-            sum_body_energy(i, velocity, spin, bodies, row)
+            work_of_body = work_seen(i, velocity, spin, control, bodies)
+            row[tb.WORK] += work_of_body
+            sum_body_energy(i, velocity, spin, work_of_body, bodies, islands)
             if constraints.counts[tb.BOUNCING] > 0:
                 sum_restitution_energy(i, velocity, spin, bodies, islands.energy[i], row)
 
@@ -118,16 +122,27 @@ def work_seen(i: int, velocity: Vector, spin: float, control: Control, bodies: B
     return work(mass, gravity, (load[0], load[1]), load[2], shift, turn)
 
 
-def sum_body_energy(i: int, velocity: Vector, spin: float, bodies: Bodies, row: Array) -> None:
-    """Add the energies of a body, then and now, to those of its island."""
+def sum_body_energy(
+    i: int, velocity: Vector, spin: float, work_of_body: float, bodies: Bodies, islands: Islands
+) -> None:
+    """Add the energies of a body, then and now, and what contacts gave it, to those of its island.
+
+    What forces gave it is given, J.
+    """
+    row = islands.energy[islands.links[i, tb.ROOT]]
     mass, inertia = mass_and_inertia(i, bodies.properties)
     then, now = bodies.substep_state[i], bodies.motion[i]
     seen = velocity_seen((then[tb.STEP_START], then[tb.STEP_START + 1]), velocity)
     spin_seen = angular_velocity_seen(then[tb.STEP_START + 2], spin)
-    row[tb.ENERGY_START] += kinetic_energy(mass, seen, inertia, spin_seen)
+    start = kinetic_energy(mass, seen, inertia, spin_seen)
     seen = velocity_seen((now[tb.VX], now[tb.VY]), velocity)
     spin_seen = angular_velocity_seen(now[tb.SPIN], spin)
-    row[tb.ENERGY_AFTER] += kinetic_energy(mass, seen, inertia, spin_seen)
+    after = kinetic_energy(mass, seen, inertia, spin_seen)
+    given = energy_given(after, start, work_of_body)
+    islands.energy[i, tb.ENERGY_GIVEN] = given
+    row[tb.ENERGY_START] += start
+    row[tb.ENERGY_AFTER] += after
+    row[tb.ENERGY_GIVEN_ALL] += max(given, 0.0)
 
 
 def sum_restitution_energy(
@@ -160,8 +175,8 @@ def choose_kept_shares(
             row[tb.ENERGY_AFTER],
             row[tb.ENERGY_OF_CHANGE],
         )
-        row[tb.ENERGY_BOUND] = kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK])
-        most = max(bounce_energy_most(row[tb.ENERGY_START], row[tb.WORK]), before)
+        row[tb.ENERGY_BOUND] = kinetic_energy_most(row[tb.ENERGY_START], max(row[tb.WORK], 0.0))
+        most = max(kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK]), before)
         row[tb.KEPT_SHARE], row[tb.ENERGY_KEPT] = 1.0, after
         bounded = constraints.counts[tb.BOUNCING] > 0 and row[tb.SUPPORT] != SUPPORTED_BY_MORE
         if bounded and after > most * (1.0 + GRACE):

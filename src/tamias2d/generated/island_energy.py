@@ -1,12 +1,12 @@
 """Island energy: Work in a step; Motion seen from a support; Motion of an island as one body;
-Share of a bounce; Bound on the energy of an island; Angular momentum that contacts give;
-Angular momentum of a free island.
+Share of a bounce; Bound on the energy of an island; Energy for a lift; Angular momentum that
+contacts give; Angular momentum of a free island.
 
 Generated from srs/models/island_energy.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, largest, least, sqrt
+from tamias2d.spec.functions import Scalar, Vector, largest, least, power, sqrt
 
 
 def work(
@@ -367,21 +367,7 @@ def kept_share_falling(energy_room: Scalar, energy_rise: Scalar, change_energy: 
 def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
     """Energy of motion, turning included; the most that there may be (J).
 
-    kinetic_energy_most = kinetic_energy_start + max(work, 0)
-
-    Args:
-        kinetic_energy_start: Energy of motion, turning included; at the start, J
-        work: Energy that gravity, forces and torques have given a body in a step, J
-
-    Source: IM11, srs/models/island_energy.md:247.
-    """
-    return kinetic_energy_start + largest(work, 0)
-
-
-def bounce_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
-    """Energy of motion up to which a bounce may raise that of an island (J).
-
-    bounce_energy_most = max(kinetic_energy_start + work, 0[J])
+    kinetic_energy_most = max(kinetic_energy_start + work, 0[J])
 
     Args:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
@@ -456,6 +442,94 @@ def angular_velocity_damped(
     return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)
 
 
+def energy_given(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
+    """Energy that contacts have given a body in a step, negative if they took it (J).
+
+    energy_given = kinetic_energy - kinetic_energy_start - work
+
+    Args:
+        kinetic_energy: Energy of motion, turning included, J
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+
+    Source: DD87, srs/models/island_energy.md:329.
+    """
+    return kinetic_energy - kinetic_energy_start - work
+
+
+def rising_energy(mass: Scalar, velocity: Vector, acceleration: Vector) -> Scalar:
+    """Energy of the motion of a body along the acceleration that forces give it (J).
+
+    rising_energy = mass*dot(velocity, acceleration)**2/(2*dot(acceleration, acceleration))
+
+    Args:
+        mass: Mass of a body, kg
+        velocity: Velocity of the centre of mass, m/s
+        acceleration: Acceleration of the centre of mass, m/s^2
+
+    Source: DD87, srs/models/island_energy.md:330.
+    """
+    velocity_x, velocity_y = velocity
+    acceleration_x, acceleration_y = acceleration
+    return (
+        mass
+        * power(velocity_x * acceleration_x + velocity_y * acceleration_y, 2)
+        / (2 * (acceleration_x * acceleration_x + acceleration_y * acceleration_y))
+    )
+
+
+def rising_energy_charged(
+    rising_energy: Scalar, energy_surplus: Scalar, energy_given: Scalar, energy_given_all: Scalar
+) -> Scalar:
+    """Energy of that motion after the body has paid for what is lifted (J).
+
+    rising_energy_charged = max(rising_energy - energy_surplus*energy_given/energy_given_all,
+    0[J])
+
+    Args:
+        rising_energy: Energy of the motion of a body along the acceleration that forces give
+            it, J
+        energy_surplus: Energy that contacts have given an island in all, as it was lifted, J
+        energy_given: Energy that contacts have given a body in a step, negative if they took
+            it, J
+        energy_given_all: Energy that contacts have given those bodies of an island that got
+            some, J
+
+    Source: DD87, srs/models/island_energy.md:332.
+    """
+    return largest(rising_energy - energy_surplus * energy_given / energy_given_all, 0.0)
+
+
+def velocity_charged(velocity: Vector, acceleration: Vector, damped_share: Scalar) -> Vector:
+    """Velocity of a body that has paid for what is lifted (m/s).
+
+    velocity_charged = velocity - (1 - damped_share)*dot(velocity,
+    acceleration)/dot(acceleration, acceleration)*acceleration
+
+    Args:
+        velocity: Velocity of the centre of mass, m/s
+        acceleration: Acceleration of the centre of mass, m/s^2
+        damped_share: Part that an island keeps of what differs in its velocities from its
+            motion as one, 1
+
+    Source: DD87, srs/models/island_energy.md:334.
+    """
+    velocity_x, velocity_y = velocity
+    acceleration_x, acceleration_y = acceleration
+    return (
+        velocity_x
+        - (1 - damped_share)
+        * (velocity_x * acceleration_x + velocity_y * acceleration_y)
+        / (acceleration_x * acceleration_x + acceleration_y * acceleration_y)
+        * acceleration_x,
+        velocity_y
+        - (1 - damped_share)
+        * (velocity_x * acceleration_x + velocity_y * acceleration_y)
+        / (acceleration_x * acceleration_x + acceleration_y * acceleration_y)
+        * acceleration_y,
+    )
+
+
 def moment_ahead_moved(
     moment_ahead: Scalar, velocity: Vector, velocity_change: Vector, time_step: Scalar
 ) -> Scalar:
@@ -471,7 +545,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:350.
+    Source: DD66, srs/models/island_energy.md:386.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -492,7 +566,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:351.
+    Source: DD66, srs/models/island_energy.md:387.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -523,7 +597,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:352.
+    Source: DD66, srs/models/island_energy.md:388.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -550,7 +624,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:415.
+    Source: IM17, srs/models/island_energy.md:451.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -574,7 +648,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:417.
+    Source: IM17, srs/models/island_energy.md:453.
     """
     return least(
         sqrt(
@@ -603,7 +677,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:420.
+    Source: IM17, srs/models/island_energy.md:456.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -635,7 +709,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:422.
+    Source: IM17, srs/models/island_energy.md:458.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

@@ -276,7 +276,7 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:119.
+    Source: IM15, srs/models/joint_step.md:118.
     """
     return (1 - removed_share) * row_value
 
@@ -290,7 +290,7 @@ def drive_error(row_rate: Scalar, drive_rate: Scalar) -> Scalar:
         row_rate: Rate of a row's value, or a body's part in it, m/s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: IM15, srs/models/joint_step.md:120.
+    Source: IM15, srs/models/joint_step.md:119.
     """
     return row_rate - drive_rate
 
@@ -304,7 +304,7 @@ def row_impulse_most(row_force_most: Scalar, time_step: Scalar) -> Scalar:
         row_force_most: The most that a motor exerts, for slopes of length one, N
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:121.
+    Source: IM15, srs/models/joint_step.md:120.
     """
     return time_step * row_force_most
 
@@ -319,7 +319,7 @@ def struck_share(row_value_start: Scalar, row_value: Scalar) -> Scalar:
             m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: IM15, srs/models/joint_step.md:122.
+    Source: IM15, srs/models/joint_step.md:121.
     """
     return row_value_start / (row_value_start - row_value)
 
@@ -334,7 +334,7 @@ def struck_rate(row_rate_start: Scalar, struck_share: Scalar, row_rate: Scalar) 
         struck_share: Part of a substep after which a limit is struck, 1
         row_rate: Rate of a row's value, or a body's part in it, m/s
 
-    Source: IM15, srs/models/joint_step.md:123.
+    Source: IM15, srs/models/joint_step.md:122.
     """
     return row_rate_start + struck_share * (row_rate - row_rate_start)
 
@@ -349,7 +349,7 @@ def bounce_rate(restitution: Scalar, struck_rate: Scalar) -> Scalar:
             energy is lost), 1
         struck_rate: Rate of a row as its limit is struck, m/s
 
-    Source: IM15, srs/models/joint_step.md:124.
+    Source: IM15, srs/models/joint_step.md:123.
     """
     return (-restitution) * struck_rate
 
@@ -363,7 +363,7 @@ def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
         row_force: Force of a row of a joint, for slopes of length one, N
         row_bend: Second derivative of a row's value by the orientation of a body, m
 
-    Source: IM15, srs/models/joint_step.md:125.
+    Source: IM15, srs/models/joint_step.md:124.
     """
     return (-row_force) * row_bend
 
@@ -378,7 +378,7 @@ def inertia_held(inertia: Scalar, leaning: Scalar, time_step: Scalar) -> Scalar:
         leaning: By how much less a joint's pull turns a body that has turned by a radian, N*m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:126.
+    Source: IM15, srs/models/joint_step.md:125.
     """
     return largest(inertia, time_step * time_step * leaning)
 
@@ -391,7 +391,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:127.
+    Source: IM15, srs/models/joint_step.md:126.
     """
     return sqrt(kick_decay)
 
@@ -405,7 +405,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:128.
+    Source: IM15, srs/models/joint_step.md:127.
     """
     return kick_gain / (1 + half_decay)
 
@@ -420,7 +420,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:129.
+    Source: IM15, srs/models/joint_step.md:128.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -435,23 +435,9 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:130.
+    Source: IM15, srs/models/joint_step.md:129.
     """
     return (kick_velocity - half_gain) / half_decay
-
-
-def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
-    """Energy of motion, turning included; the most that there may be (J).
-
-    kinetic_energy_most = max(kinetic_energy_start + work, 0[J])
-
-    Args:
-        kinetic_energy_start: Energy of motion, turning included; at the start, J
-        work: Energy that gravity, forces and torques have given a body in a step, J
-
-    Source: IM15, srs/models/joint_step.md:131.
-    """
-    return largest(kinetic_energy_start + work, 0.0)
 
 
 def kept_way(kinetic_energy_start: Scalar, lift_work: Scalar, work: Scalar) -> Scalar:
@@ -464,7 +450,7 @@ def kept_way(kinetic_energy_start: Scalar, lift_work: Scalar, work: Scalar) -> S
         lift_work: Energy that overlaps under the weight of a body store and give back, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM15, srs/models/joint_step.md:132.
+    Source: IM15, srs/models/joint_step.md:130.
     """
     return least((-(kinetic_energy_start + lift_work)) / work, 1)
 
@@ -479,7 +465,7 @@ def spring_change(row_impulse: Scalar, row_yield: Scalar) -> Scalar:
         row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
             1/kg
 
-    Source: DD86, srs/models/joint_step.md:244.
+    Source: DD86, srs/models/joint_step.md:241.
     """
     return row_impulse * row_impulse * row_yield / 2
 
@@ -499,7 +485,7 @@ def change_most(
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:245.
+    Source: DD86, srs/models/joint_step.md:242.
     """
     return amplification * amplification * mass * rates_squared / 2 + spring_change
 
@@ -515,7 +501,7 @@ def firmness_most(mass: Scalar, row_arm: Scalar, amplification: Scalar) -> Scala
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:246.
+    Source: DD86, srs/models/joint_step.md:243.
     """
     return amplification * amplification * mass * row_arm * row_arm
 
@@ -529,7 +515,7 @@ def closing_share(row_value: Scalar, closing_way: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         closing_way: Way by which a row that has yielded may close in a substep at most, m
 
-    Source: DD86, srs/models/joint_step.md:247.
+    Source: DD86, srs/models/joint_step.md:244.
     """
     return closing_way / abs(row_value)
 
@@ -549,7 +535,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:325.
+    Source: IM19, srs/models/joint_step.md:322.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -571,7 +557,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:329.
+    Source: IM19, srs/models/joint_step.md:326.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -606,7 +592,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:331.
+    Source: IM19, srs/models/joint_step.md:328.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -622,7 +608,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:332.
+    Source: IM19, srs/models/joint_step.md:329.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -636,7 +622,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:433.
+    Source: DD79, srs/models/joint_step.md:430.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -661,7 +647,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:434.
+    Source: DD79, srs/models/joint_step.md:431.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -680,7 +666,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:436.
+    Source: DD79, srs/models/joint_step.md:433.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -704,7 +690,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:438.
+    Source: DD79, srs/models/joint_step.md:435.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -719,7 +705,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:440.
+    Source: DD79, srs/models/joint_step.md:437.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -735,6 +721,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:441.
+    Source: DD79, srs/models/joint_step.md:438.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

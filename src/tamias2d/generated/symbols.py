@@ -1938,14 +1938,58 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1212,
     ),
-    "bounce_energy_most": Symbol(
-        "bounce_energy_most",
+    "energy_given": Symbol(
+        "energy_given",
         "J",
-        "energy of motion up to which a bounce may raise that of an island",
-        range=Range(">= 0", low=0.0, low_open=False),
-        tex="K_{\\max}^e",
+        "energy that contacts have given a body in a step, negative if they took it",
+        tex="E_c",
         file="srs/symbols.md",
         line=1217,
+    ),
+    "energy_given_all": Symbol(
+        "energy_given_all",
+        "J",
+        "energy that contacts have given those bodies of an island that got some",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_{c,\\Sigma}",
+        file="srs/symbols.md",
+        line=1221,
+    ),
+    "energy_surplus": Symbol(
+        "energy_surplus",
+        "J",
+        "energy that contacts have given an island in all, as it was lifted",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_+",
+        file="srs/symbols.md",
+        line=1226,
+    ),
+    "rising_energy": Symbol(
+        "rising_energy",
+        "J",
+        "energy of the motion of a body along the acceleration that forces give it",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="K_\\uparrow",
+        file="srs/symbols.md",
+        line=1231,
+    ),
+    "rising_energy_charged": Symbol(
+        "rising_energy_charged",
+        "J",
+        "energy of that motion after the body has paid for what is lifted",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="K_{\\uparrow -}",
+        file="srs/symbols.md",
+        line=1236,
+    ),
+    "velocity_charged": Symbol(
+        "velocity_charged",
+        "m/s",
+        "velocity of a body that has paid for what is lifted",
+        shape="vector",
+        tex="\\mathbf{v}_-",
+        file="srs/symbols.md",
+        line=1241,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1954,7 +1998,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1222,
+        line=1246,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1962,7 +2006,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1227,
+        line=1251,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1971,7 +2015,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1231,
+        line=1255,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1979,7 +2023,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1236,
+        line=1260,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1988,7 +2032,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1241,
+        line=1265,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -1997,7 +2041,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1246,
+        line=1270,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2006,7 +2050,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1251,
+        line=1275,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2015,7 +2059,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1256,
+        line=1280,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2024,7 +2068,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1263,
+        line=1287,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2033,7 +2077,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1268,
+        line=1292,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2041,7 +2085,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1273,
+        line=1297,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2049,7 +2093,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1278,
+        line=1302,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2057,7 +2101,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1284,
+        line=1308,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2066,7 +2110,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1288,
+        line=1312,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2075,7 +2119,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1295,
+        line=1319,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2084,7 +2128,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1300,
+        line=1324,
     ),
     "energy": Symbol(
         "energy",
@@ -2092,7 +2136,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1305,
+        line=1329,
     ),
     "radius": Symbol(
         "radius",
@@ -2101,7 +2145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1314,
+        line=1338,
     ),
     "length": Symbol(
         "length",
@@ -2110,7 +2154,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1319,
+        line=1343,
     ),
     "width": Symbol(
         "width",
@@ -2119,7 +2163,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1326,
+        line=1350,
     ),
     "height": Symbol(
         "height",
@@ -2128,7 +2172,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1331,
+        line=1355,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2137,7 +2181,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1336,
+        line=1360,
     ),
     "center": Symbol(
         "center",
@@ -2146,7 +2190,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1341,
+        line=1365,
     ),
     "offset": Symbol(
         "offset",
@@ -2154,7 +2198,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1346,
+        line=1370,
     ),
     "area": Symbol(
         "area",
@@ -2163,7 +2207,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1350,
+        line=1374,
     ),
     "way": Symbol(
         "way",
@@ -2172,7 +2216,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1355,
+        line=1379,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2180,7 +2224,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1360,
+        line=1384,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2189,7 +2233,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1364,
+        line=1388,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2198,7 +2242,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1369,
+        line=1393,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2206,7 +2250,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1374,
+        line=1398,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2214,7 +2258,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1378,
+        line=1402,
     ),
     "lean": Symbol(
         "lean",
@@ -2222,7 +2266,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1382,
+        line=1406,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2230,7 +2274,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1386,
+        line=1410,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2238,7 +2282,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1390,
+        line=1414,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2247,7 +2291,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1396,
+        line=1420,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2255,7 +2299,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1409,
+        line=1433,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2263,7 +2307,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1413,
+        line=1437,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2272,7 +2316,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1417,
+        line=1441,
     ),
     "slope": Symbol(
         "slope",
@@ -2281,7 +2325,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1422,
+        line=1446,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2290,7 +2334,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1427,
+        line=1451,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2299,7 +2343,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1432,
+        line=1456,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2308,7 +2352,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1437,
+        line=1461,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2316,7 +2360,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1442,
+        line=1466,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2324,7 +2368,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1446,
+        line=1470,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2332,7 +2376,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1450,
+        line=1474,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2341,7 +2385,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1454,
+        line=1478,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2349,7 +2393,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1459,
+        line=1483,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2357,7 +2401,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1463,
+        line=1487,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2365,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1467,
+        line=1491,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2373,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1471,
+        line=1495,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2381,7 +2425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1475,
+        line=1499,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2389,7 +2433,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1479,
+        line=1503,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2397,7 +2441,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1483,
+        line=1507,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2405,7 +2449,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1487,
+        line=1511,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2414,7 +2458,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1491,
+        line=1515,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2423,7 +2467,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1496,
+        line=1520,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2432,7 +2476,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1501,
+        line=1525,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2441,7 +2485,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1506,
+        line=1530,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2449,7 +2493,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1511,
+        line=1535,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2458,7 +2502,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1515,
+        line=1539,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2466,7 +2510,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1520,
+        line=1544,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2474,7 +2518,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1524,
+        line=1548,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2483,7 +2527,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1528,
+        line=1552,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2492,7 +2536,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1533,
+        line=1557,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2500,7 +2544,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1538,
+        line=1562,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2509,7 +2553,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1542,
+        line=1566,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2517,7 +2561,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1547,
+        line=1571,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2525,7 +2569,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1551,
+        line=1575,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2534,7 +2578,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1555,
+        line=1579,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2543,7 +2587,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1560,
+        line=1584,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2552,7 +2596,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1565,
+        line=1589,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2561,7 +2605,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1570,
+        line=1594,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2570,7 +2614,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1575,
+        line=1599,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2579,7 +2623,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1580,
+        line=1604,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2588,7 +2632,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1585,
+        line=1609,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2597,7 +2641,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1590,
+        line=1614,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2606,7 +2650,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1595,
+        line=1619,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2614,7 +2658,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1600,
+        line=1624,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2623,7 +2667,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1604,
+        line=1628,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2632,7 +2676,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1609,
+        line=1633,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2641,7 +2685,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1614,
+        line=1638,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2649,7 +2693,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1619,
+        line=1643,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2658,7 +2702,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1623,
+        line=1647,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2666,7 +2710,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1628,
+        line=1652,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2674,7 +2718,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1632,
+        line=1656,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2683,7 +2727,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1636,
+        line=1660,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2692,7 +2736,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1641,
+        line=1665,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2701,7 +2745,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1646,
+        line=1670,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2709,7 +2753,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1651,
+        line=1675,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2717,7 +2761,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1655,
+        line=1679,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2725,7 +2769,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1659,
+        line=1683,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2734,7 +2778,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1663,
+        line=1687,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2743,7 +2787,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1668,
+        line=1692,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2752,7 +2796,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1673,
+        line=1697,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2761,7 +2805,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1678,
+        line=1702,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2770,7 +2814,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1683,
+        line=1707,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2779,7 +2823,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1688,
+        line=1712,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2788,7 +2832,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1693,
+        line=1717,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2797,7 +2841,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1698,
+        line=1722,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2805,7 +2849,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1703,
+        line=1727,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2814,7 +2858,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1707,
+        line=1731,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2822,7 +2866,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1712,
+        line=1736,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2831,7 +2875,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1716,
+        line=1740,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2840,7 +2884,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1721,
+        line=1745,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2849,7 +2893,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1726,
+        line=1750,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2858,7 +2902,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1731,
+        line=1755,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2867,7 +2911,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1736,
+        line=1760,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2875,7 +2919,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1741,
+        line=1765,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2884,7 +2928,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1745,
+        line=1769,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2893,7 +2937,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1750,
+        line=1774,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2902,7 +2946,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1755,
+        line=1779,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2911,7 +2955,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1760,
+        line=1784,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2919,7 +2963,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1765,
+        line=1789,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2927,7 +2971,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1769,
+        line=1793,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2936,7 +2980,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1773,
+        line=1797,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2945,7 +2989,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1778,
+        line=1802,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2954,7 +2998,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1783,
+        line=1807,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2963,7 +3007,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1788,
+        line=1812,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2972,7 +3016,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1793,
+        line=1817,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2981,7 +3025,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1798,
+        line=1822,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2990,7 +3034,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1803,
+        line=1827,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2999,7 +3043,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1808,
+        line=1832,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3008,7 +3052,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1813,
+        line=1837,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3016,7 +3060,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1818,
+        line=1842,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3024,7 +3068,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1822,
+        line=1846,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3033,7 +3077,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1826,
+        line=1850,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3041,7 +3085,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1831,
+        line=1855,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3049,7 +3093,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1835,
+        line=1859,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3058,7 +3102,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1839,
+        line=1863,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3067,7 +3111,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1844,
+        line=1868,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3076,7 +3120,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1849,
+        line=1873,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3084,7 +3128,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1854,
+        line=1878,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3093,7 +3137,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1858,
+        line=1882,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3101,7 +3145,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1863,
+        line=1887,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3110,7 +3154,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1867,
+        line=1891,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3118,7 +3162,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1872,
+        line=1896,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3127,7 +3171,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1876,
+        line=1900,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3135,7 +3179,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1881,
+        line=1905,
     ),
     "change": Symbol(
         "change",
@@ -3144,7 +3188,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1885,
+        line=1909,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3153,7 +3197,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1890,
+        line=1914,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3162,7 +3206,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1895,
+        line=1919,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3170,7 +3214,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1900,
+        line=1924,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3179,7 +3223,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1904,
+        line=1928,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3187,7 +3231,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1909,
+        line=1933,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3195,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1913,
+        line=1937,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3203,7 +3247,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1917,
+        line=1941,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3212,7 +3256,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1921,
+        line=1945,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3220,7 +3264,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1926,
+        line=1950,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3229,6 +3273,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1930,
+        line=1954,
     ),
 }

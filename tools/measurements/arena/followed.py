@@ -24,7 +24,9 @@ class Followed:
     def __init__(self, make: Maker, scene: Scene) -> None:
         self.engine: Engine = make(scene, TIME_STEP)
         self.seconds: list[float] = []
-        self.gain, self._moving, self._hanging = 0.0, 0, 0
+        self.gain, self._moving = 0.0, 0
+        self.hanging: list[tuple[int, Array, Array]] = []
+        """Steps with bodies that hung, these, and the way of each below which it hangs, m."""
         self._scene = scene
         self._free = np.array([body.dynamic for body in scene.bodies])
         self._undriven = not any(body.kinematic for body in scene.bodies)
@@ -44,19 +46,28 @@ class Followed:
         speed = np.minimum(np.hypot(*before[:, 3:5].T), np.hypot(*after[:, 3:5].T))
         goes = (speed > _SLOW) & ((before[:, 3:5] * after[:, 3:5]).sum(axis=1) > 0.0)
         self._moving += int(goes.sum())
-        self._hanging += int((goes & (way < _HANGS * speed * TIME_STEP)).sum())
+        least = _HANGS * speed * TIME_STEP
+        hangs = goes & (way < least)
+        if hangs.any():
+            bodies = np.flatnonzero(self._free)[hangs]
+            self.hanging.append((len(self.seconds) - 1, bodies, least[hangs]))
         if self._undriven:
             energy = self._energy_of(after)
             self.gain = max(self.gain, (energy - self._energy) / self._first)
             self._energy = energy
 
+    def share(self, hanging: int) -> float:
+        """Return which share of moving body-steps so many are."""
+        return hanging / max(self._moving, 1)
+
     def row(self) -> dict[str, Any]:
         """Return what was seen."""
+        hanging = sum(len(bodies) for _, bodies, _ in self.hanging)
         return {
             "engine": self.engine.name,
             "seconds": float(np.median(self.seconds)),
             "worst": max(self.seconds[1:], default=0.0),  # in the first one code is loaded
-            "hang": self._hanging / max(self._moving, 1),
+            "hang": self.share(hanging),
             "centre": self._centre(),
             "overlap": worst(self._scene, self.engine.state()).share,
             "gain": self.gain if self._undriven else None,

@@ -9,8 +9,8 @@ from tamias2d.engine.joints.yielding import energy_driven, yields
 from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.solver.support import SUPPORTED_BY_MORE, SUPPORTED_BY_ONE, support_island
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
-from tamias2d.generated.island_energy import lift_work
-from tamias2d.generated.joint_step import kept_way, kinetic_energy_most
+from tamias2d.generated.island_energy import kinetic_energy_most, lift_work
+from tamias2d.generated.joint_step import kept_way
 from tamias2d.state import Array
 
 

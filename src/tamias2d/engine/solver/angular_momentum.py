@@ -141,7 +141,7 @@ def keep_angular_momentum(
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_root(i, bodies, islands):
-            rows[i, tb.GIVEN] = rows[i, tb.ENERGY_PUSHED] = 0.0
+            rows[i, tb.ANGULAR_MOMENTUM_GIVEN] = rows[i, tb.ENERGY_PUSHED] = 0.0
             for n in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
                 rows[i, n] = 0.0
     add_given_by_joints(islands, joints)
@@ -153,7 +153,7 @@ def keep_angular_momentum(
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         row = rows[links[i, tb.ROOT]]
-        if is_pushed_and_free(i, bodies, islands) and row[tb.GIVEN] != 0.0:
+        if is_pushed_and_free(i, bodies, islands) and row[tb.ANGULAR_MOMENTUM_GIVEN] != 0.0:
             return_of_island(i, links[i, tb.ROOT], bodies, rows[i], row)
 
 
@@ -163,7 +163,7 @@ def add_given_by_joints(islands: Islands, joints: Joints) -> None:
         if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
             i = joints.sparse[joints.sparse[n, tb.I_NODE], tb.N_BODY]
             given = joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_MOMENT]
-            islands.energy[islands.links[i, tb.ROOT], tb.GIVEN] += given
+            islands.energy[islands.links[i, tb.ROOT], tb.ANGULAR_MOMENTUM_GIVEN] += given
 
 
 def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
@@ -180,7 +180,7 @@ def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> N
         bodies.pose[i, tb.Y] - bodies.pose[root, tb.Y],
     )
     now, place = bodies.motion[i], place_from(root, i, bodies)
-    row[tb.GIVEN] += angular_momentum_given(
+    row[tb.ANGULAR_MOMENTUM_GIVEN] += angular_momentum_given(
         mass,
         start,
         (given[tb.VELOCITY_GIVEN], given[tb.VELOCITY_GIVEN + 1]),
@@ -215,7 +215,12 @@ def return_of_island(i: int, root: int, bodies: Bodies, given: Array, row: Array
         return
     now[tb.VX], now[tb.VY] = seen
     return_motion(
-        one, row[tb.GIVEN], row[tb.ENERGY_PUSHED], turned, place_from(root, i, bodies), now
+        one,
+        row[tb.ANGULAR_MOMENTUM_GIVEN],
+        row[tb.ENERGY_PUSHED],
+        turned,
+        place_from(root, i, bodies),
+        now,
     )
     seen = (now[tb.VX], now[tb.VY])
     row[tb.ENERGY_KEPT] += kinetic_energy(mass, seen, inertia, now[tb.SPIN]) - before

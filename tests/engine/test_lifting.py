@@ -1,0 +1,34 @@
+"""What contacts lift out of overlaps is paid for by bodies that rise (DD87)."""
+
+from typing import Any
+
+import pytest
+
+from tamias2d.simulator import Simulator
+from tamias2d.state import Array
+from tests.engine.crowds import rain
+
+
+@pytest.mark.filterwarnings("ignore::tamias2d.errors.StepWarning")  # a heap is pressed together
+@pytest.mark.parametrize(("radius", "fall"), [(0.01, 2.0), (0.02, 0.5), (0.05, 1.0)])
+def test_only_bodies_that_do_not_rise_get_energy_from_overlaps(radius: float, fall: float) -> None:
+    """Otherwise a heap that was pressed together would swing."""
+    sim, rows = rain(radius, fall, count=200)
+    lifted = 0
+    for _ in range(150):
+        before = energies(sim, rows)
+        sim.step()
+        got = energies(sim, rows) - before
+        if sim.parts == 1 and got.sum() > 0.0:
+            stays = sim.velocity[rows, 1] <= 1e-12  # m/s, of rounding
+            assert got.sum() <= got[stays & (got > 0.0)].sum() + 1e-12 * before.sum()  # likewise
+            lifted += 1
+    assert lifted >= 5
+
+
+def energies(sim: Simulator, rows: Any) -> Array:
+    """Return the energies of motion and of gravity of some bodies, J."""
+    mass, inertia = sim.mass[rows], 1.0 / sim._engine.inverse_inertia[rows]
+    speed, spin = (sim.velocity[rows] ** 2).sum(axis=1), sim.angular_velocity[rows]
+    found: Array = 0.5 * (mass * speed + inertia * spin**2) + 9.81 * mass * sim.position[rows, 1]
+    return found
