@@ -138,9 +138,9 @@ class Pair:
         """Return a time in s soon after `start` at which a parting pair is apart and opens.
 
         It is earlier where they come back, or where another corner comes into contact than those of
-        the contacts that are `touching`. `step` is the first guess of how long that takes; it is doubled until float64
-        can tell. The `acceleration`, m/s^2, takes back what contacts that settle leave of an
-        approach.
+        the contacts that are `touching`. `step` is the first guess of how long that takes; it is
+        doubled until float64 can tell. The `acceleration`, m/s^2, takes back what contacts that
+        settle leave of an approach.
 
         Raises:
             UndecidedContactError: they come to overlap instead, by more than they did before.
