@@ -304,11 +304,9 @@ class Located:
         if touching or instant.parted or instant.ruled or len(set(met)) < len(met):
             self.single = None
         elif self.single is not None:
+            of = self._scene.restitution, self._scene.friction
             self.single += [
-                SingleImpact(
-                    instant.time, c, self._scene.restitution(c.a, c.b), self._scene.friction(c.a, c.b)
-                )
-                for c in contacts
+                SingleImpact(instant.time, c, *(law(c.a, c.b) for law in of)) for c in contacts
             ]
 
     def _instant(self, time: float, bodies: list[int]) -> Instant:

@@ -76,11 +76,12 @@ def _answered(
     cores: Sequence[Core], touch: Contact, states: Sequence[State], met: SingleImpact
 ) -> tuple[State, State]:
     """Return the states of both bodies after their impact."""
+    a, b = states
     if met.friction:
-        (both,) = frictional_impulses(cores, [touch], *states, met.restitution, met.friction)
-        return after_frictional_impulse(cores, touch, both, *states)
-    (impulse,) = impulses(cores, [touch], *states, met.restitution)
-    return after_impulse(cores, touch, impulse, *states)
+        (both,) = frictional_impulses(cores, [touch], a, b, met.restitution, met.friction)
+        return after_frictional_impulse(cores, touch, both, a, b)
+    (impulse,) = impulses(cores, [touch], a, b, met.restitution)
+    return after_impulse(cores, touch, impulse, a, b)
 
 
 def _rows(state: State, later: float = 0.0, pull: Acceleration = (0.0, 0.0, 0.0)) -> Array:

@@ -109,7 +109,13 @@ class ErrorEquation:
 
 
 def follow_step(
-    field: MemoisedField, rule: Rule, sweeps: int, time: float, step: float, path: Array, error: Error
+    field: MemoisedField,
+    rule: Rule,
+    sweeps: int,
+    time: float,
+    step: float,
+    path: Array,
+    error: Error,
 ) -> None:
     """Go on over a step, s, whose path (3, m, n, 3) is that of places, rates, accelerations."""
     nodes, early, whole = rule

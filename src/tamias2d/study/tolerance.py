@@ -41,7 +41,7 @@ _PLAIN, _SLOWED = 0.3, 10.0
 _ORDER_8, _IMPACTS = 3e-8, 1e-8
 """Below these tolerances order 8 is cheaper than order 5 where bodies are only slowed: where none
 meet, and where steps are short for impacts."""
-_FREE, _SPRUNG, _FELT = 0.05, 0.3, 1.0
+_FREE, _SPRUNG, _FELT = 0.05, 0.3, 0.7
 """The same of steps whose error is integrated: where no velocity is felt, and errors grow with the
 square of the time, where springs hold them back, and where a velocity is felt."""
 _STRUCK = 0.3
@@ -53,6 +53,9 @@ _HALVES = 3e-6
 """Below it halved steps are cheaper than a run at a tighter tolerance."""
 _LOOSEST = 0.3
 _TRIES = 3
+_BESIDE = 5
+"""Tries with the error beside them, each of which tells the next: all others cost more."""
+_NAMES = "second", "third", "fourth", "fifth"
 _AIMS = 1.0, 1 / 30, 1e-3  # of the tolerance
 _TRUE = 1e-5  # within which runs do not lose each other but where the scene does that
 _TIGHTEST = 1e-14
@@ -218,7 +221,7 @@ def _with_error(asked: _Asked) -> Run | None:
     slowed = only_slowed(scene)
     method = DormandPrince5 if slowed and tolerance >= _LOOSE else Dop853
     rtol = tolerance * (_SLOWED if slowed else _aim(scene))
-    for attempt in range(_TRIES):
+    for attempt in range(_BESIDE):
         if rtol < TIGHTEST:
             return None
         try:
@@ -251,7 +254,7 @@ def _through_impacts(asked: _Asked) -> Run | None:
     slowed = only_slowed(scene)
     method = DormandPrince5 if slowed and tolerance >= _IMPACTS else Dop853
     rtol = tolerance * (_STRUCK if slowed else _aim(scene))
-    for attempt in range(_TRIES):
+    for attempt in range(_BESIDE):
         if rtol < TIGHTEST:
             return None
         run, error = solve_with_error(
@@ -370,7 +373,7 @@ def _noted(run: Run, tolerance: float, attempt: int) -> Run:
 
 
 def _again(attempt: int) -> str:
-    return "" if attempt == 0 else f", at the {('second', 'third')[attempt - 1]} try"
+    return "" if attempt == 0 else f", at the {_NAMES[attempt - 1]} try"
 
 
 def _reached(certificate: Certificate | None) -> float:
