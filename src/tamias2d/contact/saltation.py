@@ -1,7 +1,7 @@
 """How a motion that is a little ahead of a path comes through an impact of it (saltation).
 
 It meets a little earlier or later. So it is moved to where its own gap is closed, answered there by
-the same rule, and moved back to the time of the path's impact (Mueller, Calculation of Lyapunov
+the same rule, and moved back to the time of the path's impact (Müller, Calculation of Lyapunov
 exponents for dynamic systems with discontinuities, Chaos, Solitons & Fractals 5, 1995).
 """
 

@@ -32,8 +32,8 @@ def certify(run: Run) -> Run:
 
     The scene is simulated some times more: in closed form twice, by a stepped scheme on two coarser
     grids (together three quarters of the run's cost, and a finer one if they disagree about the
-    order), by an adaptive one with the equation of its error, at a tighter tolerance where impacts
-    or joints hide that or, where its steps are halved, by whole ones,
+    order), by an adaptive one with the equation of its error, at a tighter tolerance where lasting
+    contacts or joints hide that or, where its steps are halved, by whole ones,
     through contacts four times by steps from a half to a quarter (some ten times the run's cost);
     once more, perturbed, where steps are equal or a path is exact; and once to look for bodies that
     overlap or pass through each other.

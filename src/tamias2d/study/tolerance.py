@@ -203,8 +203,9 @@ def _unweighed(asked: _Asked) -> Run | None:
     slowed = only_slowed(scene)
     try:
         if has_error_equation(scene, Dop853()):
-            run = _through_impacts(asked) if meet else _with_error(asked)
-            if run is not None:
+            if meet:
+                return _through_impacts(asked)
+            if (run := _with_error(asked)) is not None:
                 return run
         if not (meet or slowed or scene.joints or kinked(scene)) and tolerance < _HALVES:
             return _halved(asked)
@@ -248,7 +249,7 @@ def _with_error(asked: _Asked) -> Run | None:
 def _through_impacts(asked: _Asked) -> Run | None:
     """Return a run whose error is carried through its impacts; None if some are not within it.
 
-    Where it cannot be, runs are certified by those at tighter tolerances.
+    Where it cannot be, and below what it can tell, runs are certified by tighter ones.
     """
     scene, tolerance = asked.scene, asked.tolerance
     slowed = only_slowed(scene)
@@ -256,7 +257,7 @@ def _through_impacts(asked: _Asked) -> Run | None:
     rtol = tolerance * (_STRUCK if slowed else _aim(scene))
     for attempt in range(_BESIDE):
         if rtol < TIGHTEST:
-            return None
+            break
         run, error = solve_with_error(
             scene,
             duration=asked.duration,
@@ -271,7 +272,7 @@ def _through_impacts(asked: _Asked) -> Run | None:
         if _meets(run, asked):
             return _first(run, tolerance, attempt)
         rtol *= _NEXT * tolerance / min(_reached(run.certificate), 1.0)
-    return None
+    return _whole(asked, method, _PLAIN * tolerance)
 
 
 def _aim(scene: Scene) -> float:
