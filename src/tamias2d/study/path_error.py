@@ -20,7 +20,9 @@ TIGHTEST = 1e-12
 """Of the tolerances of a method whose steps err by more than the equation is rounded."""
 _SURE, _TRUSTED = 1.3, 2.0  # times the error that was integrated: a small one, and a larger one
 _SMALL = 1e-4  # of the scale: up to there more than the small one is believed
-_SLOWED = 3.0  # the same where bodies are only slowed: rates within a step are known badly
+_SLOWED, _TINY = (1.5, 3.0), 1e-6
+"""The same where bodies are only slowed: of an error that is larger than this share of the scale,
+and of the smallest. Rates within a step are known badly, and steps of high order feel that most."""
 _FEW = 24  # steps between which the quadrature errs: a small error may be luck
 _EARLY = 0.05  # of the run: before, its length says little
 _GROWTH = 1.5  # power of the time with which errors grow: from 1 to 2
@@ -92,9 +94,13 @@ def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
 def _trusted(scene: Scene, error: Array, length: float) -> float:
     """Return how large an error may be that was integrated, m, beside a motion of a length, m."""
     farthest = _farthest(error, scene)
-    share = min(1.0, math.sqrt(farthest / (_SMALL * length))) if length else 1.0
-    times = _SLOWED if only_slowed(scene) else _SURE + (_TRUSTED - _SURE) * share
-    return times * farthest * (1 + farthest / (_FAR * length))
+    share = farthest / length
+    if only_slowed(scene):
+        large, tiny = _SLOWED
+        times = tiny + (large - tiny) * min(1.0, share / _TINY)
+    else:
+        times = _SURE + (_TRUSTED - _SURE) * min(1.0, math.sqrt(share / _SMALL))
+    return times * farthest * (1 + share / _FAR)
 
 
 def _farthest(moved: Array, scene: Scene) -> float:

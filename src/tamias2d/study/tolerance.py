@@ -44,7 +44,7 @@ meet, and where steps are short for impacts."""
 _FREE, _SPRUNG, _FELT = 0.05, 0.3, 0.7
 """The same of steps whose error is integrated: where no velocity is felt, and errors grow with the
 square of the time, where springs hold them back, and where a velocity is felt."""
-_STRUCK = 0.3
+_STRUCK = 0.2
 """The same where bodies meet and are only slowed."""
 _NEXT = 0.5  # of the tolerance is aimed at when that failed
 _LOOSE = 1e-3
