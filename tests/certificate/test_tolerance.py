@@ -63,7 +63,7 @@ def test_others_are_weighed_only_where_the_first_does_not_meet_it(
     )
     run = t2.simulate(oscillator(), duration=1.0, tolerance=1e-6)
     assert not weighed
-    assert run.method == t2.Dop853(1.5e-7)
+    assert run.method == t2.Dop853(3e-7)
     assert "no other method was weighed" in run.notes[0]
     far = t2.Scene(gravity=(0.0, 0.0))  # so far out that its rounding is a part of the tolerance
     far.add_body(None, mass=1.0, position=(3e9, 0.0))
@@ -98,7 +98,9 @@ def test_a_companion_is_returned_where_only_that_meets_it(
     assert check(tmp_path / "run.npz").identical
 
 
-@pytest.mark.parametrize(("name", "tolerance"), [("springs 0", 1e-6), ("orbit 1", 1e-8)])
+@pytest.mark.parametrize(
+    ("name", "tolerance"), [("springs 0", 1e-6), ("orbit 1", 1e-8), ("bounces 3", 1e-6)]
+)
 def test_the_error_beside_a_run_certifies_it(name: str, tolerance: float, tmp_path: Path) -> None:
     """Its certificate can be made again, by one more run."""
     scene = next(one for one in held_out.scenes() if one.name == name)

@@ -24,6 +24,7 @@ from tamias2d.contact.refusal import (
     UnlocatedContactError,
 )
 from tamias2d.contact.ruled_instants import MOST_RULED, RULED
+from tamias2d.contact.saltation import Passing, SingleImpact, after_impact
 from tamias2d.contact.stepping_choice import MANY, MEANT_TO_TOUCH, steps_because
 
 __all__ = [
@@ -36,11 +37,14 @@ __all__ = [
     "LastingContactError",
     "Located",
     "OverlapError",
+    "Passing",
     "RangeError",
     "Refusal",
     "SimultaneousImpactsError",
+    "SingleImpact",
     "UndecidedContactError",
     "UnlocatedContactError",
+    "after_impact",
     "has_thin_pair",
     "is_event_driven",
     "is_known",

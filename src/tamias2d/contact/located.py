@@ -18,6 +18,7 @@ from tamias2d.contact.loss_search import LossSearch
 from tamias2d.contact.overlap import refuse_overlap
 from tamias2d.contact.refusal import LastingContactError
 from tamias2d.contact.ruled_instants import RuledInstants
+from tamias2d.contact.saltation import SingleImpact
 from tamias2d.contact.stepping_choice import MANY
 from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.touching import ContactImpulse, PairOf
@@ -53,20 +54,23 @@ class Located:
         self._follower = follower
         self._alone = alone
         self._begun = False
-        self._cores = cores_of(scene)
-        solid = [core for core in self._cores if core.solid]
+        self.cores = cores_of(scene)
+        """Of all bodies, in their order."""
+        solid = [core for core in self.cores if core.solid]
         self.can_meet = len(solid) > 1 and any(core.dynamic for core in solid)
         self.time = 0.0
         self._until = 0.0
         self._impacts: list[Array] = []
+        self.single: list[SingleImpact] | None = []
+        """All impacts, in order; None once bodies met at several points at once, or stayed."""
         self._refined: dict[PairOf, tuple[int, int]] = {}
-        self._queue = EventQueue(len(self._cores))
-        self._paths = BodyPaths(self._cores, scene.kept_apart)
-        self._active = ActiveContacts(self._cores)
-        self._chattering = Chattering(self._cores)
-        self._ruled = RuledInstants(self._cores, most_ruled)
-        self._search = ImpactSearch(self._cores, self._paths, self._active, self._queue)
-        self._losses = LossSearch(self._cores, self._paths, self._active, motion, scene.friction)
+        self._queue = EventQueue(len(self.cores))
+        self._paths = BodyPaths(self.cores, scene.kept_apart)
+        self._active = ActiveContacts(self.cores)
+        self._chattering = Chattering(self.cores)
+        self._ruled = RuledInstants(self.cores, most_ruled)
+        self._search = ImpactSearch(self.cores, self._paths, self._active, self._queue)
+        self._losses = LossSearch(self.cores, self._paths, self._active, motion, scene.friction)
 
     def go(self, duration: float, *, told: Callable[[float], None] = lambda _: None) -> None:
         """Go on to a time in s; `told` hears of every time that is reached.
@@ -80,7 +84,7 @@ class Located:
             State(b.position, b.orientation, b.velocity, b.angular_velocity)
             for b in self._scene.bodies
         ]
-        refuse_overlap(self._cores, states, self._scene.kept_apart)
+        refuse_overlap(self.cores, states, self._scene.kept_apart)
         self._until = duration
         while self.time < duration:
             end = self._segment(states)
@@ -93,7 +97,7 @@ class Located:
                 else:
                     break
             self.time = end
-            states = [self._state(i) for i in range(len(self._cores))]
+            states = [self._state(i) for i in range(len(self.cores))]
             told(end)
 
     @property
@@ -132,7 +136,7 @@ class Located:
         follower = self._follower
         assert follower is not None
         follower.take(self.time, self._until, self.tracks, begun=self._begun)
-        follower.remember(range(len(self._cores)), self._memory())
+        follower.remember(range(len(self.cores)), self._memory())
         self._paths.follower = follower
         self._queue.drop_pairs()
         while self.time < end and self._is_simple():
@@ -172,7 +176,7 @@ class Located:
         if self.time < end and not self._may_follow(end):
             self._refuse_alone()
             self._paths.update_boxes()
-            self._search.schedule(range(len(self._cores)), self.time, anew=True)
+            self._search.schedule(range(len(self.cores)), self.time, anew=True)
 
     def _refuse_alone(self) -> None:
         """Refuse to go on without a follower, where so it was asked."""
@@ -203,18 +207,18 @@ class Located:
         end, paths = self._motion.segment(self.time, states, self._active.constraints)
         for body, path in enumerate(paths):
             self._set_path(body, path)
-        self._schedule_ends(range(len(self._cores)), end)
+        self._schedule_ends(range(len(self.cores)), end)
         if self._may_follow(end):
             return end
         if self.time == 0:
             self._resolve_start(end)
-        self._search.schedule(range(len(self._cores)), self.time)
+        self._search.schedule(range(len(self.cores)), self.time)
         return end
 
     def _resolve_start(self, end: float) -> None:
         """Resolve the instant at which the run begins, for all bodies."""
         self._begun = True
-        self._resolve_instant(0.0, [core.index for core in self._cores if core.dynamic], end)
+        self._resolve_instant(0.0, [core.index for core in self.cores if core.dynamic], end)
 
     def _set_path(self, body: int, path: Piece) -> None:
         """Set the path of a body from now on."""
@@ -271,6 +275,7 @@ class Located:
             self._impacts.append(_rows(time, instant.contact_impulses))
             met = {(contact.a, contact.b) for contact, *_ in instant.contact_impulses}
             self._work.impacts(len(met), time)
+        self._note_single(instant)
         self._ruled.update(instant)
         self._active.update(instant)
         self._search.update(instant)
@@ -289,10 +294,25 @@ class Located:
             touched = {i for pair in instant.touching_pairs for i in pair}
             self._paths.follower.remember(touched | set(changed), self._memory())
 
+    def _note_single(self, instant: Instant) -> None:
+        """Note the impacts of an instant, if each is the only thing that happens to its bodies."""
+        contacts = [contact for contact, *_ in instant.contact_impulses]
+        met = [i for c in contacts for i in (c.a, c.b) if self.cores[i].dynamic]
+        touching = {pair for pair, touch in instant.touching_pairs.items() if touch.staying}
+        if instant.time > 0:
+            touching |= instant.touching_pairs.keys() - {(c.a, c.b) for c in contacts}
+        if touching or instant.parted or instant.ruled or len(set(met)) < len(met):
+            self.single = None
+        elif self.single is not None:
+            of = self._scene.restitution, self._scene.friction
+            self.single += [
+                SingleImpact(instant.time, c, *(law(c.a, c.b) for law in of)) for c in contacts
+            ]
+
     def _instant(self, time: float, bodies: list[int]) -> Instant:
         """Return an instant around some bodies."""
         world = InstantInputs(
-            self._cores,
+            self.cores,
             self._state,
             self._paths.near,
             lambda body, state: self._motion.free(body, time, state),
@@ -305,7 +325,7 @@ class Located:
             self._until,
             self._chattering.is_again(time, bodies),
         )
-        return Instant(time, world, [i for i in bodies if self._cores[i].dynamic])
+        return Instant(time, world, [i for i in bodies if self.cores[i].dynamic])
 
 
 def _rows(time: float, impulses: Sequence[ContactImpulse]) -> Array:

@@ -22,7 +22,7 @@ from tamias2d.motion.polynomial import derivative
 from tamias2d.motion.step_batch import StepBatch
 from tamias2d.state import Array
 
-_AT_ONCE, _SHARE = 16, 2
+_AT_ONCE, _SHARE = 4, 4
 """So many steps, or this share of those before, are taken before somebody may have seen enough."""
 
 Watch: TypeAlias = Callable[[float, Array, Array], None]
@@ -36,8 +36,7 @@ class ErrorEquation:
         self._steps = steps
         self._watch = watch
         self._sweeps = sweeps
-        """The first knows rates within a step badly; where these are felt, one more knows them."""
-        self._rule = lobatto((steps.power + 5) // 2)
+        self._rule = rule_beside(steps)
         self._taken = 0  # steps
         self._end: tuple[float, Array, Array] | None = None
         self._error: Error | None = None
@@ -103,34 +102,41 @@ class ErrorEquation:
                 return done
         try:
             for time, end, path in zip(times[:-1], times[1:], paths, strict=True):
-                self._step(field, time, end - time, path, error)
+                follow_step(field, rule, self._sweeps, time, end - time, path, error)
         except SimulationError:
             return False
         return True
 
-    def _step(
-        self, field: MemoisedField, time: float, step: float, path: Array, error: Error
-    ) -> None:
-        """Go on over a step, s, whose path (3, m, n, 3) is that of places, rates, accelerations."""
-        nodes, early, whole = self._rule
-        ahead, rate, pull = error.state
-        lacking = np.empty_like(path[0])
-        lacking[0] = pull - path[2, 0]
 
-        def within(i: int, of: Array, last: int) -> tuple[Array, Array]:
-            turn, bend = (_summed(weights[i, :last], lacking) for weights in of)
-            way = ahead + step * nodes[i] * rate + step * step * bend
-            return way, rate + step * turn
+def follow_step(
+    field: MemoisedField,
+    rule: Rule,
+    sweeps: int,
+    time: float,
+    step: float,
+    path: Array,
+    error: Error,
+) -> None:
+    """Go on over a step, s, whose path (3, m, n, 3) is that of places, rates, accelerations."""
+    nodes, early, whole = rule
+    ahead, rate, pull = error.state
+    lacking = np.empty_like(path[0])
+    lacking[0] = pull - path[2, 0]
 
-        for sweep in range(self._sweeps):
-            for i in range(1, len(nodes)):
-                way, turned = within(i, *((whole, len(nodes)) if sweep else (early, i)))
-                pull = field(time + step * nodes[i], path[0, i] + way, path[1, i] + turned)
-                lacking[i] = pull - path[2, i]
+    def within(i: int, of: Array, last: int) -> tuple[Array, Array]:
+        turn, bend = (_summed(weights[i, :last], lacking) for weights in of)
+        way = ahead + step * nodes[i] * rate + step * step * bend
+        return way, rate + step * turn
+
+    for sweep in range(sweeps):
         for i in range(1, len(nodes)):
-            way, turned = within(i, whole, len(nodes))
-            np.maximum(error.largest, np.abs(way), out=error.largest)
-        error.state[:] = way, turned, pull
+            way, turned = within(i, *((whole, len(nodes)) if sweep else (early, i)))
+            pull = field(time + step * nodes[i], path[0, i] + way, path[1, i] + turned)
+            lacking[i] = pull - path[2, i]
+    for i in range(1, len(nodes)):
+        way, turned = within(i, whole, len(nodes))
+        np.maximum(error.largest, np.abs(way), out=error.largest)
+    error.state[:] = way, turned, pull
 
 
 def _same(one: tuple[float, Array, Array], other: tuple[float, Array, Array]) -> bool:
@@ -145,6 +151,11 @@ def _summed(weights: Array, rows: Array) -> Array:
     for weight, row in zip(weights[1:], rows[1:], strict=False):
         total = total + weight * row
     return total
+
+
+def rule_beside(steps: Adaptive) -> Rule:
+    """Return the quadrature of the error of steps."""
+    return lobatto((steps.power + 5) // 2)
 
 
 @cache

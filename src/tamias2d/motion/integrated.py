@@ -8,7 +8,7 @@ import numpy as np
 from tamias2d.errors import TamiasError
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.constrained import ConstrainedMotion
-from tamias2d.motion.error_equation import ErrorEquation, Watch
+from tamias2d.motion.error_equation import ErrorEquation, Watch, rule_beside
 from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.halved import Halved, Halving
 from tamias2d.motion.joint_code import JointCodes
@@ -19,7 +19,7 @@ from tamias2d.motion.joint_search import JointSearch
 from tamias2d.motion.law_resolution import UNRESOLVED, LawResolution, States
 from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
-from tamias2d.motion.marching import Marching
+from tamias2d.motion.marching import Marching, Rule
 from tamias2d.motion.mechanisms import fitted
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
@@ -76,9 +76,10 @@ class IntegratedMotion:
         self._fields: dict[tuple[int, ...], MemoisedField] = {}
         self.marching: Callable[[Sequence[int]], Marching | None] = lambda _: None
         """What takes many steps at once of bodies that act on no others, if anything does."""
-        self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
+        self.moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
+        """The bodies that move."""
         self._missed = False
-        self.notes = notes + self._loads.joint_notes(self._moving)
+        self.notes = notes + self._loads.joint_notes(self.moving)
 
     def take_joint_codes(self, codes: JointCodes) -> None:
         """Let code that is made for mechanisms find the reactions of their joints."""
@@ -91,7 +92,7 @@ class IntegratedMotion:
 
         Where nothing is held and nothing has met for a while, several steps are taken at once.
         """
-        free = [i for i in self._moving if not _state_dependent(constraints[i])]
+        free = [i for i in self.moving if not _state_dependent(constraints[i])]
         field = self._field(free, constraints)
         now = coordinates([states[i] for i in free])
         plain = isinstance(self._integrator, FixedSteps) and not any(constraints)
@@ -100,7 +101,7 @@ class IntegratedMotion:
         self._steps_since_impact += len(step.times) - 1 if isinstance(step, StepBatch) else 1
         end = step.end
         paths: dict[int, Piece] = {body: step.piece(k) for k, body in enumerate(free)}
-        constrained = [i for i in self._moving if i not in paths]
+        constrained = [i for i in self.moving if i not in paths]
         paths |= self.restart(constrained, start, states.__getitem__, end, constraints)
         pieces: list[Piece] = [
             paths.get(i) or Uniform(start=start, end=end, state=state, acceleration=_STILL)
@@ -210,21 +211,21 @@ class IntegratedMotion:
         """Return the states at sorted times (k,), s: all bodies at once."""
         states = coordinates(start_states(self._scene))
         rows = np.repeat(np.stack(states)[None], len(times), axis=0)
-        if len(self._moving) == 0:
+        if len(self.moving) == 0:
             self.sampled = history_of(rows)
             return self.sampled
-        field = self._field(self._moving, [None] * len(self._scene))
-        moving = (states[0][self._moving], states[1][self._moving])
+        field = self._field(self.moving, [None] * len(self._scene))
+        moving = (states[0][self.moving], states[1][self.moving])
         done = int(np.searchsorted(times, 0.0, side="right"))
         most = _LONGEST if field.marching is not None else 1
         try:
             for step in self._followed(field, moving, most):
                 until = int(np.searchsorted(times, step.end, side="right"))
                 if isinstance(step, StepBatch):
-                    rows[done:until, :, self._moving] = step.at(times[done:until])
+                    rows[done:until, :, self.moving] = step.at(times[done:until])
                 else:
                     for k in range(done, until):
-                        rows[k, :, self._moving] = np.stack(step.at(float(times[k])), axis=1)
+                        rows[k, :, self.moving] = np.stack(step.at(float(times[k])), axis=1)
                 done = until
         finally:
             self.sampled = history_of(rows[:done])
@@ -255,8 +256,27 @@ class IntegratedMotion:
     def integrate_error(self, watch: Watch) -> None:
         """Integrate the error of the path from here on, if steps are chosen."""
         if isinstance(self._integrator, Adaptive):
-            sweeps = 2 if self._felt_velocity and not only_slowed(self._scene) else 1
-            self._batching = ErrorEquation(self._integrator, watch, sweeps=sweeps)
+            self._batching = ErrorEquation(self._integrator, watch, sweeps=self._sweeps)
+
+    @property
+    def error_rule(self) -> tuple[Rule, int]:
+        """How the error within a step is found: by which quadrature, and how often."""
+        assert isinstance(self._integrator, Adaptive)
+        return rule_beside(self._integrator), self._sweeps
+
+    @property
+    def _sweeps(self) -> int:
+        """The first knows rates within a step badly; where these are felt, one more knows them."""
+        return 2 if self._felt_velocity and not only_slowed(self._scene) else 1
+
+    def beside(self) -> MemoisedField:
+        """Return the accelerations of all bodies that move, of which nothing is remembered yet."""
+        return self._field(self.moving, [None] * len(self._scene)).beside()
+
+    @property
+    def missed(self) -> bool:
+        """Whether steps had to be shorter than errors said, as for what a law does for a moment."""
+        return isinstance(self._integrator, Adaptive) and self._integrator.missed
 
     @property
     def largest_error(self) -> Array | None:
@@ -264,7 +284,7 @@ class IntegratedMotion:
         if not isinstance(self._batching, ErrorEquation) or self._batching.largest is None:
             return None
         rows = np.zeros((len(self._scene), 3))
-        rows[self._moving] = self._batching.largest
+        rows[self.moving] = self._batching.largest
         return rows
 
     def joint_events(self) -> JointEvents:

@@ -222,10 +222,10 @@ class JoinedPath:
     def __init__(self, pieces: Sequence[Piece]) -> None:
         self.start = pieces[0].start
         self.end = pieces[-1].end
-        self._pieces = pieces
+        self.pieces = pieces
 
     def _piece(self, time: float) -> Piece:
-        return next((p for p in self._pieces if time <= p.end), self._pieces[-1])
+        return next((p for p in self.pieces if time <= p.end), self.pieces[-1])
 
     def at(self, time: float) -> State:
         """Return the state at a time in s."""
@@ -237,7 +237,7 @@ class JoinedPath:
 
     def bounds(self, first: float, last: float) -> Bounds:
         """Return what holds from `first` to `last`, s."""
-        inside = [p.bounds(first, last) for p in self._pieces if p.start <= last and p.end >= first]
+        inside = [p.bounds(first, last) for p in self.pieces if p.start <= last and p.end >= first]
         x, y = inside[0].acceleration
         return Bounds(
             (x, y),

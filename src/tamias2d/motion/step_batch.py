@@ -11,6 +11,7 @@ from tamias2d.generated.schemes import Pair
 from tamias2d.motion.loads import state_of
 from tamias2d.motion.polynomial import (
     DenseStep,
+    JoinedPath,
     Polynomial,
     dense_path,
     derivative,
@@ -141,6 +142,12 @@ class BatchPath:
         self._span = first, last
         self._known: dict[int, Polynomial] = {}
 
+    @property
+    def times(self) -> list[float]:
+        """The ends of its steps, s."""
+        first, last = self._span
+        return self._all.times[first : last + 1]
+
     def around(self, time: float) -> tuple[float, float]:
         """Return start and end of the step that a time falls into, s."""
         k = self._index(time)
@@ -197,3 +204,13 @@ class BatchPath:
                 self._all.coefficients[:, k, body].tolist(),
             )
         return self._known[k]
+
+
+def breaks(piece: Piece) -> Sequence[float]:
+    """Return the times, s, between which a piece is a polynomial."""
+    match piece:
+        case BatchPath():
+            return piece.times
+        case JoinedPath():
+            return [time for part in piece.pieces for time in breaks(part)]
+    return piece.start, piece.end

@@ -1,6 +1,7 @@
 """Runs along smooth paths, whose impacts are located (IM3)."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -31,13 +32,19 @@ from tamias2d.work_limit import Work
 
 
 def run_by_paths(
-    plan: Plan, method: PathMethod, *, progress: bool, asked: bool, motion: Motion | None = None
+    plan: Plan,
+    method: PathMethod,
+    *,
+    progress: bool,
+    asked: bool,
+    motion: Motion | None = None,
+    followed: Callable[[Located], None] = lambda _: None,
 ) -> Run:
     """Return the run along the paths of a method, from impact to impact.
 
     Where the method was not asked for, more bodies than `MANY` are followed by compiled code or not
-    at all. The motion is made if none is given. Raises as `solve` does; the error's `run` is the
-    history up to there.
+    at all. The motion is made if none is given; `followed` hears of paths along which bodies might
+    have met. Raises as `solve` does; the error's `run` is the history up to there.
     """
     scene = in_pieces(plan.scene)
     motion = motion or method.motion(scene, plan.duration, plan.time_step or plan.duration)
@@ -59,6 +66,7 @@ def run_by_paths(
             history = fitted_history(plan.scene, plan.times, found, events, joint_code)
             return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally, events)
         follow(located, plan.duration, progress=progress)
+        followed(located)
     except SimulationError as refusal:
         refusal.run = _finite(plan, motion, located, follower)
         raise

@@ -10,6 +10,7 @@ from tamias2d.contact import (
     MEANT_TO_TOUCH,
     JointedContactError,
     LastingContactError,
+    Located,
     OverlapError,
     SimultaneousImpactsError,
     UndecidedContactError,
@@ -21,7 +22,9 @@ from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.loads import Loads, coordinates, start_states
 from tamias2d.run import Run
 from tamias2d.scene import Scene, in_pieces
+from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve.assembly import start_of
+from tamias2d.solve.error_through_impacts import error_through_impacts
 from tamias2d.solve.finite import refuse_infinite, within_range
 from tamias2d.solve.legacy import run_by_legacy
 from tamias2d.solve.located import are_many, run_by_paths
@@ -116,23 +119,33 @@ def solve_with_error(
 ) -> tuple[Run, Array | None]:
     """Return the history of a scene, and the largest error (n, 3) of coordinates, m and rad.
 
-    It is that of their path at any time, by the equation of the error; None where impacts hide it.
-    Arguments and errors are those of `solve`, and those that `watch` raises, with what they have
-    cost: `StoppedError`. The scene has no joints.
+    It is that of their path at any time, by the equation of the error, carried through impacts;
+    None where that says nothing. The scene has no joints. Arguments and errors are as of `solve`;
+    where nothing can meet also those that `watch` raises, with what they have cost: `StoppedError`.
     """
     plan = planned(scene, duration, method, None, times, work_limit)
     motion = method.motion(in_pieces(scene), plan.duration, plan.duration)
     assert isinstance(motion, IntegratedMotion)
-    motion.integrate_error(watch)
+    carried: list[Array | None] = []
+    meet = bool(pairs_that_can_meet(scene, plan.duration))
+    if not meet:
+        motion.integrate_error(watch)
+
+    def followed(located: Located) -> None:
+        if meet:
+            carried.append(error_through_impacts(located, motion, plan.duration))
+
     try:
         with within_range(plan.duration):
             _check(plan)
-            run = run_by_paths(plan, method, progress=progress, asked=True, motion=motion)
+            run = run_by_paths(
+                plan, method, progress=progress, asked=True, motion=motion, followed=followed
+            )
     except StoppedError as stopped:
         stopped.force_evaluations = motion.tally.force_evaluations
         raise
-    error = motion.largest_error
-    return run, None if error is None or len(run.impacts) else error[: len(scene)]
+    error = carried[0] if carried else motion.largest_error
+    return run, None if error is None else error[: len(scene)]
 
 
 def _run(plan: Plan, progress: bool, *, asked: bool) -> Run:

@@ -8,6 +8,7 @@ from tamias2d.errors import InputError
 from tamias2d.motion import ClosedForm, Dop853, DormandPrince5, Legacy2018, Stepped
 from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
+from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import shown
 from tamias2d.state import Array
 from tamias2d.study.bound import Bound, NoBoundError, Way, companion_of
@@ -31,8 +32,8 @@ def certify(run: Run) -> Run:
 
     The scene is simulated some times more: in closed form twice, by a stepped scheme on two coarser
     grids (together three quarters of the run's cost, and a finer one if they disagree about the
-    order), by an adaptive one with the equation of its error, at a tighter tolerance where impacts
-    or joints hide that or, where its steps are halved, by whole ones,
+    order), by an adaptive one with the equation of its error, at a tighter tolerance where lasting
+    contacts or joints hide that or, where its steps are halved, by whole ones,
     through contacts eight times by steps from its own to a quarter (some 15 times the run's cost);
     once more, perturbed, where steps are equal or a path is exact; and once to look for bodies that
     overlap or pass through each other.
@@ -49,6 +50,8 @@ def certify_with_error(run: Run, error: Array | None) -> Run:
 
     The equation of the error knows how this grows: no perturbed run is needed.
     """
+    if pairs_that_can_meet(run.scene, run.duration):
+        return _certified(run, lambda: of_error(error))
     return replace(run, certificate=_stated(run, lambda: of_error(error)(run, None)))
 
 
@@ -86,7 +89,7 @@ def certify_tighter(run: Run, looser: Run) -> Run:
 
 def certify_as(run: Run, told: Certificate) -> Run:
     """Return a run with a certificate that was made as another one tells, of all ways there are."""
-    if told.how.endswith(HOW) and has_error_equation(run.scene, run.duration, run.method):
+    if told.how.endswith(HOW) and has_error_equation(run.scene, run.method):
         return certify_with_error(run, error_beside(run))
     usual, method = certify(run), run.method
     if usual.certificate is None or usual.certificate.how == told.how:
@@ -179,7 +182,7 @@ def _way(run: Run) -> Way:
         raise NoBoundError("the scheme of 2018 is inconsistent: no step makes its error small")
     if method.fixed_step:
         return step_doubling
-    if has_error_equation(run.scene, run.duration, method):
+    if has_error_equation(run.scene, method):
         return _by_error_equation
     if isinstance(method, Dop853 | DormandPrince5) and method.halved:
         return lambda run, _: of_halves(run, whole_beside(run), [])

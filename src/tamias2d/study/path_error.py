@@ -1,5 +1,7 @@
 """Bounds of runs that choose their steps, from the equation of their error (R5)."""
 
+import math
+
 import numpy as np
 
 from tamias2d.motion import Dop853, DormandPrince5, Method
@@ -7,7 +9,6 @@ from tamias2d.motion.error_equation import Watch
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity, kinked, only_slowed
-from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve import StoppedError, solve_with_error
 from tamias2d.state import Array
 from tamias2d.study.bound import Bound, NoBoundError, Way, rounding
@@ -17,22 +18,24 @@ from tamias2d.study.error import radii, scale
 HOW = "and the equation of its error"
 TIGHTEST = 1e-12
 """Of the tolerances of a method whose steps err by more than the equation is rounded."""
-_TRUSTED = 2.0  # times the error that was integrated
-_SLOWED = 3.0  # the same where bodies are only slowed: rates within a step are known badly
+_SURE, _TRUSTED = 1.3, 2.0  # times the error that was integrated: a small one, and a larger one
+_SMALL = 1e-4  # of the scale: up to there more than the small one is believed
+_SLOWED, _TINY = (1.5, 3.0), 1e-6
+"""The same where bodies are only slowed: of an error that is larger than this share of the scale,
+and of the smallest. Rates within a step are known badly, and steps of high order feel that most."""
 _FEW = 24  # steps between which the quadrature errs: a small error may be luck
 _EARLY = 0.05  # of the run: before, its length says little
 _GROWTH = 1.5  # power of the time with which errors grow: from 1 to 2
 _FAR = 1e-3  # of the scale: as that is exceeded, steps are too few to say much of their error
 
 
-def has_error_equation(scene: Scene, duration: float, method: Method) -> bool:
-    """Whether the error of a run solves an equation that is smooth along its steps."""
+def has_error_equation(scene: Scene, method: Method) -> bool:
+    """Whether the error of a run solves an equation that is smooth but at impacts."""
     return (
         isinstance(method, Dop853 | DormandPrince5)
         and not method.halved
         and method.rtol >= TIGHTEST
         and not (scene.joints or kinked(scene))
-        and not pairs_that_can_meet(scene, duration)
     )
 
 
@@ -52,7 +55,8 @@ def of_error(error: Array | None) -> Way:
         if error is None:
             raise NoBoundError("the equation of its error has no solution beside the run")
         value = _trusted(run.scene, error, scale(run))
-        if run.cost and run.cost.steps < _FEW and not only_slowed(run.scene):
+        flights = 1 + len(run.impacts)
+        if run.cost and run.cost.steps < _FEW * flights and not only_slowed(run.scene):
             value = max(value, run.method.rtol * scale(run))  # type: ignore[attr-defined]
         return Bound("embedded", value + rounding(run), f"{run.method} {HOW}")
 
@@ -90,8 +94,13 @@ def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
 def _trusted(scene: Scene, error: Array, length: float) -> float:
     """Return how large an error may be that was integrated, m, beside a motion of a length, m."""
     farthest = _farthest(error, scene)
-    times = _SLOWED if only_slowed(scene) else _TRUSTED
-    return times * farthest * (1 + farthest / (_FAR * length))
+    share = farthest / length
+    if only_slowed(scene):
+        large, tiny = _SLOWED
+        times = tiny + (large - tiny) * min(1.0, share / _TINY)
+    else:
+        times = _SURE + (_TRUSTED - _SURE) * min(1.0, math.sqrt(share / _SMALL))
+    return times * farthest * (1 + share / _FAR)
 
 
 def _farthest(moved: Array, scene: Scene) -> float:

@@ -41,8 +41,11 @@ _PLAIN, _SLOWED = 0.3, 10.0
 _ORDER_8, _IMPACTS = 3e-8, 1e-8
 """Below these tolerances order 8 is cheaper than order 5 where bodies are only slowed: where none
 meet, and where steps are short for impacts."""
-_FREE, _FELT = 0.15, 1.0
-"""The same of steps whose error is integrated: where no velocity is felt, and where one is."""
+_FREE, _SPRUNG, _FELT = 0.05, 0.3, 0.7
+"""The same of steps whose error is integrated: where no velocity is felt, and errors grow with the
+square of the time, where springs hold them back, and where a velocity is felt."""
+_STRUCK = 0.2
+"""The same where bodies meet and are only slowed."""
 _NEXT = 0.5  # of the tolerance is aimed at when that failed
 _LOOSE = 1e-3
 """From it on order 5 is cheaper where bodies are only slowed and their error is integrated."""
@@ -50,6 +53,9 @@ _HALVES = 3e-6
 """Below it halved steps are cheaper than a run at a tighter tolerance."""
 _LOOSEST = 0.3
 _TRIES = 3
+_BESIDE = 5
+"""Tries with the error beside them, each of which tells the next: all others cost more."""
+_NAMES = "second", "third", "fourth", "fifth"
 _AIMS = 1.0, 1 / 30, 1e-3  # of the tolerance
 _TRUE = 1e-5  # within which runs do not lose each other but where the scene does that
 _TIGHTEST = 1e-14
@@ -196,9 +202,11 @@ def _unweighed(asked: _Asked) -> Run | None:
     meet = bool(pairs_that_can_meet(scene, asked.duration))
     slowed = only_slowed(scene)
     try:
-        smooth = has_error_equation(scene, asked.duration, Dop853())
-        if smooth and (run := _with_error(asked)) is not None:
-            return run
+        if has_error_equation(scene, Dop853()):
+            if meet:
+                return _through_impacts(asked)
+            if (run := _with_error(asked)) is not None:
+                return run
         if not (meet or slowed or scene.joints or kinked(scene)) and tolerance < _HALVES:
             return _halved(asked)
         loose = tolerance >= (_IMPACTS if meet else _ORDER_8)
@@ -213,8 +221,8 @@ def _with_error(asked: _Asked) -> Run | None:
     scene, tolerance = asked.scene, asked.tolerance
     slowed = only_slowed(scene)
     method = DormandPrince5 if slowed and tolerance >= _LOOSE else Dop853
-    rtol = tolerance * (_SLOWED if slowed else _FELT if felt_velocity(scene) else _FREE)
-    for attempt in range(_TRIES):
+    rtol = tolerance * (_SLOWED if slowed else _aim(scene))
+    for attempt in range(_BESIDE):
         if rtol < TIGHTEST:
             return None
         try:
@@ -236,6 +244,42 @@ def _with_error(asked: _Asked) -> Run | None:
             reached = _reached(run.certificate)
         rtol *= _NEXT * tolerance / min(reached, 1.0)
     return None
+
+
+def _through_impacts(asked: _Asked) -> Run | None:
+    """Return a run whose error is carried through its impacts; None if some are not within it.
+
+    Where it cannot be, and below what it can tell, runs are certified by tighter ones.
+    """
+    scene, tolerance = asked.scene, asked.tolerance
+    slowed = only_slowed(scene)
+    method = DormandPrince5 if slowed and tolerance >= _IMPACTS else Dop853
+    rtol = tolerance * (_STRUCK if slowed else _aim(scene))
+    for attempt in range(_BESIDE):
+        if rtol < TIGHTEST:
+            break
+        run, error = solve_with_error(
+            scene,
+            duration=asked.duration,
+            method=method(rtol=_own(rtol, _LOOSEST)),
+            times=asked.times,
+            progress=asked.progress,
+            work_limit=asked.work_limit,
+        )
+        if error is None:
+            return _tightened(asked, *certify_embedded(run))
+        run = certify_with_error(run, error)
+        if _meets(run, asked):
+            return _first(run, tolerance, attempt)
+        rtol *= _NEXT * tolerance / min(_reached(run.certificate), 1.0)
+    return _whole(asked, method, _PLAIN * tolerance)
+
+
+def _aim(scene: Scene) -> float:
+    """Return the tolerance of a method that is likely to do, over the one that was asked for."""
+    if felt_velocity(scene):
+        return _FELT
+    return _SPRUNG if scene.springs else _FREE
 
 
 def _halved(asked: _Asked) -> Run | None:
@@ -330,7 +374,7 @@ def _noted(run: Run, tolerance: float, attempt: int) -> Run:
 
 
 def _again(attempt: int) -> str:
-    return "" if attempt == 0 else f", at the {('second', 'third')[attempt - 1]} try"
+    return "" if attempt == 0 else f", at the {_NAMES[attempt - 1]} try"
 
 
 def _reached(certificate: Certificate | None) -> float:
