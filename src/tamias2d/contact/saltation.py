@@ -14,6 +14,7 @@ from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.frictional_impact import after_frictional_impulse, frictional_impulses
 from tamias2d.contact.manifold import Contact, normal_velocity, refreshed
 from tamias2d.contact.response import after_impulse, impulses
+from tamias2d.generated import rotation, translation
 from tamias2d.state import Acceleration, Array, State
 
 _TRIALS = 4  # of Newton's method, which begins as near as the motion is to the path
@@ -66,7 +67,7 @@ def after_impact(
     touch = _touching(cores, contact, states)
     answered = _answered(cores, touch, states, met)
     return delay, {
-        i: _rows(state, -delay, paths[i].pull_after) - _rows(paths[i].after)
+        i: _rows(_later(state, -delay, paths[i].pull_after)) - _rows(paths[i].after)
         for i, state in zip(pair, answered, strict=True)
         if cores[i].dynamic
     }
@@ -84,21 +85,30 @@ def _answered(
     return after_impulse(cores, touch, impulse, a, b)
 
 
-def _rows(state: State, later: float = 0.0, pull: Acceleration = (0.0, 0.0, 0.0)) -> Array:
-    """Return coordinates and rates (2, 3) after a time, s, under a constant acceleration."""
-    way = np.array([*state.position, state.orientation])
-    rate, bend = np.array([*state.velocity, state.angular_velocity]), np.array(pull)
-    return np.stack((way + later * rate + later * later / 2 * bend, rate + later * bend))
+def _rows(state: State) -> Array:
+    """Return coordinates and rates (2, 3)."""
+    return np.array(
+        [(*state.position, state.orientation), (*state.velocity, state.angular_velocity)]
+    )
+
+
+def _later(state: State, time: float, pull: Acceleration) -> State:
+    """Return the state after a time, s, under a constant acceleration (IM1, IM2)."""
+    position, turn, velocity, spin = state
+    return State(
+        translation.position(position, velocity, pull[:2], time),
+        rotation.orientation(turn, spin, pull[2], time),
+        translation.velocity(velocity, pull[:2], time),
+        rotation.angular_velocity(spin, pull[2], time),
+    )
 
 
 def _moved(core: Core, path: Passing, ahead: Array | None, later: float) -> State:
     """Return the state of a body of the motion some time, s, after the path's impact, or before."""
     if not core.dynamic or ahead is None:
         return path.before
-    here = _rows(path.before) + ahead
-    state = State((here[0, 0], here[0, 1]), here[0, 2], (here[1, 0], here[1, 1]), here[1, 2])
-    (x, y, turn), (u, v, spin) = _rows(state, later, path.pull_before).tolist()
-    return State((x, y), turn, (u, v), spin)
+    (x, y, turn), (u, v, spin) = (_rows(path.before) + ahead).tolist()
+    return _later(State((x, y), turn, (u, v), spin), later, path.pull_before)
 
 
 def _placed(cores: Sequence[Core], contact: Contact, states: Sequence[State]) -> list[Placed]:
