@@ -57,7 +57,7 @@ class TouchingRules(Stepping):
         """Change the friction and restitution of bodies, from the next step on (R3).
 
         Each is a number for all of k bodies, or an array (k,); what is left out stays, and so does
-        what is set for a pair. What sleeps on a surface that changes wakes. It takes some 80
+        what is set for a pair. What sleeps on a surface that changes wakes. It takes some 60
         microseconds, and the next step looks for pairs.
 
         Raises:
