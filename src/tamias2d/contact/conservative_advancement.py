@@ -10,17 +10,14 @@ from collections.abc import Callable, Sequence
 
 from tamias2d.contact.core import Core, Placed, place, rounded
 from tamias2d.contact.gap import Axis, Gap, axes, from_side, gaps, resolution
+from tamias2d.contact.gap_acceleration import LeastGapAcceleration, least_of_centres
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.contact.terrain import normals
 from tamias2d.generated.continuous_collision import (
     advance_closing,
     advance_opening,
-    centre_acceleration_least,
-    centre_acceleration_turning,
-    circling,
     discriminant,
-    gap_acceleration_least,
 )
 from tamias2d.generated.impact import normal_velocity
 from tamias2d.path import Bounds, Piece
@@ -308,7 +305,7 @@ class Pair:
         rate = normal_velocity(
             a.state.velocity, still, centre, b.state.velocity, still, centre, (ux, uy)
         )
-        least = _of_centres((ux, uy), *self._bounds(time, end))
+        least = least_of_centres((ux, uy), *self._bounds(time, end))
         return distance > 1.1 * radius, _root(distance - radius, rate, least)
 
     def _spinning_step(self, a: Placed, b: Placed, time: float, end: float) -> float:
@@ -348,7 +345,7 @@ class Pair:
 
         def smallest_root(window: float) -> float:
             bounds = self._bounds(time, time + window)
-            least_of = _LeastGapAcceleration(axis, a, b, *bounds, window, relative=relative)
+            least_of = LeastGapAcceleration(axis, a, b, *bounds, window, relative=relative)
             return min(_root(gap.value, gap.rate, least_of(gap)) for gap in near)
 
         longest = smallest_root(0.0)
@@ -357,72 +354,6 @@ class Pair:
     def _bounds(self, first: float, last: float) -> tuple[Bounds, Bounds]:
         path_a, path_b = self._paths
         return path_a.bounds(first, last), path_b.bounds(first, last)
-
-
-class _LeastGapAcceleration:
-    """The least second derivative that the gap to a corner can have within a window, m/s^2."""
-
-    def __init__(
-        self,
-        axis: Axis,
-        a: Placed,
-        b: Placed,
-        bounds_a: Bounds,
-        bounds_b: Bounds,
-        window: float,
-        *,
-        relative: bool,
-    ) -> None:
-        p, q = (b, a) if axis.swapped else (a, b)
-        on_p, on_q = (bounds_b, bounds_a) if axis.swapped else (bounds_a, bounds_b)
-        turning = axis.side is not None and (on_p.angular_speed or on_p.angular_acceleration)
-        if relative:
-            self._centres = 0.0
-        elif turning:
-            self._centres = _of_turning_centres(axis.direction, p, q, on_p, on_q, window)
-        else:
-            self._centres = _of_centres(axis.direction, on_p, on_q)
-        self._p = circling(on_p.angular_speed, on_p.angular_acceleration)
-        self._q = circling(on_q.angular_speed, on_q.angular_acceleration)
-        if turning:
-            spin = abs(q.state.angular_velocity - p.state.angular_velocity)
-            change = on_p.angular_acceleration + on_q.angular_acceleration
-            self._q = circling(spin + change * window, change)
-
-    def __call__(self, gap: Gap) -> float:
-        reach_p, reach_q = gap.reach
-        return float(gap_acceleration_least(self._centres, reach_p, self._p, reach_q, self._q))
-
-
-def _of_centres(direction: Vector, on_p: Bounds, on_q: Bounds) -> float:
-    deviation = on_p.deviation + on_q.deviation
-    return float(
-        centre_acceleration_least(on_p.acceleration, on_q.acceleration, direction, deviation)
-    )
-
-
-def _of_turning_centres(
-    direction: Vector, p: Placed, q: Placed, on_p: Bounds, on_q: Bounds, window: float
-) -> float:
-    """Return the bound for an axis that turns with P, m/s^2."""
-    (px, py), (qx, qy) = p.state.position, q.state.position
-    (pu, pv), (qu, qv) = p.state.velocity, q.state.velocity
-    (pa, pb), (qa, qb) = on_p.acceleration, on_q.acceleration
-    acceleration = math.hypot(qa - pa, qb - pb) + (on_p.deviation + on_q.deviation)
-    speed = math.hypot(qu - pu, qv - pv) + acceleration * window
-    distance = math.hypot(qx - px, qy - py) + speed * window
-    spins = circling(on_p.angular_speed, on_p.angular_acceleration)
-    return float(
-        centre_acceleration_turning(
-            spins,
-            distance,
-            on_p.angular_speed,
-            speed,
-            _of_centres(direction, on_p, on_q),
-            on_p.angular_speed * window,
-            acceleration,
-        )
-    )
 
 
 def _step_beside(a: Placed, b: Placed, tolerance: float, longest: float) -> float:
