@@ -12,6 +12,7 @@ import numpy as np
 
 from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.frictional_impact import after_frictional_impulse, frictional_impulses
+from tamias2d.contact.gap import gaps
 from tamias2d.contact.manifold import Contact, normal_velocity, refreshed
 from tamias2d.contact.response import after_impulse, impulses
 from tamias2d.generated import rotation, translation
@@ -122,9 +123,6 @@ def _touching(cores: Sequence[Core], contact: Contact, states: Sequence[State]) 
 
 def _gap(cores: Sequence[Core], contact: Contact, states: Sequence[State]) -> float:
     """Return the gap along the axis of a contact, m."""
-    axis, gap = contact.axis, contact.gap
-    p, q = _placed(cores, contact, states)[:: -1 if axis.swapped else 1]
-    base = p.core.radius if axis.side is None else axis.side.offset
-    (px, py), (qx, qy) = p.state.position, q.state.position
-    (ux, uy), (vx, vy), (wx, wy) = axis.direction, gap.corner_p, gap.corner
-    return ux * (qx + wx - px - vx) + uy * (qy + wy - py - vy) - base - q.core.radius
+    a, b = _placed(cores, contact, states)
+    near = gaps(a, b, contact.axis)
+    return next(gap.value for gap in near if gap.which == contact.gap.which)
