@@ -10,6 +10,7 @@ from tamias2d.certificate import Certificate
 from tamias2d.contact import steps_because
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Dop853, DormandPrince5
+from tamias2d.motion.error_equation import Watch
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity, kinked, only_slowed
@@ -133,6 +134,21 @@ class _Asked(NamedTuple):
             work_limit=self.work_limit,
         )
 
+    def with_error(
+        self, method: Dop853 | DormandPrince5, watch: Watch | None = None
+    ) -> tuple[Run, Array | None]:
+        """Return the run of a method with the largest error of its path, as `solve_with_error`."""
+        watched = {} if watch is None else {"watch": watch}
+        return solve_with_error(
+            self.scene,
+            duration=self.duration,
+            method=method,
+            times=self.times,
+            progress=self.progress,
+            work_limit=self.work_limit,
+            **watched,
+        )
+
 
 class _PastHorizonError(Exception):
     """A refusal because no run can be followed so long."""
@@ -222,19 +238,12 @@ def _with_error(asked: _Asked) -> Run | None:
     slowed = only_slowed(scene)
     method = DormandPrince5 if slowed and tolerance >= _LOOSE else Dop853
     rtol = tolerance * (_SLOWED if slowed else _aim(scene))
+    watch = hopeless(scene, asked.duration, tolerance)
     for attempt in range(_BESIDE):
         if rtol < TIGHTEST:
             return None
         try:
-            run, error = solve_with_error(
-                scene,
-                duration=asked.duration,
-                method=method(rtol=_own(rtol, _LOOSEST)),
-                times=asked.times,
-                progress=asked.progress,
-                work_limit=asked.work_limit,
-                watch=hopeless(scene, asked.duration, tolerance),
-            )
+            run, error = asked.with_error(method(rtol=_own(rtol, _LOOSEST)), watch)
         except HopelessError as stopped:
             reached = stopped.share
         else:
@@ -258,14 +267,7 @@ def _through_impacts(asked: _Asked) -> Run | None:
     for attempt in range(_BESIDE):
         if rtol < TIGHTEST:
             break
-        run, error = solve_with_error(
-            scene,
-            duration=asked.duration,
-            method=method(rtol=_own(rtol, _LOOSEST)),
-            times=asked.times,
-            progress=asked.progress,
-            work_limit=asked.work_limit,
-        )
+        run, error = asked.with_error(method(rtol=_own(rtol, _LOOSEST)))
         if error is None:
             return _tightened(asked, *certify_embedded(run))
         run = certify_with_error(run, error)
