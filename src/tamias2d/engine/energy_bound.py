@@ -24,7 +24,6 @@ from tamias2d.engine.solver.lifting import charge_rising
 from tamias2d.engine.solver.support import (
     SUPPORTED_BY_MORE,
     find_references,
-    is_root,
     reference_at,
 )
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
@@ -71,12 +70,12 @@ def bound_energy(
     support_joined(bodies, islands, joints)
     sum_island_energies(control, bodies, touching, constraints, islands)
     charge_joined(control, bodies, touching, constraints, islands, joints)
-    if choose_kept_shares(bodies, touching, constraints, islands):
+    if choose_kept_shares(constraints, islands):
         keep_shares(bodies, touching, constraints, islands)
         keep_impulse_shares(bodies, constraints, islands)
     if constraints.counts[tb.FREE_ISLANDS] > 0:
         keep_angular_momentum(bodies, touching, constraints, islands, joints)
-    if choose_islands_to_damp(bodies, touching, constraints, islands):
+    if choose_islands_to_damp(islands):
         sum_island_motions(bodies, touching, constraints, islands)
         damp_islands(bodies, touching, constraints, islands)
         note_gains(control, islands, joints)
@@ -91,11 +90,9 @@ def sum_island_energies(
     islands: Islands,
 ) -> None:
     """Add up the kinetic energies of all islands, and the work of forces, J."""
-    for k in range(constraints.counts[tb.ACTIVE]):
-        i = touching.active[k]
-        if is_root(i, bodies, islands):
-            for n in range(tb.ENERGY_START, tb.ENERGY_OF_CHANGE + 1):
-                islands.energy[i, n] = 0.0
+    for n in range(islands.counts[tb.ROOTS]):
+        for at in range(tb.ENERGY_START, tb.ENERGY_OF_CHANGE + 1):
+            islands.energy[islands.roots[n], at] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if bodies.kind[i] == tb.DYNAMIC:
@@ -139,7 +136,7 @@ def sum_body_energy(
     spin_seen = angular_velocity_seen(now[tb.SPIN], spin)
     after = kinetic_energy(mass, seen, inertia, spin_seen)
     given = energy_given(after, start, work_of_body)
-    islands.energy[i, tb.ENERGY_GIVEN] = given
+    islands.given[i] = given
     row[tb.ENERGY_START] += start
     row[tb.ENERGY_AFTER] += after
     row[tb.ENERGY_GIVEN_ALL] += max(given, 0.0)
@@ -160,16 +157,11 @@ def sum_restitution_energy(
     row[tb.ENERGY_OF_CHANGE] += kinetic_energy(mass, change, inertia, now[tb.SPIN] - spin_before)
 
 
-def choose_kept_shares(
-    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
-) -> bool:
+def choose_kept_shares(constraints: Constraints, islands: Islands) -> bool:
     """Write which share of restitution each island keeps; return whether one loses any."""
     some = False
-    for k in range(constraints.counts[tb.ACTIVE]):
-        i = touching.active[k]
-        if not is_root(i, bodies, islands):
-            continue
-        row = islands.energy[i]
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
         before, after, change = (
             row[tb.ENERGY_BEFORE],
             row[tb.ENERGY_AFTER],

@@ -38,11 +38,12 @@ def overshoots(world: World, contacts: Contacts) -> bool:
     for k in range(touching.counts[tb.TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+        if turn_of(s, i, bodies, shapes) + turn_of(t, j, bodies, shapes) <= TURNED_FAR:
+            continue
         gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, tb.POINT_COUNT])
         reach = smaller_radius(s, t, shapes.material)
         deepest = min(gap, 0.0) - DEEPER * reach
-        turns = turn_of(s, i, bodies, shapes) + turn_of(t, j, bodies, shapes) > TURNED_FAR
-        if turns and gap - closing_at_points(p, i, j, reach, bodies, contacts) < deepest:
+        if gap - closing_at_points(p, i, j, reach, bodies, contacts) < deepest:
             held = held_normal(contacts.manifolds[p], contacts.flags[p])
             gap = manifold_at(s, t, 1.0, held, bodies, shapes, events)
             turn_shape_to(s, i, 0.0, bodies, shapes)

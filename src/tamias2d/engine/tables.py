@@ -623,7 +623,6 @@ BEFORE_RESTITUTION = _energy(3)  # m/s, m/s, rad/s, of each body: its velocity
 VELOCITY_GIVEN = _energy(2)  # m/s, of each body, as the next two: what contacts have given it
 ANGULAR_VELOCITY_GIVEN = _energy()  # rad/s, in all substeps
 MOMENT_AHEAD = _energy()  # m^2/s, about where it was as the step began
-ENERGY_GIVEN = _energy()  # J, by contacts in this step, of each body as seen from the reference
 REFERENCE = _energy(3)  # m/s, m/s, rad/s, of a root, as all below: the rigid motion, at the root,
 # from which the island is seen, and towards which its motion is damped
 SUPPORT = _energy()  # how many motions support it, one of those in `solver.energy`
@@ -647,7 +646,6 @@ MOMENT_X = _energy()  # kg m, of the mass
 MOMENT_Y = _energy()
 MOMENT_OF_INERTIA = _energy()  # kg m^2
 DAMPED_SHARE = _energy()  # of the motion that differs from REFERENCE; 1 where none is taken
-IS_HELD = _energy()  # 1 if the island touches something that does not move freely, or cannot turn
 ANGULAR_MOMENTUM_GIVEN = _energy()  # kg m^2/s, by contacts, to an island that nothing holds
 ENERGY_PUSHED = _energy()  # J, of its bodies that contacts have pushed
 DRIVEN_RATE = _energy()  # m/s, at which its supports move against each other, at most
@@ -657,6 +655,7 @@ KEPT_WAY = _energy()  # share of its way in this step that an island with joints
 _islands = Columns()
 SLEEP_STEPS = _islands()  # slow steps until an island sleeps, 0 for never
 SLEEPING = _islands()  # bodies that sleep
+ROOTS = _islands()  # islands that have contacts
 
 
 class Islands(NamedTuple):
@@ -670,6 +669,10 @@ class Islands(NamedTuple):
     ]
     rest: Annotated[FloatRows, Sized("slots", _rest.width), Saved(numbers="any")]
     energy: Annotated[FloatRows, Sized("slots", _energy.width)]
+    # of a body with contacts: 1 if its island touches what does not move freely, or cannot turn
+    held: Annotated[Bytes, Sized("slots")]
+    roots: Annotated[Indices, Sized("slots")]  # of the islands that have contacts
+    given: Annotated[Floats, Sized("slots")]  # J, by contacts in this step, to each body
 
 
 # -- direct solver: nodes are the moving bodies of tree-like islands, edges the pairs that touch

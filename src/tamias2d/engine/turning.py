@@ -60,7 +60,7 @@ def turn_contacts(world: World, contacts: Contacts) -> None:
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
         mover = i if bodies.kind[i] == tb.DYNAMIC else j
         known = contacts.manifolds[p, tb.FORESEEN] == 0.0
-        if known and world.islands.energy[mover, tb.IS_HELD] == 1.0:
+        if known and world.islands.held[mover] == 1:
             late = late_impulse(k, world)
             if late != 0.0 and turns(p, i, j, world, contacts):
                 turn_contact(

@@ -108,13 +108,13 @@ def add_contacts(
     new = keep_new_candidates(total, broad_phase, contacts)
     if counts[tb.CONTACTS] + new > len(contacts.pairs):
         return False
-    if new > 0:  # contacts get other places
-        touching.counts[tb.ARRANGED] = touching.counts[tb.ISLANDS_KNOWN] = 0
     old, place = counts[tb.CONTACTS] - 1, counts[tb.CONTACTS] + new - 1
     counts[tb.CONTACTS] += new
     while new > 0:  # from the end, so that each moves once
         a, b = broad_phase.candidates[new - 1, 0], broad_phase.candidates[new - 1, 1]
         if old >= counts[tb.FIRST_RUN] and is_after(old, a, b, rank, contacts.pairs):
+            if contacts.flags[old, tb.POINT_COUNT] > 0:  # one that is arranged gets another place
+                touching.counts[tb.ARRANGED] = touching.counts[tb.ISLANDS_KNOWN] = 0
             copy_contact(old, in_parts, contacts, contacts, place)
             old -= 1
         else:

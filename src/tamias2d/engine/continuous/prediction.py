@@ -36,7 +36,7 @@ def foresee(world: World, contacts: Contacts) -> None:
         return
     changed = add_secondary_contacts(world, contacts)
     touching.counts[tb.IMPACTS] = 1 if changed else 0
-    count_contacts(bodies, contacts, touching)
+    count_contacts(bodies, shapes, contacts, touching)
     stay = 0
     for k in range(touching.counts[tb.TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
@@ -59,7 +59,7 @@ def foresee(world: World, contacts: Contacts) -> None:
         ):
             touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
             stay += 1
-            if contacts.manifolds[p, tb.FORESEEN] > 0.0:
+            if meets and contacts.manifolds[p, tb.FORESEEN] > 0.0:
                 touching.counts[tb.IMPACTS] = 1
             changed = changed or contacts.flags[p, tb.POINT_COUNT] != points
         else:
@@ -69,24 +69,29 @@ def foresee(world: World, contacts: Contacts) -> None:
         touching.counts[tb.ARRANGED] = touching.counts[tb.ISLANDS_KNOWN] = 0
 
 
-def count_contacts(bodies: Bodies, contacts: Contacts, touching: Touching) -> None:
+def count_contacts(bodies: Bodies, shapes: Shapes, contacts: Contacts, touching: Touching) -> None:
     """Count the contacts of each body that has some, those that hold it, and those to come.
 
-    To come are those with what does not move freely that meet, or that others drive together.
+    To come are those with what does not move freely that meet, or that others drive together. What
+    holds bodies is counted only where some bounce.
     """
     near = touching.near
+    some_bounce = False
     for k in range(touching.counts[tb.TOUCHING]):
         for n in range(3):
             near[touching.body_a[k], n] = near[touching.body_b[k], n] = 0
     for k in range(touching.counts[tb.TOUCHING]):
         p, a, b = touching.contact[k], touching.body_a[k], touching.body_b[k]
-        manifold = contacts.manifolds[p]
-        loaded = manifold[tb.NORMAL_IMPULSE] + manifold[tb.NORMAL_IMPULSE + tb.POINT] > 0.0
         comes = contacts.flags[p, tb.LOCATED] > 0 and bodies.kind[a] != bodies.kind[b]
+        some_bounce = some_bounce or bounces(p, shapes, contacts)
         for i in (a, b):
             near[i, tb.ALL] += 1
-            near[i, tb.HOLDING] += 1 if loaded else 0
             near[i, tb.COMING] += 1 if comes else 0
+    for k in range(touching.counts[tb.TOUCHING] if some_bounce else 0):
+        manifold = contacts.manifolds[touching.contact[k]]
+        if manifold[tb.NORMAL_IMPULSE] + manifold[tb.NORMAL_IMPULSE + tb.POINT] > 0.0:
+            near[touching.body_a[k], tb.HOLDING] += 1
+            near[touching.body_b[k], tb.HOLDING] += 1
 
 
 def is_located(
@@ -104,13 +109,16 @@ def is_located(
     Where bodies bounce and nothing holds them, those that touch already may meet, too: one after
     the other they pass an impact on.
     """
+    bouncing = bounces(p, shapes, contacts)
+    if not (meets or bouncing):
+        return False
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, tb.POINT_COUNT])
     a, b = core_of(s, shapes), core_of(t, shapes)
     if is_thin(a, b) and not gap > 0.0:
         return False  # behind a gap of 0 is the other side
     held = holds(i, bodies, touching) + holds(j, bodies, touching)
-    if bounces(p, shapes, contacts) and held == 0:
+    if bouncing and held == 0:
         return gap > -CLOSE * smaller_radius(s, t, shapes.material)  # the solver parts others
     return meets and is_alone(i, bodies, touching) and is_alone(j, bodies, touching)
 

@@ -13,8 +13,15 @@ from tamias2d.engine.islands import both_sleep
 from tamias2d.engine.narrow_phase.boxes import stays_far
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.collide import collide
-from tamias2d.engine.narrow_phase.touching import BULLET, opening_speed, speculative_margins
+from tamias2d.engine.narrow_phase.touching import (
+    BULLET,
+    opening_speed,
+    relative_speeds,
+    speculative_margins,
+)
 from tamias2d.engine.tables import Bodies, Contacts, Islands, Shapes, Touching, World
+
+WIDE = 2.0  # bounding radii, within which points of contact are
 
 
 def add_secondary_contacts(world: World, contacts: Contacts) -> bool:
@@ -25,7 +32,7 @@ def add_secondary_contacts(world: World, contacts: Contacts) -> bool:
     bodies, touching = world.bodies, world.touching
     pull = abs(world.control.settings[tb.GRAVITY_X]) + abs(world.control.settings[tb.GRAVITY_Y])
     slow = 2.0 * world.control.progress[tb.PART_TIME] * pull
-    if not note_approaches(slow, bodies, contacts, touching):
+    if not note_approaches(slow, bodies, world.shapes, contacts, touching):
         return False
     added = more = 0
     for p in range(world.broad_phase.counts[tb.CONTACTS]):
@@ -43,7 +50,9 @@ def add_secondary_contacts(world: World, contacts: Contacts) -> bool:
     return added + more > 0
 
 
-def note_approaches(slow: float, bodies: Bodies, contacts: Contacts, touching: Touching) -> bool:
+def note_approaches(
+    slow: float, bodies: Bodies, shapes: Shapes, contacts: Contacts, touching: Touching
+) -> bool:
     """Note how fast each body approaches others that it touches or meets; tell whether one does.
 
     What is as slow as gravity makes bodies in a part does not count.
@@ -53,6 +62,9 @@ def note_approaches(slow: float, bodies: Bodies, contacts: Contacts, touching: T
     found = False
     for k in range(touching.counts[tb.TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
+        speed, turning = relative_speeds(contacts.pairs[p], bodies, shapes)
+        if speed + WIDE * turning <= slow:
+            continue
         speed = -least_speed(p, i, j, bodies, contacts)
         if speed > slow:
             found = True
@@ -112,7 +124,9 @@ def collide_driven(p: int, world: World, contacts: Contacts) -> int:
         return 0
     reach = smaller_radius(s, t, shapes.material)
     touched = contacts.flags[p, tb.TOUCHES] != 0
-    margin, _ = speculative_margins(i, j, s, t, reach, touched, 0.0, world.control, bodies, shapes)
+    pair, time = contacts.pairs[p], world.control.progress[tb.PART_TIME]
+    speeds = relative_speeds(pair, bodies, shapes)
+    margin, _ = speculative_margins(pair, reach, touched, speeds, 0.0, time, bodies, shapes)
     if margin == 0.0 or margin + driven > BULLET * reach:
         return 0
     margin += driven

@@ -18,7 +18,7 @@ def hold_tied(islands: Islands, joints: Joints) -> None:
     for n in range(joints.counts[tb.MECHANISMS]):
         if joints.mechanisms[n, tb.M_TIED] == 1:
             i = joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT]
-            islands.energy[islands.links[i, tb.ROOT], tb.IS_HELD] = 1.0
+            islands.held[islands.links[i, tb.ROOT]] = 1
 
 
 def note_mechanisms(world: World) -> None:

@@ -82,7 +82,7 @@ def charge_joined(
     """
     if joints.counts[tb.MECHANISMS] == 0:
         return
-    sum_lift_work(control, bodies, touching, constraints, islands)
+    sum_masses_and_lift_work(control, bodies, touching, constraints, islands)
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
         if is_likely(n, row, joints):
@@ -130,25 +130,28 @@ def charge_for_mechanism(n: int, row: Array, joints: Joints) -> None:
         row[tb.WORK] = 0.0
 
 
-def sum_lift_work(
+def sum_masses_and_lift_work(
     control: Control,
     bodies: Bodies,
     touching: Touching,
     constraints: Constraints,
     islands: Islands,
 ) -> None:
-    """Add up what the overlaps of each island may give back, J; let it keep its way at first."""
+    """Add up masses, and what the overlaps of each island may give back, J; let it keep its way."""
     gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     for k in range(constraints.counts[tb.ACTIVE]):
         row = islands.energy[touching.active[k]]
         row[tb.KEPT_WAY], row[tb.LIFT_WORK], row[tb.DRIVEN_ENERGY] = 1.0, 0.0, 0.0
+        row[tb.ISLAND_MASS] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if bodies.kind[i] == tb.DYNAMIC:
             load, mass = bodies.load[i], 1.0 / bodies.properties[i, tb.INVERSE_MASS]
             of_substep = lift_work(mass, gravity, (load[0], load[1]), control.settings[tb.SUBSTEP])
             substeps = control.counts[tb.PART_SUBSTEPS]
-            islands.energy[islands.links[i, tb.ROOT], tb.LIFT_WORK] += substeps * of_substep
+            row = islands.energy[islands.links[i, tb.ROOT]]
+            row[tb.LIFT_WORK] += substeps * of_substep
+            row[tb.ISLAND_MASS] += mass
 
 
 def rests_on_ground(row: Array) -> bool:

@@ -32,7 +32,7 @@ def add_angular_momenta(
     for n in range(joints.counts[tb.MECHANISMS]):
         i = joints.sparse[joints.sparse[n, tb.I_NODE], tb.N_BODY]
         acts = least <= joints.mechanisms[n, tb.M_STATUS] <= most
-        if acts and islands.energy[i, tb.IS_HELD] == 0.0:
+        if acts and islands.held[i] == 0:
             whole = sign * angular_momentum_of(n, bodies, joints)
             joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_MOMENT] += whole
 

@@ -22,7 +22,7 @@ from tamias2d.engine.tables import (
 from tamias2d.engine.thickness import contact_extent
 from tamias2d.generated.soft_contact import corner_fall, row_velocity, turning_arm
 from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Array
+from tamias2d.state import Array, Vector
 
 # fractions of the smaller bounding radius of two shapes
 CLOSE = 0.02  # the gap below which there is a contact already
@@ -54,7 +54,8 @@ def find_touching(
     total = marked = new_static = 0
     deep, same = False, touching.counts[tb.ARRANGED] == 1
     pull = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
-    fall = corner_fall(pull, control.progress[tb.PART_TIME])
+    time = control.progress[tb.PART_TIME]
+    fall = corner_fall(pull, time)
     note_sides(again, broad_phase.counts[tb.CONTACTS], contacts, shapes, touching.sides)
     boxed = note_boxes_if_long(broad_phase, control, CLOSE, bodies, shapes)
     for p in range(broad_phase.counts[tb.CONTACTS]):
@@ -66,11 +67,8 @@ def find_touching(
             continue
         smaller = min(shapes.material[s, tb.SHAPE_RADIUS], shapes.material[t, tb.SHAPE_RADIUS])
         touched = contacts.flags[p, tb.TOUCHES] != 0
-        margin, further = speculative_margins(
-            i, j, s, t, smaller, touched, fall, control, bodies, shapes
-        )
         before = known_gap(contacts.manifolds[p], contacts.flags[p])
-        count = find_manifold(p, margin, further, bodies, shapes, contacts)
+        count, margin = update_manifold(p, smaller, touched, fall, time, bodies, shapes, contacts)
         if count == 0:
             continue
         if contacts.flags[p, tb.SENSES] == 0:
@@ -111,27 +109,66 @@ def forget_arrangement(changed: bool, touching: Touching) -> None:
 
 
 @inlined
+def update_manifold(
+    p: int,
+    smaller: float,
+    touched: bool,
+    fall: float,
+    time: float,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+) -> tuple[int, float]:
+    """Find the points of a contact, or keep them; return how many, and the margin, m, for them."""
+    speeds = relative_speeds(contacts.pairs[p], bodies, shapes)
+    way = (speeds[0] + speeds[1]) * time
+    slow = touched & (way <= STILL * smaller)
+    if slow and keeps_manifold(p, smaller, bodies, shapes, contacts):
+        return 2, CLOSE * smaller + way
+    margin, further = speculative_margins(
+        contacts.pairs[p], smaller, touched, speeds, fall, time, bodies, shapes
+    )
+    return find_manifold(p, margin, further, bodies, shapes, contacts), margin
+
+
+@inlined
+def keeps_manifold(
+    p: int, smaller: float, bodies: Bodies, shapes: Shapes, contacts: Contacts
+) -> bool:
+    """Let the gaps of two points follow their bodies, which hardly move; return whether they may.
+
+    Which side of a thin shape the other one is on, is asked anew.
+    """
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
+    if contacts.flags[p, tb.POINT_COUNT] != 2 or not both_plain(s, t, shapes):
+        return False
+    x, y = bodies.pose[j, tb.X] - bodies.pose[i, tb.X], bodies.pose[j, tb.Y] - bodies.pose[i, tb.Y]
+    radii = shapes.material[s, tb.SHAPE_RADIUS] + shapes.material[t, tb.SHAPE_RADIUS]
+    angle_a, angle_b = bodies.pose[i, tb.ANGLE], bodies.pose[j, tb.ANGLE]
+    return move_gaps(x, y, angle_a, angle_b, radii, STILL * smaller, contacts.manifolds[p])
+
+
+@inlined
+def both_plain(s: int, t: int, shapes: Shapes) -> bool:
+    """Return whether neither of two shapes is thin."""
+    return bool((shapes.kind[s] < tb.THIN_CAPSULE) & (shapes.kind[t] < tb.THIN_CAPSULE))
+
+
+@inlined
 def find_manifold(
     p: int, margin: float, further: float, bodies: Bodies, shapes: Shapes, contacts: Contacts
 ) -> int:
     """Find the points of a contact if a gap is below the margin, m; return how many there are.
 
-    Of another point it may be larger by so much further, m.
+    Of another point it may be larger by so much further, m. A contact that has points loses them at
+    a slightly larger gap than it got them, lest all be arranged anew whenever a gap trembles.
     """
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
     x, y = bodies.pose[j, tb.X] - bodies.pose[i, tb.X], bodies.pose[j, tb.Y] - bodies.pose[i, tb.Y]
-    angle_a, angle_b = bodies.pose[i, tb.ANGLE], bodies.pose[j, tb.ANGLE]
     radius_s, radius_t = shapes.material[s, tb.SHAPE_RADIUS], shapes.material[t, tb.SHAPE_RADIUS]
     points = contacts.flags[p, tb.POINT_COUNT]
-    plain = (shapes.kind[s] < tb.THIN_CAPSULE) & (shapes.kind[t] < tb.THIN_CAPSULE)
-    if points == 2 and plain and contacts.flags[p, tb.TOUCHES] != 0:
-        most = STILL * min(radius_s, radius_t)
-        slow = margin <= (CLOSE + STILL) * min(radius_s, radius_t)
-        if slow and move_gaps(
-            x, y, angle_a, angle_b, radius_s + radius_t, most, contacts.manifolds[p]
-        ):
-            return 2
     radii = radius_s + radius_t + margin
     if points == 0 and (
         x * x + y * y > radii * radii or over_plane(p, x, y, margin, shapes, contacts)
@@ -139,12 +176,14 @@ def find_manifold(
         return 0
     far = further if points > 0 else 0.0
     count = collide(p, s, t, x, y, margin + far, shapes, contacts)
-    if count > 0 and far > 0.0 and smallest_gap(contacts.manifolds[p], count) > margin:
+    kept = min(far, STILL * min(radius_s, radius_t))
+    if count > 0 and far > 0.0 and smallest_gap(contacts.manifolds[p], count) > margin + kept:
         contacts.flags[p, tb.POINT_COUNT] = 0
         return 0
     if count == 1 and further > far:
         count = collide(p, s, t, x, y, margin + further, shapes, contacts)
-    if count == 2 and plain:  # which side of a thin shape the other one is on, is asked anew
+    if count == 2 and both_plain(s, t, shapes):
+        angle_a, angle_b = bodies.pose[i, tb.ANGLE], bodies.pose[j, tb.ANGLE]
         note_pose(x, y, angle_a, angle_b, 0.0, contacts.manifolds[p])
     return count
 
@@ -259,30 +298,38 @@ def opening(n: int, i: int, j: int, first: int, bodies: Bodies, manifold: Array)
 
 
 @inlined
-def speculative_margins(
-    i: int,
-    j: int,
-    s: int,
-    t: int,
-    smaller: float,
-    touched: bool,
-    fall: float,
-    control: Control,
-    bodies: Bodies,
-    shapes: Shapes,
-) -> tuple[float, float]:
-    """Return below which gap two shapes, of the bodies i and j, have a contact, m.
-
-    It follows the motion of a step, and is 0 for a fast pair. The second number is how much farther
-    off the other end of such a contact may be: it falls, m, and bodies turn about where they touch.
-    """
-    motion, time_step = bodies.motion, control.progress[tb.PART_TIME]
+def relative_speeds(pair: Integers, bodies: Bodies, shapes: Shapes) -> tuple[float, float]:
+    """Return how fast two shapes may come together, m/s: by their velocities, and by turning."""
+    s, t, motion = pair[0], pair[1], bodies.motion
+    i, j = pair[tb.SLOT_A], pair[tb.SLOT_B]
     speed = abs(motion[j, tb.VX] - motion[i, tb.VX]) + abs(motion[j, tb.VY] - motion[i, tb.VY])
     turning = 0.0
     if shapes.vertex_count[s] > 1:
         turning += abs(motion[i, tb.SPIN]) * shapes.material[s, tb.SHAPE_RADIUS]
     if shapes.vertex_count[t] > 1:
         turning += abs(motion[j, tb.SPIN]) * shapes.material[t, tb.SHAPE_RADIUS]
+    return speed, turning
+
+
+@inlined
+def speculative_margins(
+    pair: Integers,
+    smaller: float,
+    touched: bool,
+    speeds: Vector,
+    fall: float,
+    time_step: float,
+    bodies: Bodies,
+    shapes: Shapes,
+) -> tuple[float, float]:
+    """Return below which gap two shapes have a contact, m.
+
+    It follows the motion of a step, s, and is 0 for a fast pair. The second number is how much
+    farther off the other end of such a contact may be: it falls, m, and bodies turn about where
+    they touch.
+    """
+    s, t, i, j = pair[0], pair[1], pair[tb.SLOT_A], pair[tb.SLOT_B]
+    speed, turning = speeds
     fast = (speed + turning) * time_step > BULLET * smaller
     fast = unless_joined(fast, i, j, bodies)
     if fast:

@@ -42,42 +42,42 @@ def mark_held_islands(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands, joints: Joints
 ) -> None:
     """Mark the islands that contacts hold, or that have a body which does not turn."""
-    links, marks = islands.links, islands.energy
+    links, held = islands.links, islands.held
     update_islands(bodies, touching, islands, joints)
     for k in range(constraints.counts[tb.ACTIVE]):
-        marks[links[touching.active[k], tb.ROOT], tb.IS_HELD] = 0.0
+        held[links[touching.active[k], tb.ROOT]] = 0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if bodies.properties[i, tb.INVERSE_INERTIA] == 0.0:
-            marks[links[i, tb.ROOT], tb.IS_HELD] = 1.0
+            held[links[i, tb.ROOT]] = 1
     for k in range(touching.counts[tb.TOUCHING]):
         i, j = touching.body_a[k], touching.body_b[k]
         if bodies.kind[i] != tb.DYNAMIC:
-            marks[links[j, tb.ROOT], tb.IS_HELD] = 1.0
+            held[links[j, tb.ROOT]] = 1
         if bodies.kind[j] != tb.DYNAMIC:
-            marks[links[i, tb.ROOT], tb.IS_HELD] = 1.0
+            held[links[i, tb.ROOT]] = 1
 
 
 def count_free_islands(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
     """Count the islands that have contacts, and that nothing holds; mark the bodies of others."""
-    marks = islands.energy
+    held = islands.held
     free = 0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        marks[i, tb.IS_HELD] = marks[islands.links[i, tb.ROOT], tb.IS_HELD]
-        free += is_root(i, bodies, islands) and marks[i, tb.IS_HELD] == 0.0
+        held[i] = held[islands.links[i, tb.ROOT]]
+        free += is_root(i, bodies, islands) and held[i] == 0
     constraints.counts[tb.FREE_ISLANDS] = free
 
 
 def begin_moments(first: int, last: int, touching: Touching, islands: Islands) -> None:
     """Begin to add up what contacts give some bodies, of those that nothing holds."""
     for k in range(first, last):
-        given = islands.energy[touching.active_by_slab[k]]
-        if given[tb.IS_HELD] == 0.0:
+        i = touching.active_by_slab[k]
+        if islands.held[i] == 0:
             for n in range(tb.VELOCITY_GIVEN, tb.MOMENT_AHEAD + 1):
-                given[n] = 0.0
+                islands.energy[i, n] = 0.0
 
 
 def add_moments_before(
@@ -87,7 +87,7 @@ def add_moments_before(
     for k in range(first, last):
         i = touching.active_by_slab[k]
         given, now = islands.energy[i], bodies.motion[i]
-        if given[tb.IS_HELD] == 0.0:
+        if islands.held[i] == 0:
             given[tb.MOMENT_AHEAD] = moment_ahead_moved(
                 given[tb.MOMENT_AHEAD],
                 (now[tb.VX], now[tb.VY]),
@@ -102,7 +102,7 @@ def add_moments(
     """Add all that contacts have given some bodies in a substep, after these have moved on."""
     for k in range(first, last):
         i = touching.active_by_slab[k]
-        if islands.energy[i, tb.IS_HELD] == 0.0:
+        if islands.held[i] == 0:
             add_moment_of(i, bodies, islands.energy[i])
 
 
@@ -138,12 +138,11 @@ def keep_angular_momentum(
 ) -> None:
     """Take from free islands what they were given, and note the energy that they have."""
     rows, links = islands.energy, islands.links
-    for k in range(constraints.counts[tb.ACTIVE]):
-        i = touching.active[k]
-        if is_root(i, bodies, islands):
-            rows[i, tb.ANGULAR_MOMENTUM_GIVEN] = rows[i, tb.ENERGY_PUSHED] = 0.0
-            for n in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
-                rows[i, n] = 0.0
+    for n in range(islands.counts[tb.ROOTS]):
+        row = rows[islands.roots[n]]
+        row[tb.ANGULAR_MOMENTUM_GIVEN] = row[tb.ENERGY_PUSHED] = 0.0
+        for at in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
+            row[at] = 0.0
     add_given_by_joints(islands, joints)
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
@@ -168,8 +167,8 @@ def add_given_by_joints(islands: Islands, joints: Joints) -> None:
 
 def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
     """Return whether contacts have pushed a body, of an island that nothing holds."""
-    free = islands.energy[i, tb.IS_HELD] == 0.0
-    return bool((bodies.kind[i] == tb.DYNAMIC) & (bodies.moved[i] == tb.MOVED) & free)
+    pushed = (bodies.kind[i] == tb.DYNAMIC) & (bodies.moved[i] == tb.MOVED)
+    return bool(pushed & (islands.held[i] == 0))
 
 
 def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:

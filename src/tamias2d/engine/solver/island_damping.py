@@ -6,7 +6,7 @@ with a support to the motion of that. Cost: some visits to each body.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
-from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_MORE, is_root, reference_at
+from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_MORE, reference_at
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
 from tamias2d.generated.definitions import (
     angular_momentum,
@@ -28,20 +28,18 @@ from tamias2d.generated.island_energy import (
 )
 from tamias2d.state import Array, Vector
 
+LEAST_ENERGY = 2.0**-600  # J: motion with less ends, before squares of velocities underflow
 
-def choose_islands_to_damp(
-    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
-) -> bool:
+
+def choose_islands_to_damp(islands: Islands) -> bool:
     """Choose the islands that still have too much energy; return whether there are any."""
     some = False
-    for k in range(constraints.counts[tb.ACTIVE]):
-        i = touching.active[k]
-        if is_root(i, bodies, islands):
-            row = islands.energy[i]
-            bounded = row[tb.SUPPORT] != SUPPORTED_BY_MORE
-            much = bounded and row[tb.ENERGY_KEPT] > row[tb.ENERGY_BOUND] * (1.0 + GRACE)
-            row[tb.DAMPED_SHARE] = 0.0 if much else 1.0
-            some = some or much
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        bounded = row[tb.SUPPORT] != SUPPORTED_BY_MORE
+        much = bounded and row[tb.ENERGY_KEPT] > row[tb.ENERGY_BOUND] * (1.0 + GRACE)
+        row[tb.DAMPED_SHARE] = 0.0 if much else 1.0
+        some = some or much
     return some
 
 
@@ -49,20 +47,18 @@ def sum_island_motions(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
     """Find the rigid motion of the chosen islands, and how far they are damped."""
-    for k in range(constraints.counts[tb.ACTIVE]):
-        i = touching.active[k]
-        if is_root(i, bodies, islands):
-            for n in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
-                islands.energy[i, n] = 0.0
+    for n in range(islands.counts[tb.ROOTS]):
+        for at in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
+            islands.energy[islands.roots[n], at] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         row = islands.energy[islands.links[i, tb.ROOT]]
         if bodies.kind[i] == tb.DYNAMIC and row[tb.DAMPED_SHARE] != 1.0 and row[tb.SUPPORT] == FREE:
             sum_body_motion(i, islands.links[i, tb.ROOT], bodies, row)
-    for k in range(constraints.counts[tb.ACTIVE]):
-        i = touching.active[k]
-        if is_root(i, bodies, islands) and islands.energy[i, tb.DAMPED_SHARE] != 1.0:
-            find_rigid_motion(islands.energy[i])
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        if row[tb.DAMPED_SHARE] != 1.0:
+            find_rigid_motion(row)
 
 
 def sum_body_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:
@@ -108,7 +104,7 @@ def find_rigid_motion(row: Array) -> None:
         row[tb.REFERENCE + 1] += by_y
         row[tb.REFERENCE + 2] = spin
     row[tb.DAMPED_SHARE], row[tb.ENERGY_LEAST] = 0.0, least
-    if row[tb.ENERGY_BOUND] > least and row[tb.ENERGY_KEPT] > least:
+    if min(row[tb.ENERGY_BOUND], row[tb.ENERGY_KEPT]) - least > LEAST_ENERGY:
         row[tb.DAMPED_SHARE] = damped_share(row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND], least)
 
 

@@ -8,7 +8,7 @@ nothing is taken. Cost: a visit to each body, where something is lifted.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.solver.energy import GRACE
-from tamias2d.engine.solver.support import SUPPORTED_BY_ONE, is_root, reference_at
+from tamias2d.engine.solver.support import SUPPORTED_BY_ONE, reference_at
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Touching
 from tamias2d.generated.definitions import acceleration
 from tamias2d.generated.island_energy import (
@@ -31,15 +31,13 @@ def charge_rising(
 ) -> None:
     """Take from bodies that rise what their islands have too much, as far as they have it."""
     some = False
-    for k in range(constraints.counts[tb.ACTIVE]):
-        i = touching.active[k]
-        if is_root(i, bodies, islands):
-            row = islands.energy[i]
-            row[tb.ENERGY_SURPLUS] = surplus_of_lift(row)
-            some = some or row[tb.ENERGY_SURPLUS] > 0.0
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        row[tb.ENERGY_SURPLUS] = surplus_of_lift(row)
+        some = some or row[tb.ENERGY_SURPLUS] > 0.0
     for k in range(constraints.counts[tb.ACTIVE] if some else 0):
         i = touching.active[k]
-        if bodies.kind[i] == tb.DYNAMIC and islands.energy[i, tb.ENERGY_GIVEN] > 0.0:
+        if bodies.kind[i] == tb.DYNAMIC and islands.given[i] > 0.0:
             row = islands.energy[islands.links[i, tb.ROOT]]
             if row[tb.ENERGY_SURPLUS] > 0.0:
                 charge(i, row, control, bodies, islands)
@@ -66,8 +64,8 @@ def charge(i: int, row: Array, control: Control, bodies: Bodies, islands: Island
     if not (seen[0] * x + seen[1] * y < 0.0 and x * x + y * y > 0.0):
         return
     energy = rising_energy(1.0 / inverse_mass, seen, (x, y))
-    given = islands.energy[i, tb.ENERGY_GIVEN]
-    left = rising_energy_charged(energy, row[tb.ENERGY_SURPLUS], given, row[tb.ENERGY_GIVEN_ALL])
+    whole = row[tb.ENERGY_GIVEN_ALL]
+    left = rising_energy_charged(energy, row[tb.ENERGY_SURPLUS], islands.given[i], whole)
     if energy > left:
         kept = velocity_charged(seen, (x, y), damped_share(energy, left, 0.0))
         now[tb.VX], now[tb.VY] = by_x + kept[0], by_y + kept[1]

@@ -20,34 +20,52 @@ def find_references(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
     """Write the reference motion of each island at its root."""
-    for k in range(constraints.counts[tb.ACTIVE]):
-        i = touching.active[k]
-        if is_root(i, bodies, islands):
-            row = islands.energy[i]
-            row[tb.SUPPORT], row[tb.DRIVEN_RATE] = FREE, 0.0
-            row[tb.ISLAND_MASS] = row[tb.MOMENTUM_X] = row[tb.MOMENTUM_Y] = 0.0
-    for k in range(constraints.counts[tb.ACTIVE]):
-        i = touching.active[k]
-        if bodies.kind[i] == tb.DYNAMIC:
-            row, state = islands.energy[islands.links[i, tb.ROOT]], bodies.substep_state[i]
-            mass = 1.0 / bodies.properties[i, tb.INVERSE_MASS]
-            x, y = momentum(mass, (state[tb.STEP_START], state[tb.STEP_START + 1]))
-            row[tb.MOMENTUM_X] += x
-            row[tb.MOMENTUM_Y] += y
-            row[tb.ISLAND_MASS] += mass
-    for k in range(constraints.counts[tb.ACTIVE]):
-        i = touching.active[k]
-        if is_root(i, bodies, islands):
-            row = islands.energy[i]
-            whole = (row[tb.MOMENTUM_X], row[tb.MOMENTUM_Y])
-            row[tb.REFERENCE], row[tb.REFERENCE + 1] = velocity_island(whole, row[tb.ISLAND_MASS])
-            row[tb.REFERENCE + 2] = 0.0
+    list_roots(bodies, touching, constraints, islands)
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        row[tb.SUPPORT], row[tb.DRIVEN_RATE] = FREE, 0.0
+        row[tb.ISLAND_MASS] = row[tb.MOMENTUM_X] = row[tb.MOMENTUM_Y] = 0.0
     for k in range(touching.counts[tb.TOUCHING]):
         i, j = touching.body_a[k], touching.body_b[k]
         if bodies.kind[i] != tb.DYNAMIC:
             i, j = j, i
         if bodies.kind[j] != tb.DYNAMIC:
             support_island(j, islands.links[i, tb.ROOT], bodies, islands)
+    find_free_references(bodies, touching, constraints, islands)
+
+
+def find_free_references(
+    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
+) -> None:
+    """Let islands without support be seen from their centres of mass as the step began."""
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        row = islands.energy[islands.links[i, tb.ROOT]]
+        if bodies.kind[i] == tb.DYNAMIC and row[tb.SUPPORT] == FREE:
+            state, mass = bodies.substep_state[i], 1.0 / bodies.properties[i, tb.INVERSE_MASS]
+            x, y = momentum(mass, (state[tb.STEP_START], state[tb.STEP_START + 1]))
+            row[tb.MOMENTUM_X] += x
+            row[tb.MOMENTUM_Y] += y
+            row[tb.ISLAND_MASS] += mass
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        if row[tb.SUPPORT] == FREE:
+            whole = (row[tb.MOMENTUM_X], row[tb.MOMENTUM_Y])
+            row[tb.REFERENCE], row[tb.REFERENCE + 1] = velocity_island(whole, row[tb.ISLAND_MASS])
+            row[tb.REFERENCE + 2] = 0.0
+
+
+def list_roots(
+    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
+) -> None:
+    """List the roots of the islands that have contacts."""
+    count = 0
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        if is_root(i, bodies, islands):
+            islands.roots[count] = i
+            count += 1
+    islands.counts[tb.ROOTS] = count
 
 
 def is_root(i: int, bodies: Bodies, islands: Islands) -> bool:
