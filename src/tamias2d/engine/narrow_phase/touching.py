@@ -33,6 +33,7 @@ DEEP = 0.35  # the overlap beyond which continuous collision sees to it that it 
 STILL = 2.0**-10  # a way for which a manifold is kept: its gaps are wrong by its square, 1e-6
 SUNK = 0.5  # of the smaller half of a least width: an overlap that should not grow any more
 BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
+PARTED = 0.05  # of the margin: how much farther apart points are when a contact loses them
 OF_THIS_STEP = tb.IS_TOUCHING + tb.MET_IN_FLIGHT  # of TOUCHES; twice these bits are of the last one
 
 
@@ -174,9 +175,9 @@ def find_manifold(
         x * x + y * y > radii * radii or over_plane(p, x, y, margin, shapes, contacts)
     ):
         return 0
-    far = further if points > 0 else 0.0
+    kept = PARTED * margin
+    far = max(further, kept) if points > 0 else 0.0
     count = collide(p, s, t, x, y, margin + far, shapes, contacts)
-    kept = min(far, STILL * min(radius_s, radius_t))
     if count > 0 and far > 0.0 and smallest_gap(contacts.manifolds[p], count) > margin + kept:
         contacts.flags[p, tb.POINT_COUNT] = 0
         return 0
