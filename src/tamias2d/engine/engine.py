@@ -321,7 +321,7 @@ class Engine(Store):
                 status = self._continued(status)
                 return None if status in (tb.DONE, tb.CLEAR) else self._refused(status)
             while count > 0:
-                if self._alone and not self._connected:
+                if self._alone:
                     asked = min(count, self._ballistic_steps_per_call.most)
                     taken = self._ballistic_steps(asked, timed)
                     count -= taken
@@ -365,12 +365,6 @@ class Engine(Store):
         return asleep
 
     @property
-    def _connected(self) -> bool:
-        """Whether springs or joints connect bodies, which do not go ballistically then."""
-        world = self.world
-        return bool(world.springs.counts[tb.SPRINGS] or world.joints.counts[tb.JOINTS])
-
-    @property
     def _entries(self) -> SimpleNamespace:
         """The compiled functions, found when a step is taken: joints have to be known by then."""
         if self._library is None:
@@ -388,8 +382,6 @@ class Engine(Store):
         taken: int = self._entries.integrate_ballistic(self.argument, count)
         if timed:
             self._ballistic_steps_per_call.end(taken)
-        if taken:
-            self.world.control.counts[tb.FINEST] = 0
         return taken
 
     def _solved_steps(self, count: int) -> int:

@@ -12,6 +12,7 @@ The bits are those of ordinary steps.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.bvh import FAR
 from tamias2d.engine.broad_phase.comoving_frame import move_frame
+from tamias2d.engine.joints.activity import clear_of_joints
 from tamias2d.engine.motion.chunks import (
     begin_mixed,
     begin_plain,
@@ -63,15 +64,21 @@ def integrate_ballistic(world: World, steps: int) -> int:
         for _ in range(steps):
             move_frame(broad_phase)
         control.counts[tb.STEPS_TAKEN] += steps
+        control.counts[tb.FINEST] = 0
     return steps
 
 
 def may_be_ballistic(world: World) -> bool:
-    """Return whether a step begins with no contact on a list that holds, without sleep or NaN."""
+    """Return whether a step begins with no contact on a list that holds, without sleep or NaN.
+
+    Springs and joints connect bodies, which are not alone then.
+    """
     counts, gravity = world.broad_phase.counts, world.control.settings
     total = gravity[tb.GRAVITY_X] + gravity[tb.GRAVITY_Y]
+    alone = clear_of_joints(world.springs.counts[tb.SPRINGS] == 0, world)
     return bool(
-        world.control.counts[tb.STAGE] == tb.AT_START
+        alone
+        and world.control.counts[tb.STAGE] == tb.AT_START
         and counts[tb.CONTACTS] == 0
         and counts[tb.LIST_HOLDS] == 1
         and world.islands.counts[tb.SLEEP_STEPS] == 0
