@@ -75,7 +75,8 @@ def may_be_ballistic(world: World) -> bool:
     """
     counts, gravity = world.broad_phase.counts, world.control.settings
     total = gravity[tb.GRAVITY_X] + gravity[tb.GRAVITY_Y]
-    alone = clear_of_joints(world.springs.counts[tb.SPRINGS] == 0, world)
+    alone = world.springs.counts[tb.SPRINGS] == 0
+    alone = clear_of_joints(alone, world)
     return bool(
         alone
         and world.control.counts[tb.STAGE] == tb.AT_START
