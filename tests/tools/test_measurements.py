@@ -1,6 +1,8 @@
 """Every measurement runs to its end, small; no time and no figure is looked at."""
 
+import contextlib
 import json
+import signal
 import subprocess
 import sys
 import time
@@ -33,6 +35,7 @@ from tools.measurements import (
     peers,
     specialisation,
 )
+from tools.measurements.progress import each, until_stopped
 
 
 def lines_of(module: Any) -> tuple[dict[str, Any], list[tuple[str, ...]]]:
@@ -104,6 +107,18 @@ def test_a_measurement_that_is_ended_tells_what_it_has_found(tmp_path: Path) -> 
     assert running.returncode == 0, told
     assert json.loads(found)["rows"] == [json.loads(line) for line in store.open()]
     assert "Stopped" in told
+
+
+def test_a_measurement_ends_though_the_interruption_is_lost() -> None:
+    """As Python loses it while a process forks."""
+    done = []
+    with until_stopped():
+        for item in each(range(3)):
+            done.append(item)
+            with contextlib.suppress(KeyboardInterrupt):
+                signal.raise_signal(signal.SIGTERM)
+    assert done == [0]
+    assert list(each(range(3))) == [0, 1, 2]
 
 
 def test_energies(tmp_path: Path) -> None:
