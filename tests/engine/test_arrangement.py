@@ -27,7 +27,7 @@ def test_contacts_stay_arranged_as_they_would_be_anew(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["bullet-wall", "disc-pile", "tumbler"])
-def test_contacts_that_are_added_leave_others_where_they_are_arranged(name: str) -> None:
+def test_an_arrangement_leads_where_a_new_one_does_while_the_list_changes(name: str) -> None:
     kept, anew = Simulator(catalogue.load(name)), Simulator(catalogue.load(name))
     for _ in range(60):
         forgetful = anew._engine.world.touching.counts

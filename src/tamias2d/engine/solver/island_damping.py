@@ -28,7 +28,7 @@ from tamias2d.generated.island_energy import (
 )
 from tamias2d.state import Array, Vector
 
-LEAST_ENERGY = 2.0**-600  # J: motion with less ends, before squares of velocities underflow
+LEAST_SHARE = 2.0**-600  # of the energy: what may keep less ends, before squares underflow
 
 
 def choose_islands_to_damp(islands: Islands) -> bool:
@@ -104,7 +104,8 @@ def find_rigid_motion(row: Array) -> None:
         row[tb.REFERENCE + 1] += by_y
         row[tb.REFERENCE + 2] = spin
     row[tb.DAMPED_SHARE], row[tb.ENERGY_LEAST] = 0.0, least
-    if min(row[tb.ENERGY_BOUND], row[tb.ENERGY_KEPT]) - least > LEAST_ENERGY:
+    left = min(row[tb.ENERGY_BOUND], row[tb.ENERGY_KEPT]) - least
+    if left > LEAST_SHARE * row[tb.ENERGY_KEPT]:
         row[tb.DAMPED_SHARE] = damped_share(row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND], least)
 
 
