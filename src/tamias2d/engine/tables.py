@@ -186,6 +186,7 @@ REDIRECTED = _flight()
 # 1 if the body had contacts under gravity: its velocity says little of its way
 SUPPORTED = _flight()
 PATH_LENGTH = _flight()  # m, that some point of the body goes
+PATH_START = _flight()  # s, of a hard disc: when its path begins in the step
 
 
 # moved: by the solver, or sleep; with contacts that change nothing; and pressed by overlaps
@@ -1179,12 +1180,16 @@ M_LASTING = _met_point()  # N s, the same for the velocities as it ends
 M_GRIP = _met_point()  # N s, along the tangent, that friction adds then
 M_FRICTION = _met_point()
 M_RESTITUTION = _met_point()
+M_PLACE = _met_point(2)  # m, of hard discs: where they meet
 
 
 class Events(NamedTuple):
     """When bodies leave their bounds and pairs meet; read by continuous collision."""
 
-    times: Annotated[Floats, Sized("events")]  # as a fraction of the step
+    times: Annotated[Floats, Sized("events")]  # as a fraction of the step; of hard discs in s
+    due: Annotated[
+        Floats, Sized("events")
+    ]  # steps of this call until a pair of hard discs may meet
     # where the contacts of each body begin; these contacts; how many events wait, and a heap of
     # them; the place of each there
     queue: Annotated[IndexRows, Sized(4, "queue")]

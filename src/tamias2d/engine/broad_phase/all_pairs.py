@@ -13,14 +13,17 @@ from tamias2d.engine.tables import Bodies, BroadPhase, Integers, Shapes, Tree, W
 from tamias2d.state import Array
 
 FEW_SHAPES = 8  # of which all pairs are listed
+FEW_DISCS = 16  # the same where all are discs and half-planes
 
 
 def few_shapes(kind: Integers, shapes: Shapes) -> bool:
     """Return whether there are so few shapes, on bodies of these kinds, that all are paired."""
-    present = 0
+    present, plain = 0, True
     for s in range(len(shapes.slot)):
-        present += 1 if kind[shapes.slot[s]] != tb.ABSENT else 0
-    return present <= FEW_SHAPES
+        if kind[shapes.slot[s]] != tb.ABSENT:
+            present += 1
+            plain = plain and (shapes.kind[s] == tb.DISC or shapes.kind[s] == tb.HALF_PLANE)
+    return present <= (FEW_DISCS if plain else FEW_SHAPES)
 
 
 def find_all_pairs(world: World) -> int:

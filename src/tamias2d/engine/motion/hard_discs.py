@@ -1,0 +1,432 @@
+"""Hard discs: where nothing but gravity and impacts moves a few discs, from impact to impact.
+
+Pairs of discs, and discs and half-planes that stand, meet at an instant that has a closed form
+(DD46, DD80). They rebound there (IM3, IM9), and go on along their parabolas (IM1). Whatever else
+may happen in a step is left to the ordinary way: a slow rebound, after which a disc may rest, a
+third shape where two meet, an overlap.
+
+Of each pair it is known for how many steps it stays apart. Cost: a step in which none meets is a
+pass over bodies; an impact looks at the pairs of both bodies.
+"""
+
+from math import inf, sqrt
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.broad_phase.contact_list import current_contacts
+from tamias2d.engine.continuous.conservative_advancement import NEAR
+from tamias2d.engine.continuous.event_queue import list_contacts_by_body
+from tamias2d.engine.continuous.impact import record_impact
+from tamias2d.engine.continuous.impact_points import line_of, rebound_at_point
+from tamias2d.engine.continuous.impulse import speed_along
+from tamias2d.engine.motion.quiet import (
+    age_all,
+    all_valid,
+    look_ahead_of_all,
+    note_quiet,
+    show_moved,
+)
+from tamias2d.engine.narrow_phase.material import mixed_material
+from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes, World
+from tamias2d.generated import rotation, translation
+from tamias2d.generated.continuous_collision import (
+    advance_closing,
+    advance_opening,
+    discriminant,
+    reach_gap,
+    reach_gap_acceleration,
+    reach_gap_rate,
+)
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array, Vector
+
+SLOWEST_REBOUND = 0.5  # velocities that gravity gives in a step: a slower disc meets again in it
+SPARE = 2.0**-6  # of a step, by which pairs are looked at before they may meet
+OVERLAPS = -1.0  # instead of when a pair meets, s
+
+
+def are_hard_discs(world: World) -> bool:
+    """Return whether all that moves are discs, alone under gravity, and half-planes stand around.
+
+    A sensor tells what is in it, so that it needs the ordinary way.
+    """
+    bodies, shapes = world.bodies, world.shapes
+    hard = True
+    for i in range(len(bodies.kind)):
+        hard = hard and bodies.kind[i] != tb.KINEMATIC
+        if bodies.kind[i] == tb.DYNAMIC:
+            hard = hard and falls_freely(i, bodies)
+    for s in range(len(shapes.slot)):
+        kind = bodies.kind[shapes.slot[s]]
+        disc = shapes.kind[s] == tb.DISC and kind == tb.DYNAMIC
+        plane = shapes.kind[s] == tb.HALF_PLANE and kind == tb.STATIC
+        hard = hard and (disc or plane or kind == tb.ABSENT) and shapes.filters[s, tb.SENSOR] == 0
+    return hard
+
+
+@inlined
+def falls_freely(i: int, bodies: Bodies) -> bool:
+    """Return whether no drag and no load acts on a body, and its shapes are around its centre."""
+    load, propagator = bodies.load[i], bodies.propagators[int(bodies.properties[i, tb.PROPAGATOR])]
+    loaded = abs(load[0]) + abs(load[1]) + abs(load[2]) > 0.0
+    going = propagator[tb.WHOLE_STEP + tb.DECAY] == 1.0
+    turning = propagator[tb.WHOLE_STEP + tb.ANGULAR + tb.DECAY] == 1.0
+    return bool(not loaded and going and turning and bodies.properties[i, tb.CORE_RADIUS] == 0.0)
+
+
+def take_hard_steps(world: World) -> bool:
+    """Take the steps that are left while discs meet two by two; return whether all are valid."""
+    control, bodies, shapes, events = world.control, world.bodies, world.shapes, world.events
+    contacts = current_contacts(world.broad_phase, world.buffers)
+    listed, steps = world.broad_phase.counts[tb.CONTACTS], control.counts[tb.STEPS_LEFT]
+    list_contacts_by_body(world.broad_phase, contacts, events, len(bodies.kind))
+    begin_paths(bodies)
+    for p in range(listed):
+        foretell(p, 0, 0.0, control, bodies, shapes, contacts, events)
+    soonest = soonest_of(listed, events)
+    taken, recent = 0, 2  # that pairs have touched is known for so many steps
+    valid = True
+    while valid and taken < steps:
+        met = near = 0
+        if not look_ahead_of_all(control, bodies):
+            break
+        if soonest < taken + 1:
+            near = list_due(taken + 1, listed, events)
+            met = pass_impacts(near, taken, world, contacts)
+            if met < 0:
+                break
+        go_on(bodies)
+        if recent > 0:
+            age_all(listed, shapes, contacts)
+            recent -= 1
+        taken += 1
+        if near > 0:
+            for k in range(near):
+                p = events.queue[tb.WAITING, k]
+                foretell(p, taken, 0.0, control, bodies, shapes, contacts, events)
+            soonest = soonest_of(listed, events)
+        if met > 0:
+            tell_impacts(met, contacts, events)
+            recent = 2
+        valid = all_valid(bodies)
+    if taken > 0:
+        note_quiet(taken, world)
+        show_moved(world.state, bodies)
+    return valid
+
+
+# -- the paths of a step
+
+
+@inlined
+def begin_paths(bodies: Bodies) -> None:
+    """Let the paths of all bodies begin with the step."""
+    for i in range(len(bodies.kind)):
+        bodies.flight[i, tb.REDIRECTED] = bodies.flight[i, tb.PATH_START] = 0.0
+
+
+@inlined
+def go_on(bodies: Bodies) -> None:
+    """Let all bodies that met nothing move on to where they are as the step ends."""
+    for i in range(len(bodies.kind)):
+        if bodies.flight[i, tb.REDIRECTED] != 0.0:
+            bodies.flight[i, tb.REDIRECTED] = 0.0
+        elif bodies.kind[i] == tb.DYNAMIC:
+            for n in range(3):
+                bodies.pose[i, n] += bodies.ahead[i, tb.DX + n]
+                bodies.motion[i, n] = bodies.ahead[i, n]
+
+
+@inlined
+def advance_to(i: int, now: float, control: Control, bodies: Bodies) -> None:
+    """Let the path of a body begin where it is at a time in the step, s."""
+    elapsed = now - bodies.flight[i, tb.PATH_START]
+    if bodies.kind[i] != tb.DYNAMIC or elapsed == 0.0:
+        return
+    pose, motion = bodies.pose[i], bodies.motion[i]
+    going, by = (motion[tb.VX], motion[tb.VY]), pull_on(i, control, bodies)
+    pose[tb.X], pose[tb.Y] = translation.position((pose[tb.X], pose[tb.Y]), going, by, elapsed)
+    motion[tb.VX], motion[tb.VY] = translation.velocity(going, by, elapsed)
+    pose[tb.ANGLE] = rotation.orientation(pose[tb.ANGLE], motion[tb.SPIN], 0.0, elapsed)
+    bodies.flight[i, tb.PATH_START] = now
+
+
+@inlined
+def pull_on(i: int, control: Control, bodies: Bodies) -> Vector:
+    """Return the acceleration of a body, m/s^2."""
+    if bodies.kind[i] != tb.DYNAMIC:
+        return 0.0, 0.0
+    return control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y]
+
+
+@inlined
+def place_at(i: int, now: float, control: Control, bodies: Bodies) -> tuple[Vector, Vector]:
+    """Return where a body is at a time in the step, s, and how fast."""
+    pose, motion = bodies.pose[i], bodies.motion[i]
+    elapsed = now - bodies.flight[i, tb.PATH_START]
+    going, by = (motion[tb.VX], motion[tb.VY]), pull_on(i, control, bodies)
+    at = translation.position((pose[tb.X], pose[tb.Y]), going, by, elapsed)
+    return at, translation.velocity(going, by, elapsed)
+
+
+# -- when pairs meet
+
+
+@inlined
+def plane_and_disc(p: int, shapes: Shapes, contacts: Contacts) -> tuple[int, int]:
+    """Return the shapes of a pair; of a half-plane and a disc, the half-plane first."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    return (t, s) if shapes.kind[t] == tb.HALF_PLANE else (s, t)
+
+
+@inlined
+def closing_of(
+    p: int,
+    now: float,
+    wider: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+) -> tuple[float, float, float]:
+    """Return the gap of a pair at a time, s, its rate and its second derivative, which is constant.
+
+    Shapes are taken wider, by a share of the smaller one. The gap of two discs is that of DD80.
+    """
+    s, t = plane_and_disc(p, shapes, contacts)
+    i, j = shapes.slot[s], shapes.slot[t]
+    at, going = place_at(i, now, control, bodies)
+    other, its = place_at(j, now, control, bodies)
+    span, rate = (other[0] - at[0], other[1] - at[1]), (its[0] - going[0], its[1] - going[1])
+    radius = shapes.material[t, tb.SHAPE_RADIUS]
+    if shapes.kind[s] == tb.HALF_PLANE:
+        side, by = shapes.world_vertices[shapes.first[s]], pull_on(j, control, bodies)
+        gap = side[2] * span[0] + side[3] * span[1] - side[0] - (1.0 + wider) * radius
+        return gap, side[2] * rate[0] + side[3] * rate[1], side[2] * by[0] + side[3] * by[1]
+    own = shapes.material[s, tb.SHAPE_RADIUS]
+    reach = own + radius + wider * min(own, radius)
+    return reach_gap(span, reach), reach_gap_rate(span, rate), reach_gap_acceleration(rate)
+
+
+@inlined
+def time_of_meeting(gap: float, rate: float, acceleration: float) -> float:
+    """Return after which time a gap closes that is a parabola in time, s; infinite for never."""
+    if gap <= 0.0 and rate <= 0.0:
+        return 0.0
+    inside = discriminant(gap, rate, acceleration)
+    if rate > 0.0:
+        if acceleration >= 0.0:
+            return inf
+        return advance_opening(rate, acceleration, max(inside, 0.0))
+    if inside < 0.0 or (rate == 0.0 and inside == 0.0):
+        return inf
+    return advance_closing(gap, rate, inside)
+
+
+@inlined
+def foretell(
+    p: int,
+    taken: int,
+    now: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+    events: Events,
+) -> bool:
+    """Note after how many steps of this call a pair may meet; return whether it is apart now."""
+    gap, rate, acceleration = closing_of(p, now, NEAR, control, bodies, shapes, contacts)
+    apart, step = gap > 0.0, control.settings[tb.TIME_STEP]
+    later = time_of_meeting(gap, rate, acceleration) if apart else 0.0
+    events.due[p] = taken + (now + later) / step - SPARE
+    return apart
+
+
+@inlined
+def note_meeting(
+    p: int,
+    now: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+    events: Events,
+) -> bool:
+    """Note when a pair meets in this step, s; return whether it does not overlap now."""
+    gap, rate, acceleration = closing_of(p, now, 0.0, control, bodies, shapes, contacts)
+    deep, _, _ = closing_of(p, now, -NEAR, control, bodies, shapes, contacts)
+    events.times[p] = now + time_of_meeting(gap, rate, acceleration)
+    return deep > 0.0
+
+
+@inlined
+def soonest_of(listed: int, events: Events) -> float:
+    """Return after how many steps of this call the first pair may meet."""
+    soonest = inf
+    for p in range(listed):
+        soonest = min(soonest, events.due[p])
+    return soonest
+
+
+@inlined
+def list_due(until: int, listed: int, events: Events) -> int:
+    """List the pairs that may meet before some step; return how many do."""
+    near = 0
+    for p in range(listed):
+        if events.due[p] < until:
+            events.queue[tb.WAITING, near] = p
+            near += 1
+    return near
+
+
+# -- impacts
+
+
+def pass_impacts(near: int, taken: int, world: World, contacts: Contacts) -> int:
+    """Let the listed pairs meet in this step, one after the other; return how many impacts are.
+
+    The number is below 0 where something else happens: then all is as it was.
+    """
+    control, bodies, shapes, events = world.control, world.bodies, world.shapes, world.events
+    step, met = control.settings[tb.TIME_STEP], 0
+    for k in range(near):
+        p = events.queue[tb.WAITING, k]
+        events.queue[tb.PLACE, p] = k
+        if not note_meeting(p, 0.0, control, bodies, shapes, contacts, events):
+            return -1
+    p = first_to_meet(near, events)
+    if events.times[p] > step:
+        return 0
+    note_places(bodies)
+    while events.times[p] <= step:
+        now = events.times[p]
+        hard = met < tb.MOST_AT_ONCE and rebound_hard(p, met, now, world, contacts)
+        near = look_on(p, now, near, taken, world, contacts) if hard else -1
+        if near < 0:
+            put_back(bodies)
+            return -1
+        met += 1
+        p = first_to_meet(near, events)
+    for i in range(len(bodies.kind)):
+        if bodies.flight[i, tb.REDIRECTED] != 0.0:
+            advance_to(i, step, control, bodies)
+            bodies.flight[i, tb.PATH_START] = 0.0
+    return met
+
+
+@inlined
+def note_places(bodies: Bodies) -> None:
+    """Note where all bodies are as the step begins, and how they move."""
+    for i in range(len(bodies.kind)):
+        for n in range(3):
+            bodies.start[i, n], bodies.start[i, 3 + n] = bodies.pose[i, n], bodies.motion[i, n]
+
+
+@inlined
+def put_back(bodies: Bodies) -> None:
+    """Put all bodies back to where they were as the step began."""
+    for i in range(len(bodies.kind)):
+        for n in range(3):
+            bodies.pose[i, n], bodies.motion[i, n] = bodies.start[i, n], bodies.start[i, 3 + n]
+
+
+@inlined
+def first_to_meet(near: int, events: Events) -> int:
+    """Return the pair of some that meets first; of two at the same time the first of the list."""
+    first = events.queue[tb.WAITING, 0]
+    for k in range(1, near):
+        p = events.queue[tb.WAITING, k]
+        if events.times[p] < events.times[first] or (
+            events.times[p] == events.times[first] and p < first
+        ):
+            first = p
+    return first
+
+
+def rebound_hard(p: int, met: int, now: float, world: World, contacts: Contacts) -> bool:
+    """Let a pair rebound at a time in the step, s; return whether it parts for the whole step.
+
+    What is to be told of the impact is listed under a number.
+    """
+    control, bodies, shapes, events = world.control, world.bodies, world.shapes, world.events
+    s, t = plane_and_disc(p, shapes, contacts)
+    i, j = shapes.slot[s], shapes.slot[t]
+    advance_to(i, now, control, bodies)
+    advance_to(j, now, control, bodies)
+    friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
+    row = events.met_points[2 * met]
+    events.met[met, tb.MET_CONTACT], events.met[met, tb.MET_A], events.met[met, tb.MET_B] = p, i, j
+    row[tb.M_FRICTION], row[tb.M_RESTITUTION], row[tb.M_DRAG] = friction, restitution, 0.0
+    pull = find_touch(s, t, row, control, bodies, shapes)
+    line = line_of(2 * met, False, events)
+    row[tb.M_APPROACH] = speed_along(line, 0.0, bodies.motion, bodies.flight)
+    parts = -restitution * row[tb.M_APPROACH]
+    if not parts > SLOWEST_REBOUND * pull * control.settings[tb.TIME_STEP]:
+        return False
+    rebound_at_point(2 * met, 0.0, bodies, events)
+    row[tb.M_PLACE] = bodies.pose[j, tb.X] + row[tb.M_ARM_B]
+    row[tb.M_PLACE + 1] = bodies.pose[j, tb.Y] + row[tb.M_ARM_B + 1]
+    for k in (i, j):
+        bodies.flight[k, tb.REDIRECTED] = 1.0 if bodies.kind[k] == tb.DYNAMIC else 0.0
+    return True
+
+
+@inlined
+def find_touch(
+    s: int, t: int, row: Array, control: Control, bodies: Bodies, shapes: Shapes
+) -> float:
+    """Write where two shapes touch now; return which acceleration presses them together, m/s^2."""
+    i, j = shapes.slot[s], shapes.slot[t]
+    radius = shapes.material[t, tb.SHAPE_RADIUS]
+    x, y = bodies.pose[j, tb.X] - bodies.pose[i, tb.X], bodies.pose[j, tb.Y] - bodies.pose[i, tb.Y]
+    if shapes.kind[s] == tb.HALF_PLANE:
+        side, by = shapes.world_vertices[shapes.first[s]], pull_on(j, control, bodies)
+        nx, ny = side[2], side[3]
+        pull = max(0.0, -(nx * by[0] + ny * by[1]))
+    else:
+        far = sqrt(x * x + y * y)
+        nx, ny, pull = x / far, y / far, 0.0
+    row[tb.M_NORMAL], row[tb.M_NORMAL + 1] = nx, ny
+    row[tb.M_ARM_B], row[tb.M_ARM_B + 1] = -radius * nx, -radius * ny
+    row[tb.M_ARM_A], row[tb.M_ARM_A + 1] = x - radius * nx, y - radius * ny
+    return pull
+
+
+def look_on(p: int, now: float, near: int, taken: int, world: World, contacts: Contacts) -> int:
+    """Find anew when both bodies of a pair that has met at a time, s, meet others in this step.
+
+    Returns how many pairs are listed then; -1 if a third shape is near where they met.
+    """
+    control, bodies, shapes, events = world.control, world.bodies, world.shapes, world.events
+    note_meeting(p, now, control, bodies, shapes, contacts, events)
+    starts = events.queue[tb.FIRST_OF_BODY]
+    for i in (contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]):
+        for k in range(starts[i] if bodies.kind[i] == tb.DYNAMIC else starts[i + 1], starts[i + 1]):
+            q = events.queue[tb.CONTACT_OF_BODY, k]
+            if q == p:
+                continue
+            if not foretell(q, taken, now, control, bodies, shapes, contacts, events):
+                return -1
+            at = events.queue[tb.PLACE, q]
+            listed = 0 <= at < near and events.queue[tb.WAITING, at] == q
+            if events.due[q] < taken + 1:
+                note_meeting(q, now, control, bodies, shapes, contacts, events)
+                if not listed:
+                    events.queue[tb.WAITING, near], events.queue[tb.PLACE, q] = q, near
+                    near += 1
+            elif listed:
+                events.times[q] = inf
+    return near
+
+
+@inlined
+def tell_impacts(met: int, contacts: Contacts, events: Events) -> None:
+    """Add the impacts of a step to what is told of contacts."""
+    for k in range(met):
+        p, row = events.met[k, tb.MET_CONTACT], events.met_points[2 * k]
+        turned = events.met[k, tb.MET_A] != contacts.pairs[p, tb.SLOT_A]
+        sense = -1.0 if turned else 1.0
+        normal = (sense * row[tb.M_NORMAL], sense * row[tb.M_NORMAL + 1])
+        place = (row[tb.M_PLACE], row[tb.M_PLACE + 1])
+        record_impact(
+            row[tb.M_PUSH], place, normal, False, contacts.manifolds[p], contacts.flags[p]
+        )
