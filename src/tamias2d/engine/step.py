@@ -76,8 +76,9 @@ def step(world: World, steps: int) -> int:
             if not gather_state(world.control, world.state, world.bodies):
                 return tb.INVALID
             if may_be_quiet(world):
-                hard = are_hard_discs(world)
-                if not (take_hard_steps(world) if hard else take_quiet_steps(world)):
+                if are_hard_discs(world):
+                    take_hard_steps(world)
+                elif not take_quiet_steps(world):
                     continue  # to be told that the state is not valid, unless all steps are taken
                 if counts[tb.STEPS_LEFT] == 0:
                     return tb.DONE

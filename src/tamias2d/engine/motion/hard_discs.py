@@ -20,8 +20,6 @@ from tamias2d.engine.continuous.impact_points import line_of, rebound_at_point
 from tamias2d.engine.continuous.impulse import speed_along
 from tamias2d.engine.motion.quiet import (
     age_all,
-    all_valid,
-    look_ahead_of_all,
     note_quiet,
     show_moved,
 )
@@ -36,12 +34,17 @@ from tamias2d.generated.continuous_collision import (
     reach_gap_acceleration,
     reach_gap_rate,
 )
+from tamias2d.generated.definitions import (
+    coordinate_displacement,
+    coordinate_velocity_gain,
+    coordinate_velocity_later,
+)
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
 SLOWEST_REBOUND = 0.5  # velocities that gravity gives in a step: a slower disc meets again in it
 SPARE = 2.0**-6  # of a step, by which pairs are looked at before they may meet
-OVERLAPS = -1.0  # instead of when a pair meets, s
+FARTHEST = 2.0**16  # radii from the origin; there rounding is next to nothing beside `NEAR`
 
 
 def are_hard_discs(world: World) -> bool:
@@ -54,7 +57,7 @@ def are_hard_discs(world: World) -> bool:
     for i in range(len(bodies.kind)):
         hard = hard and bodies.kind[i] != tb.KINEMATIC
         if bodies.kind[i] == tb.DYNAMIC:
-            hard = hard and falls_freely(i, bodies)
+            hard = hard and falls_freely(i, bodies) and stays_near(i, 1, world.control, bodies)
     for s in range(len(shapes.slot)):
         kind = bodies.kind[shapes.slot[s]]
         disc = shapes.kind[s] == tb.DISC and kind == tb.DYNAMIC
@@ -73,8 +76,8 @@ def falls_freely(i: int, bodies: Bodies) -> bool:
     return bool(not loaded and going and turning and bodies.properties[i, tb.CORE_RADIUS] == 0.0)
 
 
-def take_hard_steps(world: World) -> bool:
-    """Take the steps that are left while discs meet two by two; return whether all are valid."""
+def take_hard_steps(world: World) -> None:
+    """Take the steps that are left, as long as discs meet two by two."""
     control, bodies, shapes, events = world.control, world.bodies, world.shapes, world.events
     contacts = current_contacts(world.broad_phase, world.buffers)
     listed, steps = world.broad_phase.counts[tb.CONTACTS], control.counts[tb.STEPS_LEFT]
@@ -84,37 +87,55 @@ def take_hard_steps(world: World) -> bool:
         foretell(p, 0, 0.0, control, bodies, shapes, contacts, events)
     soonest = soonest_of(listed, events)
     taken, recent = 0, 2  # that pairs have touched is known for so many steps
-    valid = True
-    while valid and taken < steps:
+    while taken < steps:
         met = near = 0
-        if not look_ahead_of_all(control, bodies):
+        ahead = steps_near(max(int(min(soonest, float(steps))) - taken, 1), control, bodies)
+        if ahead == 0:
             break
         if soonest < taken + 1:
             near = list_due(taken + 1, listed, events)
             met = pass_impacts(near, taken, world, contacts)
             if met < 0:
                 break
-        go_on(bodies)
-        if recent > 0:
+        fly_on(ahead, control, bodies)
+        taken += ahead
+        for _ in range(min(ahead, recent)):
             age_all(listed, shapes, contacts)
-            recent -= 1
-        taken += 1
+        recent = 2 if met > 0 else max(recent - ahead, 0)
+        tell_impacts(met, contacts, events)
         if near > 0:
             for k in range(near):
                 p = events.queue[tb.WAITING, k]
                 foretell(p, taken, 0.0, control, bodies, shapes, contacts, events)
             soonest = soonest_of(listed, events)
-        if met > 0:
-            tell_impacts(met, contacts, events)
-            recent = 2
-        valid = all_valid(bodies)
     if taken > 0:
         note_quiet(taken, world)
         show_moved(world.state, bodies)
-    return valid
 
 
 # -- the paths of a step
+
+
+@inlined
+def steps_near(most: int, control: Control, bodies: Bodies) -> int:
+    """Return for how many steps no body gets so far that rounding counts: `most`, 1, or none."""
+    near, next_near = True, True
+    for i in range(len(bodies.kind)):
+        if bodies.kind[i] == tb.DYNAMIC:
+            near = near and stays_near(i, most, control, bodies)
+            next_near = next_near and stays_near(i, 1, control, bodies)
+    return most if near else 1 if next_near else 0
+
+
+@inlined
+def stays_near(i: int, steps: int, control: Control, bodies: Bodies) -> bool:
+    """Return whether a body is within its range of the origin in some steps to come."""
+    settings, motion = control.settings, bodies.motion[i]
+    time = steps * settings[tb.TIME_STEP]
+    pull = abs(settings[tb.GRAVITY_X]) + abs(settings[tb.GRAVITY_Y])
+    way = time * (abs(motion[tb.VX]) + abs(motion[tb.VY]) + time * pull)
+    far = abs(bodies.pose[i, tb.X]) + abs(bodies.pose[i, tb.Y]) + way
+    return bool(far <= FARTHEST * bodies.properties[i, tb.BOUNDING_RADIUS])
 
 
 @inlined
@@ -125,15 +146,33 @@ def begin_paths(bodies: Bodies) -> None:
 
 
 @inlined
-def go_on(bodies: Bodies) -> None:
-    """Let all bodies that met nothing move on to where they are as the step ends."""
+def fly_on(steps: int, control: Control, bodies: Bodies) -> None:
+    """Let all bodies that met nothing go on for some steps."""
     for i in range(len(bodies.kind)):
         if bodies.flight[i, tb.REDIRECTED] != 0.0:
             bodies.flight[i, tb.REDIRECTED] = 0.0
         elif bodies.kind[i] == tb.DYNAMIC:
-            for n in range(3):
-                bodies.pose[i, n] += bodies.ahead[i, tb.DX + n]
-                bodies.motion[i, n] = bodies.ahead[i, n]
+            fly_alone(i, steps, control, bodies)
+
+
+@inlined
+def fly_alone(i: int, steps: int, control: Control, bodies: Bodies) -> None:
+    """Take a body through some steps, one after the other (IM1, IM6)."""
+    pose, motion = bodies.pose[i], bodies.motion[i]
+    propagator = bodies.propagators[int(bodies.properties[i, tb.PROPAGATOR])]
+    gain, lift = propagator[tb.WHOLE_STEP + tb.GAIN], propagator[tb.WHOLE_STEP + tb.LIFT]
+    by_x, by_y = pull_on(i, control, bodies)
+    gain_x, gain_y = coordinate_velocity_gain(gain, by_x), coordinate_velocity_gain(gain, by_y)
+    x, y, angle = pose[tb.X], pose[tb.Y], pose[tb.ANGLE]
+    u, v, spin = motion[tb.VX], motion[tb.VY], motion[tb.SPIN]
+    for _ in range(steps):
+        x += coordinate_displacement(gain, lift, u, by_x)
+        y += coordinate_displacement(gain, lift, v, by_y)
+        angle += coordinate_displacement(gain, lift, spin, 0.0)
+        u = coordinate_velocity_later(1.0, u, gain_x)
+        v = coordinate_velocity_later(1.0, v, gain_y)
+    pose[tb.X], pose[tb.Y], pose[tb.ANGLE] = x, y, angle
+    motion[tb.VX], motion[tb.VY] = u, v
 
 
 @inlined
@@ -317,16 +356,18 @@ def pass_impacts(near: int, taken: int, world: World, contacts: Contacts) -> int
 def note_places(bodies: Bodies) -> None:
     """Note where all bodies are as the step begins, and how they move."""
     for i in range(len(bodies.kind)):
-        for n in range(3):
-            bodies.start[i, n], bodies.start[i, 3 + n] = bodies.pose[i, n], bodies.motion[i, n]
+        if bodies.kind[i] == tb.DYNAMIC:
+            for n in range(3):
+                bodies.start[i, n], bodies.start[i, 3 + n] = bodies.pose[i, n], bodies.motion[i, n]
 
 
 @inlined
 def put_back(bodies: Bodies) -> None:
     """Put all bodies back to where they were as the step began."""
     for i in range(len(bodies.kind)):
-        for n in range(3):
-            bodies.pose[i, n], bodies.motion[i, n] = bodies.start[i, n], bodies.start[i, 3 + n]
+        if bodies.kind[i] == tb.DYNAMIC:
+            for n in range(3):
+                bodies.pose[i, n], bodies.motion[i, n] = bodies.start[i, n], bodies.start[i, 3 + n]
 
 
 @inlined

@@ -152,7 +152,10 @@ def all_valid(bodies: Bodies) -> bool:
 def age_all(listed: int, shapes: Shapes, contacts: Contacts) -> None:
     """Let what touched have done so before, and contacts with half-planes forget their points."""
     for p in range(listed):
-        age_flags(False, contacts.flags[p])
+        flags = contacts.flags[p]
+        if flags[tb.TOUCHES] + flags[tb.LOCATED] + flags[tb.FEATURE] == 0:  # as of most pairs
+            continue
+        age_flags(False, flags)
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         plane = shapes.kind[s] == tb.HALF_PLANE or shapes.kind[t] == tb.HALF_PLANE
         if plane and contacts.flags[p, tb.FEATURE] > 0:
