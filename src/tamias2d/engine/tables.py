@@ -71,6 +71,13 @@ class Saved:
     numbers: str = "finite"  # or "infinite", "any"
 
 
+class Rewritten:
+    """Marks an array in which no step reads what it has not written since contacts were arranged.
+
+    A world that begins anew needs nothing in it.
+    """
+
+
 # -- control of a step
 
 _settings = Columns()
@@ -592,14 +599,14 @@ class Constraints(NamedTuple):
     """Contact constraints in blocks of lanes; read by the solver."""
 
     counts: Annotated[Ranks, Sized(_constraints.width)]
-    blocks: Annotated[FloatRows, Sized("blocks", _block.width)]
+    blocks: Annotated[FloatRows, Sized("blocks", _block.width), Rewritten()]
     lanes: Annotated[PlaceRows, Sized("blocks", _lanes.width)]
     late_impulses: Annotated[FloatRows, Sized("blocks", LANES)]  # N s, where loads vary
-    scratch: Annotated[Floats, Sized(_scratch.width)]
+    scratch: Annotated[Floats, Sized(_scratch.width), Rewritten()]
     energy: Annotated[Floats, Sized(_energy_sums.width)]
     slabs: Annotated[RankRows, Sized(MOST_SLABS + 2, _slabs.width)]
     slab_of_body: Annotated[Indices, Sized("slots")]  # of active bodies, if there are several slabs
-    colour_counts: Annotated[RankRows, Sized(2, 2 * COLOURS + 2)]
+    colour_counts: Annotated[RankRows, Sized(2, 2 * COLOURS + 2), Rewritten()]
     body_colours: Annotated[Ranks, Sized("slots")]  # colours of its contacts, bit by bit
 
 
@@ -669,7 +676,7 @@ class Islands(NamedTuple):
         Saved({ROOT: "slots", SLOW_STEPS: 2**31, SLEEP_ID: "slots"}),
     ]
     rest: Annotated[FloatRows, Sized("slots", _rest.width), Saved(numbers="any")]
-    energy: Annotated[FloatRows, Sized("slots", _energy.width)]
+    energy: Annotated[FloatRows, Sized("slots", _energy.width), Rewritten()]
     # of a body with contacts: 1 if its island touches what does not move freely, or cannot turn
     held: Annotated[Bytes, Sized("slots")]
     roots: Annotated[Indices, Sized("slots")]  # of the islands that have contacts
@@ -1193,12 +1200,15 @@ class Events(NamedTuple):
     # where the contacts of each body begin; these contacts; how many events wait, and a heap of
     # them; the place of each there
     queue: Annotated[IndexRows, Sized(4, "queue")]
-    scratch: Annotated[FloatRows, Sized("clip", MANIFOLD)]  # a manifold, vertices of two shapes
+    scratch: Annotated[
+        FloatRows, Sized("clip", MANIFOLD), Rewritten()
+    ]  # a manifold, vertices of two shapes
     together: Annotated[Places, Sized("slots")]  # the next of the bodies that go on together
+    touched: Annotated[Indices, Sized("contacts")]  # of hard discs: that did in one of two steps
     ground: Annotated[FloatRows, Sized("slots", _grounds.width)]  # static side that holds a body
     met: Annotated[IndexRows, Sized(MOST_AT_ONCE, _met.width)]
     met_sides: Annotated[FloatRows, Sized(MOST_AT_ONCE, 2)]  # normals before pairs meet
-    met_points: Annotated[FloatRows, Sized(2 * MOST_AT_ONCE, _met_point.width)]
+    met_points: Annotated[FloatRows, Sized(2 * MOST_AT_ONCE, _met_point.width), Rewritten()]
 
 
 # -- ballistic motion
@@ -1235,9 +1245,9 @@ class Chunks(NamedTuple):
     velocities: FloatRows
     loads: FloatRows
     load_bits: RankRows
-    course: Annotated[FloatRows, Sized("chunks", 200)]  # whole cache lines
-    stream: Annotated[FloatRows, Sized("streams", _stream.width)]
-    asleep: Annotated[FloatRows, Sized("streams", _asleep.width)]  # as all fell asleep
+    course: Annotated[FloatRows, Sized("chunks", 200), Rewritten()]  # whole cache lines
+    stream: Annotated[FloatRows, Sized("streams", _stream.width), Rewritten()]
+    asleep: Annotated[FloatRows, Sized("streams", _asleep.width), Rewritten()]  # as all fell asleep
 
 
 class World(NamedTuple):

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.bvh import first_leaf_node
 from tamias2d.engine.memory import LINE, aligned_zeros
-from tamias2d.engine.tables import BodyState, Contacts, Saved, Sized, World
+from tamias2d.engine.tables import BodyState, Contacts, Rewritten, Saved, Sized, World
 from tamias2d.kernels.groups import array_type, fields_of, is_group
 
 
@@ -89,9 +89,14 @@ def arrays_by_slot(world: World) -> Iterator[NDArray[Any]]:
                 yield getattr(group, name)
 
 
-def gathered(world: World) -> tuple[World, NDArray[np.uint8]]:
-    """Return the world with arrays that lie in one piece of memory, and that memory."""
+def gathered(world: World) -> tuple[World, NDArray[np.uint8], int]:
+    """Return the world with arrays that lie in one piece of memory, and that memory.
+
+    The last number is how many bytes of it matter to a world that begins anew: they come first.
+    """
     arrays = named_arrays(world)
+    last = _rewritten()
+    arrays = dict(sorted(arrays.items(), key=lambda item: item[0] in last))
     lines = [-(-values.nbytes // LINE) for values in arrays.values()]
     starts = LINE * (np.cumsum(lines) - lines)
     memory = aligned_zeros(LINE * sum(lines), np.uint8)
@@ -100,7 +105,22 @@ def gathered(world: World) -> tuple[World, NDArray[np.uint8]]:
         place = memory[start : start + values.nbytes].view(values.dtype).reshape(values.shape)
         place[...] = values
         moved[name] = place
-    return with_arrays(world, moved), memory
+    needed = sum(size for name, size in zip(arrays, lines, strict=True) if name not in last)
+    return with_arrays(world, moved), memory, LINE * needed
+
+
+@cache
+def _rewritten() -> frozenset[str]:
+    """Return the names of the arrays that a world which begins anew does not read before."""
+    return frozenset(_rewritten_in(World, ""))
+
+
+def _rewritten_in(group: type, prefix: str) -> Iterator[str]:
+    for name, hint in fields_of(group).items():
+        if is_group(hint):
+            yield from _rewritten_in(hint, f"{prefix}{name}.")
+        elif any(isinstance(m, Rewritten) for m in getattr(hint, "__metadata__", ())):
+            yield f"{prefix}{name}"
 
 
 def in_use(world: World, slots: int) -> World:

@@ -25,13 +25,13 @@ def step_worlds(
 ) -> int:
     """Step worlds until one of them needs to be looked at; return how many are done.
 
-    `memory` holds all arrays of the world, `start` what is in it before the first step, `given`
-    (k, 2 + 13 n) how each world starts. At the sorted `stops` (s,), in steps, coordinates and
+    `memory` holds all arrays of the world, `start` what its first part holds before the first step,
+    `given` (k, 2 + 13 n) how each world starts. At the sorted `stops` (s,), in steps, coordinates and
     velocities are written to `states` (k, s, 6 n), row after row.
     """
     done = 0
     while done < len(given):
-        for k in range(len(memory)):
+        for k in range(len(start)):
             memory[k] = start[k]
         begin_world(given[done], world)
         if not step_to_stops(stops, states[done], world):

@@ -30,7 +30,7 @@ class Restart:
         engine = self._sim._engine
         if engine.capacities != self._capacities:
             self._grow()
-        self._memory[:] = self._start
+        self._memory[: len(self._start)] = self._start
         engine.forget_steps()
         self._sim._forget()
 
@@ -54,16 +54,17 @@ class Restart:
     def _gather(self) -> None:
         engine = self._sim._engine
         _ = engine.argument  # which may make arrays longer
-        engine.world, self._memory = gathered(engine.world)
+        engine.world, self._memory, needed = gathered(engine.world)
         engine.forget_addresses()
-        self._start, self._world = self._memory.copy(), engine.world
+        self._start, self._world = self._memory[:needed].copy(), engine.world
         self._capacities = engine.capacities
         self._sim._look()
 
     def _grow(self) -> None:
         """Let the start have the capacities that steps needed, so that the next ones have them."""
         engine = self._sim._engine
-        needed, self._memory[:] = engine.capacities, self._start
+        needed = engine.capacities
+        self._memory[: len(self._start)] = self._start
         engine.world, engine.capacities = self._world, self._capacities
         engine.resize(**vars(needed))
         self._gather()

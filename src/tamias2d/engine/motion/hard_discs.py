@@ -19,7 +19,8 @@ from tamias2d.engine.continuous.impact import record_impact
 from tamias2d.engine.continuous.impact_points import line_of, rebound_at_point
 from tamias2d.engine.continuous.impulse import speed_along
 from tamias2d.engine.motion.quiet import (
-    age_all,
+    age,
+    is_known,
     note_quiet,
     show_moved,
 )
@@ -42,7 +43,9 @@ from tamias2d.generated.definitions import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-SLOWEST_REBOUND = 0.5  # velocities that gravity gives in a step: a slower disc meets again in it
+SLOWEST_REBOUND = (
+    2.0**-4
+)  # velocities that gravity gives in a step: a slower disc meets again in it
 SPARE = 2.0**-6  # of a step, by which pairs are looked at before they may meet
 FARTHEST = 2.0**16  # radii from the origin; there rounding is next to nothing beside `NEAR`
 
@@ -86,7 +89,7 @@ def take_hard_steps(world: World) -> None:
     for p in range(listed):
         foretell(p, 0, 0.0, control, bodies, shapes, contacts, events)
     soonest = soonest_of(listed, events)
-    taken, recent = 0, 2  # that pairs have touched is known for so many steps
+    taken, known = 0, list_known(listed, contacts, events)
     while taken < steps:
         met = near = 0
         ahead = steps_near(max(int(min(soonest, float(steps))) - taken, 1), control, bodies)
@@ -99,10 +102,9 @@ def take_hard_steps(world: World) -> None:
                 break
         fly_on(ahead, control, bodies)
         taken += ahead
-        for _ in range(min(ahead, recent)):
-            age_all(listed, shapes, contacts)
-        recent = 2 if met > 0 else max(recent - ahead, 0)
-        tell_impacts(met, contacts, events)
+        for _ in range(min(ahead, 2)):  # that pairs have touched is known for so many steps
+            known = age_known(known, shapes, contacts, events)
+        known = tell_impacts(met, known, contacts, events)
         if near > 0:
             for k in range(near):
                 p = events.queue[tb.WAITING, k]
@@ -202,6 +204,8 @@ def place_at(i: int, now: float, control: Control, bodies: Bodies) -> tuple[Vect
     """Return where a body is at a time in the step, s, and how fast."""
     pose, motion = bodies.pose[i], bodies.motion[i]
     elapsed = now - bodies.flight[i, tb.PATH_START]
+    if elapsed == 0.0:
+        return (pose[tb.X], pose[tb.Y]), (motion[tb.VX], motion[tb.VY])
     going, by = (motion[tb.VX], motion[tb.VY]), pull_on(i, control, bodies)
     at = translation.position((pose[tb.X], pose[tb.Y]), going, by, elapsed)
     return at, translation.velocity(going, by, elapsed)
@@ -459,11 +463,44 @@ def look_on(p: int, now: float, near: int, taken: int, world: World, contacts: C
     return near
 
 
+# -- what is told
+
+
 @inlined
-def tell_impacts(met: int, contacts: Contacts, events: Events) -> None:
-    """Add the impacts of a step to what is told of contacts."""
+def list_known(listed: int, contacts: Contacts, events: Events) -> int:
+    """List the contacts of which something is known from earlier steps; return how many are."""
+    known = 0
+    for p in range(listed):
+        if is_known(p, contacts):
+            events.touched[known] = p
+            known += 1
+    return known
+
+
+@inlined
+def age_known(known: int, shapes: Shapes, contacts: Contacts, events: Events) -> int:
+    """Let what touched have done so before; return of how many contacts something is known still.
+
+    A feature that is no half-plane's is kept, and is what it was.
+    """
+    stay = 0
+    for k in range(known):
+        p = events.touched[k]
+        age(p, shapes, contacts)
+        if contacts.flags[p, tb.TOUCHES] != 0:
+            events.touched[stay] = p
+            stay += 1
+    return stay
+
+
+@inlined
+def tell_impacts(met: int, known: int, contacts: Contacts, events: Events) -> int:
+    """Add the impacts of a step to what is told of contacts; return of how many something is."""
     for k in range(met):
         p, row = events.met[k, tb.MET_CONTACT], events.met_points[2 * k]
+        if contacts.flags[p, tb.TOUCHES] == 0:
+            events.touched[known] = p
+            known += 1
         turned = events.met[k, tb.MET_A] != contacts.pairs[p, tb.SLOT_A]
         sense = -1.0 if turned else 1.0
         normal = (sense * row[tb.M_NORMAL], sense * row[tb.M_NORMAL + 1])
@@ -471,3 +508,4 @@ def tell_impacts(met: int, contacts: Contacts, events: Events) -> None:
         record_impact(
             row[tb.M_PUSH], place, normal, False, contacts.manifolds[p], contacts.flags[p]
         )
+    return known

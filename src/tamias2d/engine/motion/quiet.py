@@ -152,14 +152,25 @@ def all_valid(bodies: Bodies) -> bool:
 def age_all(listed: int, shapes: Shapes, contacts: Contacts) -> None:
     """Let what touched have done so before, and contacts with half-planes forget their points."""
     for p in range(listed):
-        flags = contacts.flags[p]
-        if flags[tb.TOUCHES] + flags[tb.LOCATED] + flags[tb.FEATURE] == 0:  # as of most pairs
-            continue
-        age_flags(False, flags)
-        s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-        plane = shapes.kind[s] == tb.HALF_PLANE or shapes.kind[t] == tb.HALF_PLANE
-        if plane and contacts.flags[p, tb.FEATURE] > 0:
-            match_impulses(contacts.manifolds[p], contacts.flags[p], 0, 0)
+        if is_known(p, contacts):
+            age(p, shapes, contacts)
+
+
+@inlined
+def is_known(p: int, contacts: Contacts) -> bool:
+    """Return whether something is known of a contact; of most pairs on the list there is not."""
+    flags = contacts.flags[p]
+    return bool(flags[tb.TOUCHES] + flags[tb.LOCATED] + flags[tb.FEATURE] != 0)
+
+
+@inlined
+def age(p: int, shapes: Shapes, contacts: Contacts) -> None:
+    """Let a contact have touched before, if it did; one with a half-plane forgets its point."""
+    age_flags(False, contacts.flags[p])
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    plane = shapes.kind[s] == tb.HALF_PLANE or shapes.kind[t] == tb.HALF_PLANE
+    if plane and contacts.flags[p, tb.FEATURE] > 0:
+        match_impulses(contacts.manifolds[p], contacts.flags[p], 0, 0)
 
 
 @inlined
