@@ -26,8 +26,8 @@ def step_worlds(
     """Step worlds until one of them needs to be looked at; return how many are done.
 
     `memory` holds all arrays of the world, `start` what its first part holds before the first step,
-    `given` (k, 2 + 13 n) how each world starts. At the sorted `stops` (s,), in steps, coordinates and
-    velocities are written to `states` (k, s, 6 n), row after row.
+    `given` (k, 2 + 13 n) how each world starts. At the sorted `stops` (s,), in steps, coordinates
+    and velocities are written to `states` (k, s, 6 n), row after row.
     """
     done = 0
     while done < len(given):

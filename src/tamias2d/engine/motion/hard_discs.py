@@ -87,7 +87,7 @@ def take_hard_steps(world: World) -> None:
     list_contacts_by_body(world.broad_phase, contacts, events, len(bodies.kind))
     begin_paths(bodies)
     for p in range(listed):
-        foretell(p, 0, 0.0, control, bodies, shapes, contacts, events)
+        foretell(p, 0, control, bodies, shapes, contacts, events)
     soonest = soonest_of(listed, events)
     taken, known = 0, list_known(listed, contacts, events)
     while taken < steps:
@@ -108,7 +108,7 @@ def take_hard_steps(world: World) -> None:
         if near > 0:
             for k in range(near):
                 p = events.queue[tb.WAITING, k]
-                foretell(p, taken, 0.0, control, bodies, shapes, contacts, events)
+                foretell(p, taken, control, bodies, shapes, contacts, events)
             soonest = soonest_of(listed, events)
     if taken > 0:
         note_quiet(taken, world)
@@ -215,38 +215,39 @@ def place_at(i: int, now: float, control: Control, bodies: Bodies) -> tuple[Vect
 
 
 @inlined
-def plane_and_disc(p: int, shapes: Shapes, contacts: Contacts) -> tuple[int, int]:
-    """Return the shapes of a pair; of a half-plane and a disc, the half-plane first."""
+def disc_and_other(p: int, shapes: Shapes, contacts: Contacts) -> tuple[int, int]:
+    """Return the shapes of a pair, a disc first."""
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-    return (t, s) if shapes.kind[t] == tb.HALF_PLANE else (s, t)
+    return (t, s) if shapes.kind[s] == tb.HALF_PLANE else (s, t)
 
 
 @inlined
 def closing_of(
-    p: int,
+    s: int,
+    t: int,
+    at: Vector,
+    going: Vector,
     now: float,
     wider: float,
     control: Control,
     bodies: Bodies,
     shapes: Shapes,
-    contacts: Contacts,
 ) -> tuple[float, float, float]:
-    """Return the gap of a pair at a time, s, its rate and its second derivative, which is constant.
+    """Return the gap between a disc and a shape at a time, s, its rate and its second derivative.
 
-    Shapes are taken wider, by a share of the smaller one. The gap of two discs is that of DD80.
+    The last is constant. Shapes are taken wider, by a share of the smaller one. The gap of two
+    discs is that of DD80.
     """
-    s, t = plane_and_disc(p, shapes, contacts)
-    i, j = shapes.slot[s], shapes.slot[t]
-    at, going = place_at(i, now, control, bodies)
+    j, radius = shapes.slot[t], shapes.material[s, tb.SHAPE_RADIUS]
+    if shapes.kind[t] == tb.HALF_PLANE:
+        side, by = shapes.world_vertices[shapes.first[t]], pull_on(shapes.slot[s], control, bodies)
+        x, y = at[0] - bodies.pose[j, tb.X], at[1] - bodies.pose[j, tb.Y]
+        gap = side[2] * x + side[3] * y - side[0] - (1.0 + wider) * radius
+        return gap, side[2] * going[0] + side[3] * going[1], side[2] * by[0] + side[3] * by[1]
     other, its = place_at(j, now, control, bodies)
     span, rate = (other[0] - at[0], other[1] - at[1]), (its[0] - going[0], its[1] - going[1])
-    radius = shapes.material[t, tb.SHAPE_RADIUS]
-    if shapes.kind[s] == tb.HALF_PLANE:
-        side, by = shapes.world_vertices[shapes.first[s]], pull_on(j, control, bodies)
-        gap = side[2] * span[0] + side[3] * span[1] - side[0] - (1.0 + wider) * radius
-        return gap, side[2] * rate[0] + side[3] * rate[1], side[2] * by[0] + side[3] * by[1]
-    own = shapes.material[s, tb.SHAPE_RADIUS]
-    reach = own + radius + wider * min(own, radius)
+    far = shapes.material[t, tb.SHAPE_RADIUS]
+    reach = radius + far + wider * min(radius, far)
     return reach_gap(span, reach), reach_gap_rate(span, rate), reach_gap_acceleration(rate)
 
 
@@ -267,38 +268,40 @@ def time_of_meeting(gap: float, rate: float, acceleration: float) -> float:
 
 @inlined
 def foretell(
-    p: int,
-    taken: int,
-    now: float,
-    control: Control,
-    bodies: Bodies,
-    shapes: Shapes,
-    contacts: Contacts,
+    p: int, taken: int, control: Control, bodies: Bodies, shapes: Shapes, contacts: Contacts,
     events: Events,
-) -> bool:
-    """Note after how many steps of this call a pair may meet; return whether it is apart now."""
-    gap, rate, acceleration = closing_of(p, now, NEAR, control, bodies, shapes, contacts)
-    apart, step = gap > 0.0, control.settings[tb.TIME_STEP]
-    later = time_of_meeting(gap, rate, acceleration) if apart else 0.0
-    events.due[p] = taken + (now + later) / step - SPARE
-    return apart
+) -> None:  # fmt: skip
+    """Note after how many steps of this call a pair may meet, as a step begins."""
+    s, t = disc_and_other(p, shapes, contacts)
+    at, going = place_at(shapes.slot[s], 0.0, control, bodies)
+    gap, rate, acceleration = closing_of(s, t, at, going, 0.0, NEAR, control, bodies, shapes)
+    note_due(p, taken, 0.0, gap, rate, acceleration, control, events)
+
+
+@inlined
+def note_due(
+    p: int, taken: int, now: float, gap: float, rate: float, acceleration: float, control: Control,
+    events: Events,
+) -> None:  # fmt: skip
+    """Note after how many steps of this call a gap may close, as seen at a time in one, s."""
+    later = time_of_meeting(gap, rate, acceleration) if gap > 0.0 else 0.0
+    events.due[p] = taken + (now + later) / control.settings[tb.TIME_STEP] - SPARE
 
 
 @inlined
 def note_meeting(
-    p: int,
-    now: float,
-    control: Control,
-    bodies: Bodies,
-    shapes: Shapes,
-    contacts: Contacts,
+    p: int, now: float, control: Control, bodies: Bodies, shapes: Shapes, contacts: Contacts,
     events: Events,
-) -> bool:
+) -> bool:  # fmt: skip
     """Note when a pair meets in this step, s; return whether it does not overlap now."""
-    gap, rate, acceleration = closing_of(p, now, 0.0, control, bodies, shapes, contacts)
-    deep, _, _ = closing_of(p, now, -NEAR, control, bodies, shapes, contacts)
+    s, t = disc_and_other(p, shapes, contacts)
+    at, going = place_at(shapes.slot[s], now, control, bodies)
+    gap, rate, acceleration = closing_of(s, t, at, going, now, 0.0, control, bodies, shapes)
     events.times[p] = now + time_of_meeting(gap, rate, acceleration)
-    return deep > 0.0
+    if gap > 0.0:
+        return True
+    core, _, _ = closing_of(s, t, at, going, now, -NEAR, control, bodies, shapes)
+    return core > 0.0
 
 
 @inlined
@@ -388,12 +391,12 @@ def first_to_meet(near: int, events: Events) -> int:
 
 
 def rebound_hard(p: int, met: int, now: float, world: World, contacts: Contacts) -> bool:
-    """Let a pair rebound at a time in the step, s; return whether it parts for the whole step.
+    """Let a pair rebound at a time in the step, s; return whether it parts for a while.
 
     What is to be told of the impact is listed under a number.
     """
     control, bodies, shapes, events = world.control, world.bodies, world.shapes, world.events
-    s, t = plane_and_disc(p, shapes, contacts)
+    s, t = disc_and_other(p, shapes, contacts)
     i, j = shapes.slot[s], shapes.slot[t]
     advance_to(i, now, control, bodies)
     advance_to(j, now, control, bodies)
@@ -408,10 +411,10 @@ def rebound_hard(p: int, met: int, now: float, world: World, contacts: Contacts)
     if not parts > SLOWEST_REBOUND * pull * control.settings[tb.TIME_STEP]:
         return False
     rebound_at_point(2 * met, 0.0, bodies, events)
-    row[tb.M_PLACE] = bodies.pose[j, tb.X] + row[tb.M_ARM_B]
-    row[tb.M_PLACE + 1] = bodies.pose[j, tb.Y] + row[tb.M_ARM_B + 1]
-    for k in (i, j):
-        bodies.flight[k, tb.REDIRECTED] = 1.0 if bodies.kind[k] == tb.DYNAMIC else 0.0
+    row[tb.M_PLACE] = bodies.pose[i, tb.X] + row[tb.M_ARM_A]
+    row[tb.M_PLACE + 1] = bodies.pose[i, tb.Y] + row[tb.M_ARM_A + 1]
+    bodies.flight[i, tb.REDIRECTED] = 1.0
+    bodies.flight[j, tb.REDIRECTED] = 1.0 if bodies.kind[j] == tb.DYNAMIC else 0.0
     return True
 
 
@@ -419,20 +422,23 @@ def rebound_hard(p: int, met: int, now: float, world: World, contacts: Contacts)
 def find_touch(
     s: int, t: int, row: Array, control: Control, bodies: Bodies, shapes: Shapes
 ) -> float:
-    """Write where two shapes touch now; return which acceleration presses them together, m/s^2."""
+    """Write where a disc touches a shape; return which acceleration presses them together, m/s^2.
+
+    The normal leads from the disc to the other one.
+    """
     i, j = shapes.slot[s], shapes.slot[t]
-    radius = shapes.material[t, tb.SHAPE_RADIUS]
+    radius, pull = shapes.material[s, tb.SHAPE_RADIUS], 0.0
     x, y = bodies.pose[j, tb.X] - bodies.pose[i, tb.X], bodies.pose[j, tb.Y] - bodies.pose[i, tb.Y]
-    if shapes.kind[s] == tb.HALF_PLANE:
-        side, by = shapes.world_vertices[shapes.first[s]], pull_on(j, control, bodies)
-        nx, ny = side[2], side[3]
-        pull = max(0.0, -(nx * by[0] + ny * by[1]))
+    if shapes.kind[t] == tb.HALF_PLANE:
+        side, by = shapes.world_vertices[shapes.first[t]], pull_on(i, control, bodies)
+        nx, ny = -side[2], -side[3]
+        pull = max(0.0, nx * by[0] + ny * by[1])
     else:
         far = sqrt(x * x + y * y)
-        nx, ny, pull = x / far, y / far, 0.0
+        nx, ny = x / far, y / far
     row[tb.M_NORMAL], row[tb.M_NORMAL + 1] = nx, ny
-    row[tb.M_ARM_B], row[tb.M_ARM_B + 1] = -radius * nx, -radius * ny
-    row[tb.M_ARM_A], row[tb.M_ARM_A + 1] = x - radius * nx, y - radius * ny
+    row[tb.M_ARM_A], row[tb.M_ARM_A + 1] = radius * nx, radius * ny
+    row[tb.M_ARM_B], row[tb.M_ARM_B + 1] = radius * nx - x, radius * ny - y
     return pull
 
 
@@ -443,23 +449,40 @@ def look_on(p: int, now: float, near: int, taken: int, world: World, contacts: C
     """
     control, bodies, shapes, events = world.control, world.bodies, world.shapes, world.events
     note_meeting(p, now, control, bodies, shapes, contacts, events)
-    starts = events.queue[tb.FIRST_OF_BODY]
     for i in (contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]):
-        for k in range(starts[i] if bodies.kind[i] == tb.DYNAMIC else starts[i + 1], starts[i + 1]):
+        if bodies.kind[i] != tb.DYNAMIC:
+            continue
+        pose, motion = bodies.pose[i], bodies.motion[i]
+        at, going = (pose[tb.X], pose[tb.Y]), (motion[tb.VX], motion[tb.VY])
+        for k in range(events.queue[tb.FIRST_OF_BODY, i], events.queue[tb.FIRST_OF_BODY, i + 1]):
             q = events.queue[tb.CONTACT_OF_BODY, k]
             if q == p:
                 continue
-            if not foretell(q, taken, now, control, bodies, shapes, contacts, events):
+            first = contacts.pairs[q, tb.SLOT_A] == i
+            s, t = contacts.pairs[q, 0 if first else 1], contacts.pairs[q, 1 if first else 0]
+            gap, rate, by = closing_of(s, t, at, going, now, NEAR, control, bodies, shapes)
+            if gap <= 0.0:
                 return -1
-            at = events.queue[tb.PLACE, q]
-            listed = 0 <= at < near and events.queue[tb.WAITING, at] == q
-            if events.due[q] < taken + 1:
-                note_meeting(q, now, control, bodies, shapes, contacts, events)
-                if not listed:
-                    events.queue[tb.WAITING, near], events.queue[tb.PLACE, q] = q, near
-                    near += 1
-            elif listed:
-                events.times[q] = inf
+            note_due(q, taken, now, gap, rate, by, control, events)
+            near = list_again(q, now, near, taken, control, bodies, shapes, contacts, events)
+    return near
+
+
+@inlined
+def list_again(
+    q: int, now: float, near: int, taken: int, control: Control, bodies: Bodies, shapes: Shapes,
+    contacts: Contacts, events: Events,
+) -> int:  # fmt: skip
+    """Note when a pair meets in this step, s, if it may; return how many pairs are listed then."""
+    at = events.queue[tb.PLACE, q]
+    listed = 0 <= at < near and events.queue[tb.WAITING, at] == q
+    if events.due[q] < taken + 1:
+        note_meeting(q, now, control, bodies, shapes, contacts, events)
+        if not listed:
+            events.queue[tb.WAITING, near], events.queue[tb.PLACE, q] = q, near
+            near += 1
+    elif listed:
+        events.times[q] = inf
     return near
 
 
