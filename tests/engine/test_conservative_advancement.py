@@ -10,7 +10,8 @@ from tamias2d.engine.continuous import conservative_advancement
 from tamias2d.engine.continuous.conservative_advancement import MISSED, NEAR, time_of_impact
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.clip import PARALLEL
-from tamias2d.engine.tables import MANIFOLD, Events, Shapes
+from tamias2d.engine.tables import Events, Shapes
+from tamias2d.engine.world import Capacities, allocated
 from tamias2d.kernels import Library
 from tamias2d.kernels.arrays import FloatRows, Floats, IndexRows
 from tamias2d.kernels.groups import addresses
@@ -23,10 +24,7 @@ TURNS = st.one_of(st.just(0.0), st.floats(-4, 4), st.floats(-200, 200))
 
 def event_arrays() -> Events:
     """Room for the vertices of two shapes."""
-    rows = np.zeros((64, MANIFOLD))
-    queue, together = np.zeros((4, 4), np.int32), np.zeros(1, np.int32)
-    met, sides, points = np.zeros((16, 4), np.int32), np.zeros((16, 2)), np.zeros((32, 16))
-    return Events(np.zeros(1), queue, rows, together, np.zeros((1, 5)), met, sides, points)
+    return allocated(Capacities(clip=64)).events
 
 
 def swept(

@@ -12,7 +12,7 @@ from tamias2d.engine.continuous.event_queue import (
     list_contacts_by_body,
     update_event,
 )
-from tamias2d.engine.tables import Contacts, Events
+from tamias2d.engine.tables import Contacts
 from tamias2d.engine.world import Capacities, allocated
 
 TIMES = st.sampled_from([0.0, 0.25, 0.5, 1.0, 2.0])
@@ -49,8 +49,7 @@ def test_each_body_has_its_contacts_in_their_order(bodies: int, data: st.DataObj
     rows = np.zeros((len(drawn), 0))
     contacts = Contacts(pairs, rows, rows, rows.astype(np.int32))
     queue = np.zeros((4, 2 * (bodies + len(pairs)) + 2), np.int32)
-    none = np.zeros((0, 0))
-    events = Events(np.zeros(0), queue, none, np.zeros(0, np.int32), none, queue, none, none)
+    events = allocated(Capacities()).events._replace(queue=queue)
     list_contacts_by_body(broad_phase, contacts, events, bodies)
     for i in range(bodies):
         listed = queue[

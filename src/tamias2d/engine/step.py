@@ -27,7 +27,7 @@ from tamias2d.engine.joints.activity import clear_of_joints, note_mechanisms
 from tamias2d.engine.joints.placement import note_places
 from tamias2d.engine.joints.step_impulses import keep_joint_impulses
 from tamias2d.engine.motion.free import integrate_free
-from tamias2d.engine.motion.hard_discs import are_hard_discs, take_hard_steps
+from tamias2d.engine.motion.hard_discs import may_be_hard, take_hard_steps
 from tamias2d.engine.motion.quiet import may_be_quiet, take_quiet_steps
 from tamias2d.engine.narrow_phase.touching import find_touching
 from tamias2d.engine.overshoot import overshoots
@@ -76,7 +76,7 @@ def step(world: World, steps: int) -> int:
             if not gather_state(world.control, world.state, world.bodies):
                 return tb.INVALID
             if may_be_quiet(world):
-                if are_hard_discs(world):
+                if may_be_hard(world):
                     take_hard_steps(world)
                 elif not take_quiet_steps(world):
                     continue  # to be told that the state is not valid, unless all steps are taken

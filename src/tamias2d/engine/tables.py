@@ -1194,21 +1194,19 @@ class Events(NamedTuple):
     """When bodies leave their bounds and pairs meet; read by continuous collision."""
 
     times: Annotated[Floats, Sized("events")]  # as a fraction of the step; of hard discs in s
-    due: Annotated[
-        Floats, Sized("events")
-    ]  # steps of this call until a pair of hard discs may meet
     # where the contacts of each body begin; these contacts; how many events wait, and a heap of
     # them; the place of each there
     queue: Annotated[IndexRows, Sized(4, "queue")]
-    scratch: Annotated[
-        FloatRows, Sized("clip", MANIFOLD), Rewritten()
-    ]  # a manifold, vertices of two shapes
+    # a manifold, vertices of two shapes
+    scratch: Annotated[FloatRows, Sized("clip", MANIFOLD), Rewritten()]
     together: Annotated[Places, Sized("slots")]  # the next of the bodies that go on together
-    touched: Annotated[Indices, Sized("contacts")]  # of hard discs: that did in one of two steps
     ground: Annotated[FloatRows, Sized("slots", _grounds.width)]  # static side that holds a body
     met: Annotated[IndexRows, Sized(MOST_AT_ONCE, _met.width)]
     met_sides: Annotated[FloatRows, Sized(MOST_AT_ONCE, 2)]  # normals before pairs meet
     met_points: Annotated[FloatRows, Sized(2 * MOST_AT_ONCE, _met_point.width), Rewritten()]
+    # of hard discs: after how many steps of a call a pair may meet; pairs that lately touched
+    due: Annotated[Floats, Sized("contacts"), Rewritten()]
+    touched: Annotated[Indices, Sized("contacts"), Rewritten()]
 
 
 # -- ballistic motion

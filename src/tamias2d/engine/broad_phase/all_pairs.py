@@ -9,21 +9,23 @@ from tamias2d.engine.broad_phase.bvh import FAR
 from tamias2d.engine.broad_phase.candidates import may_collide, note_candidate
 from tamias2d.engine.broad_phase.comoving_frame import stand_still
 from tamias2d.engine.broad_phase.fat_bounds import fatten_all_bounds
+from tamias2d.engine.hard_scene import are_hard_discs
+from tamias2d.engine.narrow_phase.material import BOUNCY
 from tamias2d.engine.tables import Bodies, BroadPhase, Integers, Shapes, Tree, World
 from tamias2d.state import Array
 
 FEW_SHAPES = 8  # of which all pairs are listed
-FEW_DISCS = 16  # the same where all are discs and half-planes
+FEW_DISCS = 16  # the same of hard discs and half-planes, if discs bounce and so seldom rest
 
 
-def few_shapes(kind: Integers, shapes: Shapes) -> bool:
-    """Return whether there are so few shapes, on bodies of these kinds, that all are paired."""
-    present, plain = 0, True
+def few_shapes(bodies: Bodies, shapes: Shapes) -> bool:
+    """Return whether there are so few shapes that all are paired."""
+    present = 0
     for s in range(len(shapes.slot)):
-        if kind[shapes.slot[s]] != tb.ABSENT:
-            present += 1
-            plain = plain and (shapes.kind[s] == tb.DISC or shapes.kind[s] == tb.HALF_PLANE)
-    return present <= (FEW_DISCS if plain else FEW_SHAPES)
+        present += 1 if bodies.kind[shapes.slot[s]] != tb.ABSENT else 0
+    return present <= FEW_SHAPES or (
+        present <= FEW_DISCS and are_hard_discs(BOUNCY, bodies, shapes)
+    )
 
 
 def find_all_pairs(world: World) -> int:

@@ -39,7 +39,7 @@ def update_pairs(left: int, world: World) -> bool:
     in_flight = world.control.counts[tb.STAGE] == tb.OUT_OF_BOUNDS
     many = left + counts[tb.UPDATED] > MOST_UPDATED * len(bodies.kind)
     moves = broad_phase.frame[tb.FRAME_MOVES] != 0.0
-    many = many or (left > 0 and few_shapes(bodies.kind, world.shapes))
+    many = many or (left > 0 and few_shapes(bodies, world.shapes))
     if counts[tb.LIST_HOLDS] == 0 or many or (moves and in_flight):
         counts[tb.LIST_HOLDS] = 0
         for i in range(len(broad_phase.left) if left > 0 else 0):
@@ -55,7 +55,7 @@ def rebuild_pairs(world: World) -> int:
     bodies, shapes, broad_phase = world.bodies, world.shapes, world.broad_phase
     control = world.control
     counts = broad_phase.counts
-    few = few_shapes(bodies.kind, shapes)
+    few = few_shapes(bodies, shapes)
     total = find_all_pairs(world) if few else find_for_long(world)
     total = without_kept_apart(total, world.state, broad_phase, world.joints)
     if total > len(broad_phase.candidates):

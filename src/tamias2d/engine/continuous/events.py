@@ -17,7 +17,7 @@ from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.chain import is_piece
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.narrow_phase.half_plane import is_above
-from tamias2d.engine.narrow_phase.material import mixed_material
+from tamias2d.engine.narrow_phase.material import BOUNCY, mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.touching import BULLET, opening
 from tamias2d.engine.tables import Bodies, BroadPhase, Contacts, Control, Events, Shapes
@@ -30,7 +30,6 @@ from tamias2d.state import Array, Vector
 PUSHED_BACK = 0.7
 THIN = 0.25  # of the smaller radius: for the length of parts thinner bodies are as thick as this
 SHALLOW = 0.12  # of that: how far one goes in before its impact is looked for
-BOUNCY = 0.7  # restitution that gives half of the energy back
 MOST_SHALLOW = 24  # pairs in a part that are looked at for that
 SHORT_LIST = 256  # contacts of a list on which all are
 MANY = -1  # more than these

@@ -18,6 +18,7 @@ from tamias2d.engine.continuous.event_queue import list_contacts_by_body
 from tamias2d.engine.continuous.impact import record_impact
 from tamias2d.engine.continuous.impact_points import line_of, rebound_at_point
 from tamias2d.engine.continuous.impulse import speed_along
+from tamias2d.engine.hard_scene import are_hard_discs
 from tamias2d.engine.motion.quiet import (
     age,
     is_known,
@@ -47,36 +48,14 @@ SLOWEST_REBOUND = (
     2.0**-4
 )  # velocities that gravity gives in a step: a slower disc meets again in it
 SPARE = 2.0**-6  # of a step, by which pairs are looked at before they may meet
+UNSTATED_TOO = -2.0  # less than any restitution, and than what stands for none
 FARTHEST = 2.0**16  # radii from the origin; there rounding is next to nothing beside `NEAR`
 
 
-def are_hard_discs(world: World) -> bool:
-    """Return whether all that moves are discs, alone under gravity, and half-planes stand around.
-
-    A sensor tells what is in it, so that it needs the ordinary way.
-    """
-    bodies, shapes = world.bodies, world.shapes
-    hard = True
-    for i in range(len(bodies.kind)):
-        hard = hard and bodies.kind[i] != tb.KINEMATIC
-        if bodies.kind[i] == tb.DYNAMIC:
-            hard = hard and falls_freely(i, bodies) and stays_near(i, 1, world.control, bodies)
-    for s in range(len(shapes.slot)):
-        kind = bodies.kind[shapes.slot[s]]
-        disc = shapes.kind[s] == tb.DISC and kind == tb.DYNAMIC
-        plane = shapes.kind[s] == tb.HALF_PLANE and kind == tb.STATIC
-        hard = hard and (disc or plane or kind == tb.ABSENT) and shapes.filters[s, tb.SENSOR] == 0
-    return hard
-
-
-@inlined
-def falls_freely(i: int, bodies: Bodies) -> bool:
-    """Return whether no drag and no load acts on a body, and its shapes are around its centre."""
-    load, propagator = bodies.load[i], bodies.propagators[int(bodies.properties[i, tb.PROPAGATOR])]
-    loaded = abs(load[0]) + abs(load[1]) + abs(load[2]) > 0.0
-    going = propagator[tb.WHOLE_STEP + tb.DECAY] == 1.0
-    turning = propagator[tb.WHOLE_STEP + tb.ANGULAR + tb.DECAY] == 1.0
-    return bool(not loaded and going and turning and bodies.properties[i, tb.CORE_RADIUS] == 0.0)
+def may_be_hard(world: World) -> bool:
+    """Return whether the next step may be one of hard discs, of whatever restitution."""
+    near = steps_near(1, world.control, world.bodies) > 0
+    return near and are_hard_discs(UNSTATED_TOO, world.bodies, world.shapes)
 
 
 def take_hard_steps(world: World) -> None:
@@ -342,7 +321,7 @@ def pass_impacts(near: int, taken: int, world: World, contacts: Contacts) -> int
     p = first_to_meet(near, events)
     if events.times[p] > step:
         return 0
-    note_places(bodies)
+    note_paths(bodies)
     while events.times[p] <= step:
         now = events.times[p]
         hard = met < tb.MOST_AT_ONCE and rebound_hard(p, met, now, world, contacts)
@@ -360,7 +339,7 @@ def pass_impacts(near: int, taken: int, world: World, contacts: Contacts) -> int
 
 
 @inlined
-def note_places(bodies: Bodies) -> None:
+def note_paths(bodies: Bodies) -> None:
     """Note where all bodies are as the step begins, and how they move."""
     for i in range(len(bodies.kind)):
         if bodies.kind[i] == tb.DYNAMIC:

@@ -4,6 +4,8 @@ from tamias2d.engine import tables as tb
 from tamias2d.generated.definitions import pair_friction, pair_restitution
 from tamias2d.state import Array
 
+BOUNCY = 0.7  # restitution that gives half of the energy back
+
 
 def mixed_material(s: int, t: int, material: Array, overrides: Array) -> tuple[float, float]:
     """Return the friction and the restitution of two shapes.
