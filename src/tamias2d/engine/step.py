@@ -13,6 +13,7 @@ Cost: a substep visits each contact twice. Source: Macklin et al. (2019), Catto 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.all_asleep import note_all_asleep, skip_steps, still_asleep
 from tamias2d.engine.arrangement import arrange
+from tamias2d.engine.broad_phase.all_pairs import few_shapes
 from tamias2d.engine.broad_phase.comoving_frame import move_frame
 from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.broad_phase.fat_bounds import left_by_frame, mark_out_of_bounds
@@ -75,6 +76,9 @@ def step(world: World, steps: int) -> int:
         if counts[tb.STAGE] == tb.AT_START:
             if not gather_state(world.control, world.state, world.bodies):
                 return tb.INVALID
+            status = list_few(world)
+            if status != tb.DONE:
+                return status
             if may_be_quiet(world):
                 if may_be_hard(world):
                     take_hard_steps(world)
@@ -102,6 +106,19 @@ def step(world: World, steps: int) -> int:
         )
         clear = clear_of_joints(clear, world)
     return tb.CLEAR if clear else tb.DONE
+
+
+def list_few(world: World) -> int:
+    """List all pairs of a few discs before their first step; return which array is too short.
+
+    So that step, too, may be one of hard discs.
+    """
+    if world.broad_phase.counts[tb.LIST_HOLDS] == 1 or not (
+        may_be_hard(world) and few_shapes(world.bodies, world.shapes)
+    ):
+        return tb.DONE
+    turn_vertices(world.bodies, world.shapes, tb.STATIC)
+    return rebuild_pairs(world)
 
 
 def take_step(world: World) -> int:
