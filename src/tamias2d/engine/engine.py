@@ -347,12 +347,16 @@ class Engine(Store):
         self,
         memory: NDArray[np.int64],
         start: NDArray[np.int64],
+        rows: NDArray[np.int64],
         given: Array,
+        stands_for: NDArray[np.int64],
         stops: NDArray[np.int64],
         states: Array,
     ) -> int:
         """Step many worlds in the memory of this engine, as `world_batch` says; none has joints."""
-        done: int = self._entries.step_worlds(self.argument, memory, start, given, stops, states)
+        done: int = self._entries.step_worlds(
+            self.argument, memory, start, rows, given, stands_for, stops, states
+        )
         return done
 
     def _skipped(self, count: int) -> bool:

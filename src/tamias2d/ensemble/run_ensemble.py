@@ -14,6 +14,7 @@ from tamias2d.ensemble.followed import mostly_followed
 from tamias2d.ensemble.request import STATE, Quantity, Request, request_of
 from tamias2d.ensemble.sampling import Design
 from tamias2d.ensemble.solving import REFUSED, Block, solved_block
+from tamias2d.ensemble.stepped import mostly_stepped
 from tamias2d.ensemble.store import Store
 from tamias2d.ensemble.worlds import MadeWorlds, Maker, VariedWorlds, Worlds, worlds_of
 from tamias2d.motion import Method
@@ -30,7 +31,7 @@ Told = Callable[[int, int], None]
 """Hears how many worlds are finished, and how many there are."""
 
 _LONGEST = 1024  # worlds of a chunk
-_LONGEST_QUICK = 4096  # of worlds that take microseconds each: to hand over fewer takes as long
+_LONGEST_QUICK = 16384  # of worlds that take microseconds each: to hand over fewer takes as long
 _LARGEST = 2**24  # bytes of a chunk
 _EACH = 4  # chunks for each worker, so that none waits long for the last one
 
@@ -117,7 +118,7 @@ def _computed(
     told: Told,
 ) -> Any:
     """Return the dataset of all worlds, computed where they are to be."""
-    quick = mostly_followed(worlds, request)
+    quick = mostly_followed(worlds, request) or mostly_stepped(worlds, request)
     executors = executors_of(workers, client, threads=quick and client is None)
     hands = 1 if executors is None else executors.waiting // 2
     size = _chunk(chunk, len(worlds), hands, request, _LONGEST_QUICK if quick else _LONGEST)

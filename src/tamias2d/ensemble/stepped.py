@@ -17,7 +17,16 @@ from numpy.typing import NDArray
 from tamias2d.engine.batch import UNSTATED
 from tamias2d.engine.body_pool import strips
 from tamias2d.engine.shape_rows import shape_rows
-from tamias2d.engine.world_batch import begin_world
+from tamias2d.engine.world_batch import (
+    GRAVITY,
+    START,
+    START_INVERSE,
+    START_LOAD,
+    START_POSE,
+    START_SURFACE,
+    START_VELOCITY,
+    begin_world,
+)
 from tamias2d.ensemble.request import STATE, Request
 from tamias2d.ensemble.worlds import VariedWorlds, Worlds, inertia_of, value_of
 from tamias2d.errors import InputError, SceneError, SimulationError
@@ -34,6 +43,8 @@ from tamias2d.state import Array, IntArray
 _SURFACE = ("restitution", "friction")
 _MOTION = ("position", "orientation", "velocity", "angular_velocity")
 _REFUSALS = (SimulationError, SceneError, InputError)
+_BRIEF = 2**13  # bodies times steps
+_PILOT, _MOST = 64, 0.98
 _LARGEST = 1e100  # what is beyond it is left to the ordinary way, which tells why it cannot be
 
 
@@ -48,7 +59,9 @@ class Kept:
 
 
 class _Starts(NamedTuple):
-    """How w worlds of n bodies start, and what these are, by rows of the engine."""
+    """How w worlds of n bodies start, and what these are, as `engine.world_batch` takes it."""
+
+    given: Array  # (w, 2 + 13 n), of which all others are views
 
     pose: Array  # (w, n, 3)
     velocity: Array  # (w, n, 3)
@@ -58,28 +71,54 @@ class _Starts(NamedTuple):
     gravity: Array  # (w, 2)
 
 
+def mostly_stepped(worlds: Worlds, request: Request) -> bool:
+    """Whether compiled code steps most worlds in microseconds each: then threads are enough."""
+    if not (_asked(request) and isinstance(worlds, VariedWorlds)):
+        return False
+    step: Any = request.time_step
+    if len(worlds.base) * request.duration > _BRIEF * step:
+        return False
+    found = stepped(worlds, request, 0, min(len(worlds), _PILOT))
+    return found is not None and bool(found.done.mean() > _MOST)
+
+
 def stepped(worlds: Worlds, request: Request, first: int, last: int) -> Kept | None:
     """Step the worlds from `first` to before `last`; None if the ensemble is not of this kind."""
     if not (isinstance(worlds, VariedWorlds) and _asked(request) and _fits(worlds)):
         return None
     rows, count = worlds.part(first, last), last - first
-    arrays = {name: np.full((count, *request.shape(name)), np.nan) for name in request.kept}
     with np.errstate(all="ignore"):
         starts = _starts(rows, count)
         order, decided = _orders(rows, starts.pose)
-        small = [(np.abs(part) < _LARGEST).reshape(count, -1).all(axis=1) for part in starts]
-    done = np.logical_and.reduce((decided, *small))
+        done = decided & (np.abs(starts.given) < _LARGEST).all(axis=1)
     kinds = np.array(_kinds(worlds.base))
+    step: Any = request.time_step
+    sampling = Sampling(request.times, request.duration, step)
+    states = np.empty((count, len(sampling.stops), 6 * len(kinds)))
+    stands_for = np.empty_like(order)
     for group in _alike(kinds[order], done):
         try:
-            world = _Prepared(rows.scene(first + int(group[0])), request)
+            world = _Prepared(rows.scene(first + int(group[0])), request, sampling)
         except _REFUSALS:
             done[group] = False
             continue
-        stands_for = np.empty_like(order[group])
-        stands_for[:, order[group[0]]] = order[group]
-        done[group] = world.keep(group, stands_for, starts, arrays)
-    return Kept(arrays, done)
+        stands_for[group[:, None], order[group[0]]] = order[group]
+        done[group] = world.step(group, stands_for, starts, states)
+    return Kept(_kept(states, done, sampling, request), done)
+
+
+def _kept(
+    states: Array, done: NDArray[np.bool_], sampling: Sampling, request: Request
+) -> dict[str, Array]:
+    """Return what is kept of the worlds that are done; NaN of the others."""
+    whole = states if done.all() else states[done]
+    history = sampling.history(whole.reshape(*whole.shape[:2], 6, -1))
+    bodies, arrays = list(request.bodies), {}
+    for name in request.keep:
+        values = getattr(history, name)
+        arrays[name] = np.full((len(states), *request.shape(name)), np.nan)
+        arrays[name][done] = values[:, :, bodies] if BODIES in DIMENSIONS[name] else values
+    return arrays
 
 
 def _asked(request: Request) -> bool:
@@ -111,14 +150,16 @@ def _has_place(scene: Scene, keys: tuple[Any, ...]) -> bool:
 
 def _starts(worlds: VariedWorlds, count: int) -> _Starts:
     scene = worlds.base
-    triples, pairs = (count, len(scene), 3), (count, len(scene), 2)
+    given = np.zeros((count, GRAVITY + START * len(scene)))
+    bodies = given[:, GRAVITY:].reshape(count, len(scene), START)
     found = _Starts(
-        pose=np.zeros(triples),
-        velocity=np.zeros(triples),
-        load=np.zeros(triples),
-        inverse=np.zeros(pairs),
-        surface=np.zeros(pairs),
-        gravity=np.zeros((count, 2)),
+        given=given,
+        pose=bodies[..., START_POSE : START_POSE + 3],
+        velocity=bodies[..., START_VELOCITY : START_VELOCITY + 3],
+        load=bodies[..., START_LOAD : START_LOAD + 3],
+        inverse=bodies[..., START_INVERSE : START_INVERSE + 2],
+        surface=bodies[..., START_SURFACE : START_SURFACE + 2],
+        gravity=given[:, :GRAVITY],
     )
     for k, body in enumerate(scene.bodies):
         _fill(worlds, k, body, found)
@@ -211,56 +252,41 @@ def _alike(order: IntArray, some: NDArray[np.bool_]) -> Iterator[IntArray]:
 class _Prepared:
     """The simulator of all worlds of one order."""
 
-    def __init__(self, scene: Scene, request: Request) -> None:
+    def __init__(self, scene: Scene, request: Request, sampling: Sampling) -> None:
         method: Any = request.method
         step: Any = request.time_step
         self._sim = Simulator(scene, time_step=step, substeps=method.substeps)
-        self._restart, self._request = Restart(self._sim), request
-        self._sampling = Sampling(request.times, request.duration, step)
+        self._restart, self._sampling = Restart(self._sim), sampling
         self._strongest = strongest_gravity(self._sim._engine, step)
 
-    def keep(
-        self, rows: IntArray, stands_for: IntArray, starts: _Starts, arrays: dict[str, Array]
+    def step(
+        self, rows: IntArray, stands_for: IntArray, starts: _Starts, states: Array
     ) -> NDArray[np.bool_]:
-        """Step worlds, and keep of them what is asked for; return which could be stepped.
+        """Step the worlds of some rows, and write their states; return which it could.
 
         Each body of the simulator stands for one of the world.
         """
-        given, stops = _given(rows, stands_for, starts), np.array(self._sampling.stops)
-        states = np.empty((len(rows), len(stops), 6 * stands_for.shape[1]))
+        given, stops = starts.given, np.array(self._sampling.stops)
         done = np.ones(len(rows), dtype=np.bool_)
-        strong = np.hypot(given[:, 0], given[:, 1]) > self._strongest
+        strong = np.hypot(*starts.gravity[rows].T) > self._strongest
         k = 0
         while k < len(rows):
             end = k + int(np.argmax(np.append(strong[k:], True)))
-            k += self._restart.step_worlds(given[k:end], stops, states[k:end])
+            k += self._restart.step_worlds(rows[k:end], given, stands_for, stops, states)
             if k < len(rows):  # it has something to tell, or needs longer arrays
-                done[k] = self._alone(given[k], states[k])
+                row = rows[k]
+                done[k] = self._alone(given[row], stands_for[row], states[row])
                 k += 1
-        bodies = np.argsort(stands_for[done], axis=1)[:, None, list(self._request.bodies)]
-        history = self._sampling.history(states[done].reshape(len(bodies), len(stops), 6, -1))
-        for name in self._request.keep:
-            values = getattr(history, name)
-            if BODIES in DIMENSIONS[name]:
-                which = bodies[..., None] if values.ndim > bodies.ndim else bodies
-                values = np.take_along_axis(values, which, axis=2)
-            arrays[name][rows[done]] = values
         return done
 
-    def _alone(self, given: Array, states: Array) -> bool:
+    def _alone(self, given: Array, stands_for: IntArray, states: Array) -> bool:
         """Step a world by itself, and write its states; return whether that could be done."""
         self._restart()
         engine = self._sim._engine
-        begin_world(given, engine.world)
+        begin_world(given, stands_for, engine.world)
         try:
-            states[...] = states_of(self._sim, self._sampling).reshape(states.shape)
+            found = states_of(self._sim, self._sampling)
         except _REFUSALS:
             return False
+        states.reshape(found.shape)[:, :, stands_for] = found
         return True
-
-
-def _given(rows: IntArray, stands_for: IntArray, starts: _Starts) -> Array:
-    """Return how worlds start, as `engine.world_batch` takes it."""
-    parts = (starts.pose, starts.velocity, starts.load, starts.inverse, starts.surface)
-    bodies = np.concatenate([part[rows[:, None], stands_for] for part in parts], axis=-1)
-    return np.hstack((starts.gravity[rows], bodies.reshape(len(rows), -1)))

@@ -34,8 +34,10 @@ class Restart:
         engine.forget_steps()
         self._sim._forget()
 
-    def step_worlds(self, given: Array, stops: IntArray, states: Array) -> int:
-        """Step worlds from what is `given` to all `stops`, as `engine.world_batch` says.
+    def step_worlds(
+        self, rows: IntArray, given: Array, stands_for: IntArray, stops: IntArray, states: Array
+    ) -> int:
+        """Step the worlds of some rows to all `stops`, as `engine.world_batch` says.
 
         Returns how many are done: up to one that is refused, needs longer arrays, or has something
         to tell. The simulator is to be put back before it is used.
@@ -43,10 +45,10 @@ class Restart:
         engine = self._sim._engine
         memory, start = self._memory.view(np.int64), self._start.view(np.int64)
         done, taken = 0, self._worlds_per_call.most
-        while done < len(given) and taken == self._worlds_per_call.most:
-            asked = slice(done, done + taken)
+        while done < len(rows) and taken == self._worlds_per_call.most:
+            asked = rows[done : done + taken]
             self._worlds_per_call.begin()
-            taken = engine.step_worlds(memory, start, given[asked], stops, states[asked])
+            taken = engine.step_worlds(memory, start, asked, given, stands_for, stops, states)
             self._worlds_per_call.end(taken)
             done += taken
         return done
