@@ -19,12 +19,7 @@ from tamias2d.engine.continuous.impact import record_impact
 from tamias2d.engine.continuous.impact_points import line_of, rebound_at_point
 from tamias2d.engine.continuous.impulse import speed_along
 from tamias2d.engine.hard_scene import are_hard_discs
-from tamias2d.engine.motion.quiet import (
-    age,
-    is_known,
-    note_quiet,
-    show_moved,
-)
+from tamias2d.engine.motion.quiet import age, is_known, note_quiet, show_moved
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes, World
 from tamias2d.generated import rotation, translation
@@ -44,9 +39,7 @@ from tamias2d.generated.definitions import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-SLOWEST_REBOUND = (
-    2.0**-4
-)  # velocities that gravity gives in a step: a slower disc meets again in it
+SLOWEST_REBOUND = 2.0**-4  # velocities that gravity gives in a step: slower discs soon rest
 SPARE = 2.0**-6  # of a step, by which pairs are looked at before they may meet
 UNSTATED_TOO = -2.0  # less than any restitution, and than what stands for none
 FARTHEST = 2.0**16  # radii from the origin; there rounding is next to nothing beside `NEAR`
@@ -481,10 +474,7 @@ def list_known(listed: int, contacts: Contacts, events: Events) -> int:
 
 @inlined
 def age_known(known: int, shapes: Shapes, contacts: Contacts, events: Events) -> int:
-    """Let what touched have done so before; return of how many contacts something is known still.
-
-    A feature that is no half-plane's is kept, and is what it was.
-    """
+    """Let what touched have done so before; return of how many contacts something is known still."""
     stay = 0
     for k in range(known):
         p = events.touched[k]
