@@ -474,7 +474,7 @@ def list_known(listed: int, contacts: Contacts, events: Events) -> int:
 
 @inlined
 def age_known(known: int, shapes: Shapes, contacts: Contacts, events: Events) -> int:
-    """Let what touched have done so before; return of how many contacts something is known still."""
+    """Let what touched have done so before; return of how many contacts something is known."""
     stay = 0
     for k in range(known):
         p = events.touched[k]
