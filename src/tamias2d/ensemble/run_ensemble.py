@@ -31,7 +31,7 @@ Told = Callable[[int, int], None]
 """Hears how many worlds are finished, and how many there are."""
 
 _LONGEST = 1024  # worlds of a chunk
-_LONGEST_QUICK = 16384  # of worlds that take microseconds each: to hand over fewer takes as long
+_LONGEST_QUICK = 8192  # of worlds that take microseconds each: to hand over fewer takes as long
 _LARGEST = 2**24  # bytes of a chunk
 _EACH = 4  # chunks for each worker, so that none waits long for the last one
 

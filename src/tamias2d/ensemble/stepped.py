@@ -111,12 +111,13 @@ def _kept(
     states: Array, done: NDArray[np.bool_], sampling: Sampling, request: Request
 ) -> dict[str, Array]:
     """Return what is kept of the worlds that are done; NaN of the others."""
-    whole = states if done.all() else states[done]
-    history = sampling.history(whole.reshape(*whole.shape[:2], 6, -1))
+    worlds, stops, columns = states.shape
+    whole = (states if done.all() else states[done]).reshape(-1, stops, 6, columns // 6)
+    history = sampling.history(whole)
     bodies, arrays = list(request.bodies), {}
     for name in request.keep:
         values = getattr(history, name)
-        arrays[name] = np.full((len(states), *request.shape(name)), np.nan)
+        arrays[name] = np.full((worlds, *request.shape(name)), np.nan)
         arrays[name][done] = values[:, :, bodies] if BODIES in DIMENSIONS[name] else values
     return arrays
 
