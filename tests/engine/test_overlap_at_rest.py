@@ -13,9 +13,10 @@ GRAVITY = 9.81
 
 
 def overlap(body: t2.Disc | t2.Box, mass: float, height: float, substeps: int) -> float:
-    """How far a body has sunk in after it has come to rest, m."""
+    """How far a body has sunk in after it has come to rest, m; a disc on a half-plane does not."""
     scene = t2.Scene(gravity=(0.0, -GRAVITY))
-    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), restitution=0.0)
+    ground = t2.Box(width=4 * height, height=4 * height)
+    scene.add_static(ground, position=(0.0, -2 * height), restitution=0.0)
     scene.add_body(body, mass=mass, position=(0.0, height))
     sim = Simulator(scene, substeps=substeps)
     sim.step(6000)

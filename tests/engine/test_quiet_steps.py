@@ -17,6 +17,7 @@ from tamias2d.simulator import Simulator
 pytestmark = pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")  # bodies start overlapping
 
 LEGS = (6, 1, 1, 7, 1, 1, 6, 1, 7, *[1] * 16)  # steps, one after the other
+PUSH = (0.01, 0.0)  # N; a disc that nothing pushes takes hard steps
 SHAPES = (t2.Disc(radius=0.2), t2.Box(width=0.5, height=0.25), t2.Capsule(length=0.3, radius=0.1))
 
 
@@ -115,7 +116,7 @@ def dropped_again() -> Iterator[list[bytes]]:
     scene = t2.Scene(gravity=(0.0, -9.81))
     surface: dict[str, Any] = {"restitution": 0.0, "friction": 0.5}
     scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
-    scene.add_body(t2.Disc(radius=0.3), mass=1.0, position=(0.0, 0.3), **surface)
+    scene.add_body(t2.Disc(radius=0.3), mass=1.0, position=(0.0, 0.3), force=PUSH, **surface)
     sim = Simulator(scene, compiled=False)
     sim.step(10)
     sim.position[1, 1] += 0.045
@@ -137,7 +138,7 @@ def turned_floor(angle: float) -> Iterator[list[bytes]]:
     scene = t2.Scene(gravity=(0.0, -9.81))
     surface: dict[str, Any] = {"restitution": 0.0, "friction": 0.5}
     scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
-    scene.add_body(t2.Disc(radius=0.3), mass=1.0, position=(2.0, 1.5), **surface)
+    scene.add_body(t2.Disc(radius=0.3), mass=1.0, position=(2.0, 1.5), force=PUSH, **surface)
     sim = Simulator(scene, compiled=False)
     sim.step(3)
     sim.orientation[0] = angle

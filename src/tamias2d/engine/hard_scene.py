@@ -5,8 +5,8 @@ from tamias2d.engine.tables import Bodies, Shapes
 from tamias2d.kernels.assembled import inlined
 
 
-def are_hard_discs(least: float, bodies: Bodies, shapes: Shapes) -> bool:
-    """Return whether all that moves are hard discs that state more than some restitution.
+def are_hard_discs(bodies: Bodies, shapes: Shapes) -> bool:
+    """Return whether all that moves are hard discs.
 
     A sensor tells what is in it, so that it needs the ordinary way.
     """
@@ -18,7 +18,6 @@ def are_hard_discs(least: float, bodies: Bodies, shapes: Shapes) -> bool:
     for s in range(len(shapes.slot)):
         kind = bodies.kind[shapes.slot[s]]
         disc = shapes.kind[s] == tb.DISC and kind == tb.DYNAMIC
-        disc = disc and shapes.material[s, tb.RESTITUTION] > least
         plane = shapes.kind[s] == tb.HALF_PLANE and kind == tb.STATIC
         hard = hard and (disc or plane or kind == tb.ABSENT) and shapes.filters[s, tb.SENSOR] == 0
     return hard

@@ -29,7 +29,7 @@ from tamias2d.engine.joints.placement import note_places
 from tamias2d.engine.joints.step_impulses import keep_joint_impulses
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.motion.hard_discs import may_be_hard, take_hard_steps
-from tamias2d.engine.motion.quiet import may_be_quiet, take_quiet_steps
+from tamias2d.engine.motion.quiet import may_be_quiet, nothing_touches, take_quiet_steps
 from tamias2d.engine.narrow_phase.touching import find_touching
 from tamias2d.engine.overshoot import overshoots
 from tamias2d.engine.parts import (
@@ -82,7 +82,7 @@ def step(world: World, steps: int) -> int:
             if may_be_quiet(world):
                 if may_be_hard(world):
                     take_hard_steps(world)
-                elif not take_quiet_steps(world):
+                elif nothing_touches(world) and not take_quiet_steps(world):
                     continue  # to be told that the state is not valid, unless all steps are taken
                 if counts[tb.STEPS_LEFT] == 0:
                     return tb.DONE

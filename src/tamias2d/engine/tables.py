@@ -194,6 +194,15 @@ REDIRECTED = _flight()
 SUPPORTED = _flight()
 PATH_LENGTH = _flight()  # m, that some point of the body goes
 PATH_START = _flight()  # s, of a hard disc: when its path begins in the step
+RESTED_ON = _flight()  # one more than the pair with the half-plane it has rested on in the step
+
+_path = Columns()  # of a hard disc
+PATH_BY = _path(3)  # m/s^2, m/s^2, rad/s^2, acceleration on its path
+RESTS_ON = _path()  # one more than the pair with the half-plane it rests on; 0 in flight
+SLIDES = _path()  # in which sense it slides there: 1, -1; 0 where it rolls
+REST_FORCE = _path()  # N, along the normal
+REST_START = _path()  # s, from when on that has to be added in this step
+REST_PUSH = _path()  # N s, what it has given in this step until then
 
 
 # moved: by the solver, or sleep; with contacts that change nothing; and pressed by overlaps
@@ -235,6 +244,7 @@ class Bodies(NamedTuple):
     substep_state: Annotated[FloatRows, Sized("slots", 16)]  # two cache lines; read by the solver
     start: Annotated[FloatRows, Sized("slots", 6)]  # pose and velocity as a part of the step began
     flight: Annotated[FloatRows, Sized("slots", 8)]  # a cache line; read by continuous collision
+    path: Annotated[FloatRows, Sized("slots", _path.width), Rewritten()]  # of hard discs
     # motion as the step ends if nothing is near
     ahead: Annotated[FloatRows, Sized("slots", _motion.width)]
     moved: Annotated[Bytes, Sized("slots")]  # by the solver, or sleep, in this step: see above
@@ -1189,6 +1199,10 @@ M_FRICTION = _met_point()
 M_RESTITUTION = _met_point()
 M_PLACE = _met_point(2)  # m, of hard discs: where they meet
 
+# rows of ahead, of some gaps: m, m/s, m/s^2, and after how many steps of a call they may close
+GAP_AHEAD, RATE_AHEAD, BY_AHEAD, DUE_AHEAD = range(4)
+MOST_OF_BODY = 64  # pairs of a body among so few that all are listed
+
 
 class Events(NamedTuple):
     """When bodies leave their bounds and pairs meet; read by continuous collision."""
@@ -1205,8 +1219,9 @@ class Events(NamedTuple):
     met_sides: Annotated[FloatRows, Sized(MOST_AT_ONCE, 2)]  # normals before pairs meet
     met_points: Annotated[FloatRows, Sized(2 * MOST_AT_ONCE, _met_point.width), Rewritten()]
     # of hard discs: after how many steps of a call a pair may meet; pairs that lately touched
-    due: Annotated[Floats, Sized("contacts"), Rewritten()]
+    due: Annotated[Ranks, Sized("contacts"), Rewritten()]
     touched: Annotated[Indices, Sized("contacts"), Rewritten()]
+    ahead: Annotated[FloatRows, Sized(4, MOST_OF_BODY), Rewritten()]  # gaps of one of them
 
 
 # -- ballistic motion

@@ -10,12 +10,11 @@ from tamias2d.engine.broad_phase.candidates import may_collide, note_candidate
 from tamias2d.engine.broad_phase.comoving_frame import stand_still
 from tamias2d.engine.broad_phase.fat_bounds import fatten_all_bounds
 from tamias2d.engine.hard_scene import are_hard_discs
-from tamias2d.engine.narrow_phase.material import BOUNCY
 from tamias2d.engine.tables import Bodies, BroadPhase, Integers, Shapes, Tree, World
 from tamias2d.state import Array
 
 FEW_SHAPES = 8  # of which all pairs are listed
-FEW_DISCS = 16  # the same of hard discs and half-planes, if discs bounce and so seldom rest
+FEW_DISCS = 16  # the same of hard discs and half-planes
 
 
 def few_shapes(bodies: Bodies, shapes: Shapes) -> bool:
@@ -23,9 +22,7 @@ def few_shapes(bodies: Bodies, shapes: Shapes) -> bool:
     present = 0
     for s in range(len(shapes.slot)):
         present += 1 if bodies.kind[shapes.slot[s]] != tb.ABSENT else 0
-    return present <= FEW_SHAPES or (
-        present <= FEW_DISCS and are_hard_discs(BOUNCY, bodies, shapes)
-    )
+    return present <= FEW_SHAPES or (present <= FEW_DISCS and are_hard_discs(bodies, shapes))
 
 
 def find_all_pairs(world: World) -> int:

@@ -1,19 +1,16 @@
-"""Paths of hard discs through a step, and when they meet on them.
+"""Paths of hard discs through a step, and the gaps between them.
 
-A disc under gravity alone is on a parabola (IM1), and the gap of a pair is one in time, whose first
-root is when they meet (DD46, DD80). Of each pair it is noted for how many steps it stays apart.
+A disc under gravity alone is on a parabola (IM1), and so is one that slides or rolls on a
+half-plane (DD85). The gap of a pair is one in time, too, if both accelerate alike (DD80).
 """
 
-from math import inf
+from math import sqrt
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.continuous.conservative_advancement import NEAR
-from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes
-from tamias2d.generated import rotation, translation
+from tamias2d.engine.tables import Bodies, Contacts, Control, Shapes
+from tamias2d.generated import impact, rotation, translation
 from tamias2d.generated.continuous_collision import (
-    advance_closing,
-    advance_opening,
-    discriminant,
+    centre_acceleration_least,
     reach_gap,
     reach_gap_acceleration,
     reach_gap_rate,
@@ -26,7 +23,6 @@ from tamias2d.generated.definitions import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Vector
 
-SPARE = 2.0**-6  # of a step, by which pairs are looked at before they may meet
 FARTHEST = 2.0**16  # radii from the origin; there rounding is next to nothing beside `NEAR`
 
 
@@ -36,97 +32,127 @@ FARTHEST = 2.0**16  # radii from the origin; there rounding is next to nothing b
 @inlined
 def steps_near(most: int, control: Control, bodies: Bodies) -> int:
     """Return for how many steps no body gets so far that rounding counts: `most`, 1, or none."""
-    near, next_near = True, True
+    if all_near(most, control, bodies):
+        return most
+    return 1 if all_near(1, control, bodies) else 0
+
+
+@inlined
+def all_near(steps: int, control: Control, bodies: Bodies) -> bool:
+    """Return whether all bodies are within their range of the origin in some steps to come."""
+    near = True
     for i in range(len(bodies.kind)):
         if bodies.kind[i] == tb.DYNAMIC:
-            near = near and stays_near(i, most, control, bodies)
-            next_near = next_near and stays_near(i, 1, control, bodies)
-    return most if near else 1 if next_near else 0
+            near = near and stays_near(i, steps, control, bodies)
+    return near
 
 
 @inlined
 def stays_near(i: int, steps: int, control: Control, bodies: Bodies) -> bool:
-    """Return whether a body is within its range of the origin in some steps to come."""
+    """Return whether a body is."""
     settings, motion = control.settings, bodies.motion[i]
     time = steps * settings[tb.TIME_STEP]
     pull = abs(settings[tb.GRAVITY_X]) + abs(settings[tb.GRAVITY_Y])
-    way = time * (abs(motion[tb.VX]) + abs(motion[tb.VY]) + time * pull)
-    far = abs(bodies.pose[i, tb.X]) + abs(bodies.pose[i, tb.Y]) + way
-    return bool(far <= FARTHEST * bodies.properties[i, tb.BOUNDING_RADIUS])
+    radius = bodies.properties[i, tb.BOUNDING_RADIUS]
+    speed = abs(motion[tb.VX]) + abs(motion[tb.VY]) + radius * abs(motion[tb.SPIN])
+    far = abs(bodies.pose[i, tb.X]) + abs(bodies.pose[i, tb.Y]) + time * (speed + time * pull)
+    return bool(far <= FARTHEST * radius)
 
 
 @inlined
-def begin_paths(bodies: Bodies) -> None:
-    """Let the paths of all bodies begin with the step."""
+def begin_paths(control: Control, bodies: Bodies) -> None:
+    """Let the paths of all bodies begin with the step, in flight."""
     for i in range(len(bodies.kind)):
-        bodies.flight[i, tb.REDIRECTED] = bodies.flight[i, tb.PATH_START] = 0.0
+        flight, path = bodies.flight[i], bodies.path[i]
+        flight[tb.REDIRECTED] = flight[tb.PATH_START] = flight[tb.RESTED_ON] = 0.0
+        for n in range(len(path)):
+            path[n] = 0.0
+        if bodies.kind[i] == tb.DYNAMIC:
+            path[tb.PATH_BY] = control.settings[tb.GRAVITY_X]
+            path[tb.PATH_BY + 1] = control.settings[tb.GRAVITY_Y]
 
 
 @inlined
-def fly_on(steps: int, control: Control, bodies: Bodies) -> None:
+def fly_on(steps: int, bodies: Bodies) -> None:
     """Let all bodies that met nothing go on for some steps."""
     for i in range(len(bodies.kind)):
         if bodies.flight[i, tb.REDIRECTED] != 0.0:
             bodies.flight[i, tb.REDIRECTED] = 0.0
+        elif bodies.kind[i] == tb.DYNAMIC and bodies.path[i, tb.RESTS_ON] == 0.0:
+            fly_alone(i, steps, bodies)
         elif bodies.kind[i] == tb.DYNAMIC:
-            fly_alone(i, steps, control, bodies)
+            fly_alone(i, steps - 1, bodies)
+            note_path(i, bodies)
+            fly_alone(i, 1, bodies)
 
 
 @inlined
-def fly_alone(i: int, steps: int, control: Control, bodies: Bodies) -> None:
+def note_path(i: int, bodies: Bodies) -> None:
+    """Note where a body is as a step begins, and how it moves."""
+    for n in range(3):
+        bodies.start[i, n], bodies.start[i, 3 + n] = bodies.pose[i, n], bodies.motion[i, n]
+
+
+@inlined
+def fly_alone(i: int, steps: int, bodies: Bodies) -> None:
     """Take a body through some steps, one after the other (IM1, IM6)."""
     pose, motion = bodies.pose[i], bodies.motion[i]
     propagator = bodies.propagators[int(bodies.properties[i, tb.PROPAGATOR])]
     gain, lift = propagator[tb.WHOLE_STEP + tb.GAIN], propagator[tb.WHOLE_STEP + tb.LIFT]
-    by_x, by_y = pull_on(i, control, bodies)
+    (by_x, by_y), turning = pull_on(i, bodies), bodies.path[i, tb.PATH_BY + 2]
     gain_x, gain_y = coordinate_velocity_gain(gain, by_x), coordinate_velocity_gain(gain, by_y)
+    gain_turn = coordinate_velocity_gain(gain, turning)
     x, y, angle = pose[tb.X], pose[tb.Y], pose[tb.ANGLE]
     u, v, spin = motion[tb.VX], motion[tb.VY], motion[tb.SPIN]
     for _ in range(steps):
         x += coordinate_displacement(gain, lift, u, by_x)
         y += coordinate_displacement(gain, lift, v, by_y)
-        angle += coordinate_displacement(gain, lift, spin, 0.0)
+        angle += coordinate_displacement(gain, lift, spin, turning)
         u = coordinate_velocity_later(1.0, u, gain_x)
         v = coordinate_velocity_later(1.0, v, gain_y)
+        spin = coordinate_velocity_later(1.0, spin, gain_turn)
     pose[tb.X], pose[tb.Y], pose[tb.ANGLE] = x, y, angle
-    motion[tb.VX], motion[tb.VY] = u, v
+    motion[tb.VX], motion[tb.VY], motion[tb.SPIN] = u, v, spin
 
 
 @inlined
-def advance_to(i: int, now: float, control: Control, bodies: Bodies) -> None:
+def advance_to(i: int, now: float, bodies: Bodies) -> None:
     """Let the path of a body begin where it is at a time in the step, s."""
     elapsed = now - bodies.flight[i, tb.PATH_START]
     if bodies.kind[i] != tb.DYNAMIC or elapsed == 0.0:
         return
     pose, motion = bodies.pose[i], bodies.motion[i]
-    going, by = (motion[tb.VX], motion[tb.VY]), pull_on(i, control, bodies)
+    going, by, turning = (
+        (motion[tb.VX], motion[tb.VY]),
+        pull_on(i, bodies),
+        bodies.path[i, tb.PATH_BY + 2],
+    )
     pose[tb.X], pose[tb.Y] = translation.position((pose[tb.X], pose[tb.Y]), going, by, elapsed)
     motion[tb.VX], motion[tb.VY] = translation.velocity(going, by, elapsed)
-    pose[tb.ANGLE] = rotation.orientation(pose[tb.ANGLE], motion[tb.SPIN], 0.0, elapsed)
+    pose[tb.ANGLE] = rotation.orientation(pose[tb.ANGLE], motion[tb.SPIN], turning, elapsed)
+    motion[tb.SPIN] = rotation.angular_velocity(motion[tb.SPIN], turning, elapsed)
     bodies.flight[i, tb.PATH_START] = now
 
 
 @inlined
-def pull_on(i: int, control: Control, bodies: Bodies) -> Vector:
-    """Return the acceleration of a body, m/s^2."""
-    if bodies.kind[i] != tb.DYNAMIC:
-        return 0.0, 0.0
-    return control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y]
+def pull_on(i: int, bodies: Bodies) -> Vector:
+    """Return the acceleration of a body on its path, m/s^2."""
+    return bodies.path[i, tb.PATH_BY], bodies.path[i, tb.PATH_BY + 1]
 
 
 @inlined
-def place_at(i: int, now: float, control: Control, bodies: Bodies) -> tuple[Vector, Vector]:
+def place_at(i: int, now: float, bodies: Bodies) -> tuple[Vector, Vector]:
     """Return where a body is at a time in the step, s, and how fast."""
     pose, motion = bodies.pose[i], bodies.motion[i]
     elapsed = now - bodies.flight[i, tb.PATH_START]
     if elapsed == 0.0:
         return (pose[tb.X], pose[tb.Y]), (motion[tb.VX], motion[tb.VY])
-    going, by = (motion[tb.VX], motion[tb.VY]), pull_on(i, control, bodies)
+    going, by = (motion[tb.VX], motion[tb.VY]), pull_on(i, bodies)
     at = translation.position((pose[tb.X], pose[tb.Y]), going, by, elapsed)
     return at, translation.velocity(going, by, elapsed)
 
 
-# -- when pairs meet
+# -- the gaps between paths
 
 
 @inlined
@@ -138,102 +164,35 @@ def disc_and_other(p: int, shapes: Shapes, contacts: Contacts) -> tuple[int, int
 
 @inlined
 def closing_of(
-    s: int,
-    t: int,
-    at: Vector,
-    going: Vector,
-    now: float,
-    wider: float,
-    control: Control,
-    bodies: Bodies,
+    s: int, t: int, at: Vector, going: Vector, now: float, wider: float, bodies: Bodies,
     shapes: Shapes,
-) -> tuple[float, float, float]:
+) -> tuple[float, float, float]:  # fmt: skip
     """Return the gap between a disc and a shape at a time, s, its rate and its second derivative.
 
-    The last is constant. Shapes are taken wider, by a share of the smaller one. The gap of two
-    discs is that of DD80.
+    Shapes are taken wider, by a share of the smaller one. The gap of two discs is that of DD80, or,
+    if they accelerate unlike, that along the line of centres, below which theirs does not fall.
     """
-    j, radius = shapes.slot[t], shapes.material[s, tb.SHAPE_RADIUS]
+    i, j, radius = shapes.slot[s], shapes.slot[t], shapes.material[s, tb.SHAPE_RADIUS]
     if shapes.kind[t] == tb.HALF_PLANE:
-        side, by = shapes.world_vertices[shapes.first[t]], pull_on(shapes.slot[s], control, bodies)
+        side, by = shapes.world_vertices[shapes.first[t]], pull_on(i, bodies)
         x, y = at[0] - bodies.pose[j, tb.X], at[1] - bodies.pose[j, tb.Y]
         gap = side[2] * x + side[3] * y - side[0] - (1.0 + wider) * radius
         return gap, side[2] * going[0] + side[3] * going[1], side[2] * by[0] + side[3] * by[1]
-    other, its = place_at(j, now, control, bodies)
+    other, its = place_at(j, now, bodies)
     span, rate = (other[0] - at[0], other[1] - at[1]), (its[0] - going[0], its[1] - going[1])
     far = shapes.material[t, tb.SHAPE_RADIUS]
     reach = radius + far + wider * min(radius, far)
-    return reach_gap(span, reach), reach_gap_rate(span, rate), reach_gap_acceleration(rate)
+    if alike(i, j, bodies):
+        return reach_gap(span, reach), reach_gap_rate(span, rate), reach_gap_acceleration(rate)
+    away = sqrt(span[0] * span[0] + span[1] * span[1])
+    line, still = (span[0] / away, span[1] / away), (0.0, 0.0)
+    opening = impact.normal_velocity(going, 0.0, still, its, 0.0, still, line)
+    least = centre_acceleration_least(pull_on(i, bodies), pull_on(j, bodies), line, 0.0)
+    return away - reach, opening, least
 
 
 @inlined
-def time_of_meeting(gap: float, rate: float, acceleration: float) -> float:
-    """Return after which time a gap closes that is a parabola in time, s; infinite for never."""
-    if gap <= 0.0 and rate <= 0.0:
-        return 0.0
-    inside = discriminant(gap, rate, acceleration)
-    if rate > 0.0:
-        if acceleration >= 0.0:
-            return inf
-        return advance_opening(rate, acceleration, max(inside, 0.0))
-    if inside < 0.0 or (rate == 0.0 and inside == 0.0):
-        return inf
-    return advance_closing(gap, rate, inside)
-
-
-@inlined
-def foretell(
-    p: int, taken: int, control: Control, bodies: Bodies, shapes: Shapes, contacts: Contacts,
-    events: Events,
-) -> None:  # fmt: skip
-    """Note after how many steps of this call a pair may meet, as a step begins."""
-    s, t = disc_and_other(p, shapes, contacts)
-    at, going = place_at(shapes.slot[s], 0.0, control, bodies)
-    gap, rate, acceleration = closing_of(s, t, at, going, 0.0, NEAR, control, bodies, shapes)
-    note_due(p, taken, 0.0, gap, rate, acceleration, control, events)
-
-
-@inlined
-def note_due(
-    p: int, taken: int, now: float, gap: float, rate: float, acceleration: float, control: Control,
-    events: Events,
-) -> None:  # fmt: skip
-    """Note after how many steps of this call a gap may close, as seen at a time in one, s."""
-    later = time_of_meeting(gap, rate, acceleration) if gap > 0.0 else 0.0
-    events.due[p] = taken + (now + later) / control.settings[tb.TIME_STEP] - SPARE
-
-
-@inlined
-def note_meeting(
-    p: int, now: float, control: Control, bodies: Bodies, shapes: Shapes, contacts: Contacts,
-    events: Events,
-) -> bool:  # fmt: skip
-    """Note when a pair meets in this step, s; return whether it does not overlap now."""
-    s, t = disc_and_other(p, shapes, contacts)
-    at, going = place_at(shapes.slot[s], now, control, bodies)
-    gap, rate, acceleration = closing_of(s, t, at, going, now, 0.0, control, bodies, shapes)
-    events.times[p] = now + time_of_meeting(gap, rate, acceleration)
-    if gap > 0.0:
-        return True
-    core, _, _ = closing_of(s, t, at, going, now, -NEAR, control, bodies, shapes)
-    return core > 0.0
-
-
-@inlined
-def soonest_of(listed: int, events: Events) -> float:
-    """Return after how many steps of this call the first pair may meet."""
-    soonest = inf
-    for p in range(listed):
-        soonest = min(soonest, events.due[p])
-    return soonest
-
-
-@inlined
-def list_due(until: int, listed: int, events: Events) -> int:
-    """List the pairs that may meet before some step; return how many do."""
-    near = 0
-    for p in range(listed):
-        if events.due[p] < until:
-            events.queue[tb.WAITING, near] = p
-            near += 1
-    return near
+def alike(i: int, j: int, bodies: Bodies) -> bool:
+    """Return whether two bodies accelerate alike."""
+    a, b = pull_on(i, bodies), pull_on(j, bodies)
+    return bool(a[0] == b[0] and a[1] == b[1])

@@ -22,7 +22,7 @@ from tamias2d.state import Array
 
 
 def may_be_quiet(world: World) -> bool:
-    """Return whether the next steps may be quiet: their list holds for good, and nothing else acts.
+    """Return whether the next steps may be quiet if nothing touches: their list holds for good.
 
     Chains tell shapes on which side they are, sleep counts steps, and varying loads are put right.
     """
@@ -35,7 +35,6 @@ def may_be_quiet(world: World) -> bool:
         may
         and list_holds_for_good(world.bodies, world.broad_phase)
         and not has_chains(world.shapes)
-        and nothing_touches(world)
     )
 
 
@@ -180,11 +179,12 @@ def is_known(p: int, contacts: Contacts) -> bool:
 
 @inlined
 def age(p: int, shapes: Shapes, contacts: Contacts) -> None:
-    """Let a contact have touched before, if it did; one with a half-plane forgets its point."""
+    """Let a contact have touched before, if it did; points, and names of half-planes, are lost."""
     age_flags(False, contacts.flags[p])
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     plane = shapes.kind[s] == tb.HALF_PLANE or shapes.kind[t] == tb.HALF_PLANE
-    if plane and contacts.flags[p, tb.FEATURE] > 0:
+    named = plane and contacts.flags[p, tb.FEATURE] > 0
+    if named or contacts.flags[p, tb.POINT_COUNT] > 0:
         match_impulses(contacts.manifolds[p], contacts.flags[p], 0, 0)
 
 
