@@ -9,7 +9,7 @@ from math import inf
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.conservative_advancement import NEAR
 from tamias2d.engine.motion.hard_paths import alike, closing_of, disc_and_other, place_at
-from tamias2d.engine.motion.hard_rest import end_of_sliding
+from tamias2d.engine.motion.hard_rest import DEEPEST, end_of_sliding
 from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes
 from tamias2d.generated.continuous_collision import (
     advance_closing,
@@ -35,11 +35,13 @@ def time_of_meeting(gap: float, rate: float, acceleration: float) -> float:
     inside = discriminant(gap, rate, acceleration)
     root = inside if inside > 0.0 else 0.0
     closing = advance_closing(gap, rate if rate < -LEAST else -LEAST, root)
-    closing = inf if (inside < 0.0) | ((rate == 0.0) & (inside == 0.0)) else closing
+    still = (rate == 0.0) & ((inside == 0.0) | (gap <= 0.0))
+    closing = inf if (inside < 0.0) | still else closing
     back = acceleration if acceleration < -LEAST else -LEAST
     opening = inf if acceleration >= 0.0 else advance_opening(rate, back, root)
     later = opening if rate > 0.0 else closing
-    return 0.0 if (gap <= 0.0) & (rate <= 0.0) else later
+    pressed = (rate < 0.0) | ((rate == 0.0) & (acceleration < 0.0))
+    return 0.0 if (gap <= 0.0) & pressed else later
 
 
 @inlined
@@ -90,7 +92,7 @@ def note_meeting(
     p: int, now: float, control: Control, bodies: Bodies, shapes: Shapes, contacts: Contacts,
     events: Events,
 ) -> bool:  # fmt: skip
-    """Note when a pair meets in this step, s; return whether it does not overlap now."""
+    """Note when a pair meets in this step, s; return whether it does not overlap deeply now."""
     s, t = disc_and_other(p, shapes, contacts)
     i, j = shapes.slot[s], shapes.slot[t]
     if bodies.path[i, tb.RESTS_ON] == p + 1:
@@ -103,7 +105,7 @@ def note_meeting(
         events.times[p] = approached(s, t, events.times[p], control, bodies, shapes)
     if gap > 0.0:
         return True
-    core, _, _ = closing_of(s, t, at, going, now, -NEAR, bodies, shapes)
+    core, _, _ = closing_of(s, t, at, going, now, -DEEPEST, bodies, shapes)
     return core > 0.0
 
 

@@ -24,7 +24,7 @@ from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Vector
 
 ON_TOP = 2.0**-24  # of the radius: a larger gap is one
-DEEPEST = 2.0**-8  # of the radius: ordinary contacts at rest yield by less
+DEEPEST = 2.0**-8  # of the radius: ordinary contacts yield by less, as a rule
 AT_REST = 2.0**-40  # of the speeds that a velocity is the sum of: what is less is none
 
 
