@@ -106,7 +106,8 @@ def test_discs_are_where_a_located_run_says(
     scene = box_of_discs(seed, discs=discs, restitution=0.95, friction=friction)
     steps = round(duration / STEP)
     run = t2.simulate(scene, duration=duration, times=np.arange(steps + 1) * STEP)
-    sim, taken = Simulator(scene, time_step=STEP, compiled=False), []
+    sim = Simulator(scene, time_step=STEP, compiled=False)
+    taken: list[int] = []
     with counted(taken):
         for k in range(1, steps + 1):
             sim.step()
@@ -301,7 +302,8 @@ def test_discs_that_lean_on_each_other_are_left_to_ordinary_steps() -> None:
 
 def test_blows_pass_through_discs_that_nearly_touch() -> None:
     """One after the other, as in a located run: what comes stays, and the last one leaves."""
-    sim, taken = Simulator(cradle(1e-6), time_step=STEP, compiled=False), []
+    sim = Simulator(cradle(1e-6), time_step=STEP, compiled=False)
+    taken: list[int] = []
     with counted(taken):
         for _ in range(20):
             sim.step()
@@ -334,7 +336,8 @@ def test_a_disc_slides_and_rolls_as_in_a_located_run(
     scene.add_body(t2.Disc(radius=0.15), mass=2.0, position=(0.0, 0.15), velocity=(velocity, 0.0),
                    angular_velocity=spin, **surface)  # fmt: skip
     run = t2.simulate(scene, duration=1.0, times=np.arange(61) * STEP)
-    sim, taken = Simulator(scene, time_step=STEP, compiled=False), []
+    sim = Simulator(scene, time_step=STEP, compiled=False)
+    taken: list[int] = []
     with counted(taken):
         for k in range(1, 61):
             start = sim.position[1].copy()
@@ -361,13 +364,18 @@ def test_a_disc_comes_to_rest_and_stays() -> None:
     assert np.array_equal(sim.position, before)
 
 
-def struck(restitution: float, friction: float, offset: float) -> t2.Scene:
-    """A disc at rest on which another one falls, from aside."""
+def struck(
+    restitution: float, friction: float, offset: float, *, rolling: float = 0.0,
+    falling: tuple[float, float] = (0.0, 0.0),
+) -> t2.Scene:  # fmt: skip
+    """A disc on a floor on which another one falls, from aside; with their velocities."""
     surface: Any = {"restitution": restitution, "friction": friction}
     scene = t2.Scene(gravity=(0.0, -9.81))
     scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
-    scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 0.5), **surface)
-    scene.add_body(t2.Disc(radius=0.3), mass=1.0, position=(offset, 2.0), **surface)
+    scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 0.5), velocity=(rolling, 0.0),
+                   **surface)  # fmt: skip
+    scene.add_body(t2.Disc(radius=0.3), mass=1.0, position=(offset, 2.0), velocity=falling,
+                   **surface)  # fmt: skip
     return scene
 
 
@@ -383,7 +391,8 @@ def test_a_disc_at_rest_that_is_struck_answers_as_in_a_located_run(
     """
     scene = struck(restitution, friction, offset)
     run = t2.simulate(scene, duration=0.45, times=np.arange(28) * STEP)
-    sim, taken = Simulator(scene, time_step=STEP, compiled=False), []
+    sim = Simulator(scene, time_step=STEP, compiled=False)
+    taken: list[int] = []
     with counted(taken):
         for k in range(1, 26):
             sim.step()
@@ -391,6 +400,32 @@ def test_a_disc_at_rest_that_is_struck_answers_as_in_a_located_run(
             assert np.abs(off).max() < 9.81 * STEP**2 / 32
             assert np.abs(fast).max() < 9.81 * STEP / 4
     assert sum(taken) == 25
+
+
+def test_a_disc_that_falls_on_a_rolling_one_meets_it_in_time() -> None:
+    """Their gap is no parabola: one is pulled down, and the other one is carried."""
+    scene = struck(0.9, 0.0, 0.4, rolling=0.3, falling=(-0.5, -3.0))
+    run = t2.simulate(scene, duration=0.4, times=np.arange(25) * STEP)
+    sim = Simulator(scene, time_step=STEP, compiled=False)
+    taken: list[int] = []
+    with counted(taken):
+        for k in range(1, 20):
+            sim.step()
+            np.testing.assert_allclose(sim.position, run.position[k], rtol=0.0, atol=1e-12)
+    assert run.impacts.time[0] < 19 * STEP
+    assert sum(taken) == 19
+
+
+def test_what_loses_nothing_bounces_for_ever() -> None:
+    surface: Any = {"restitution": 1.0, "friction": 0.0}
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
+    scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 0.50001), **surface)
+    sim = Simulator(scene, time_step=STEP)
+    for _ in range(100):
+        sim.step()
+        height = sim.velocity[1, 1] ** 2 / (2 * 9.81) + sim.position[1, 1] - 0.5
+        assert height == pytest.approx(1e-5, rel=1e-9)
 
 
 def test_discs_that_roll_at_each_other_meet_in_time() -> None:
@@ -402,7 +437,8 @@ def test_discs_that_roll_at_each_other_meet_in_time() -> None:
         scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(x, 0.5), velocity=(speed, 0.0),
                        angular_velocity=spin, **surface)  # fmt: skip
     run = t2.simulate(scene, duration=0.5, times=np.arange(31) * STEP)
-    sim, taken = Simulator(scene, time_step=STEP, compiled=False), []
+    sim = Simulator(scene, time_step=STEP, compiled=False)
+    taken: list[int] = []
     with counted(taken):
         for k in range(1, 17):
             sim.step()

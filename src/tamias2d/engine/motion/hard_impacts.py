@@ -130,7 +130,8 @@ def rebound_hard(p: int, met: int, now: float, world: World, contacts: Contacts)
     line = line_of(2 * met, False, events)
     row[tb.M_APPROACH] = speed_along(line, 0.0, bodies.motion, bodies.flight)
     parts = -restitution * row[tb.M_APPROACH]
-    lands = not parts > SLOWEST_REBOUND * pull * control.settings[tb.TIME_STEP]
+    slow = not parts > SLOWEST_REBOUND * pull * control.settings[tb.TIME_STEP]
+    lands = slow and not (restitution == 1.0 and parts > 0.0)  # what loses nothing bounces for ever
     if lands:
         if not may_land(i, t, row, control, bodies, shapes):
             return False
@@ -149,12 +150,9 @@ def rebound_hard(p: int, met: int, now: float, world: World, contacts: Contacts)
 
 
 def may_land(i: int, t: int, row: Array, control: Control, bodies: Bodies, shapes: Shapes) -> bool:
-    """Return whether a disc may stay where it meets a shape, for the first time in the step.
-
-    What loses nothing bounces for ever.
-    """
+    """Return whether a disc may stay where it meets a shape, for the first time in the step."""
     noise = noise_of(i, bodies.properties[i, tb.BOUNDING_RADIUS], control, bodies)
-    comes = row[tb.M_APPROACH] <= noise and row[tb.M_RESTITUTION] < 1.0
+    comes = row[tb.M_APPROACH] <= noise
     return bool(comes and shapes.kind[t] == tb.HALF_PLANE and bodies.path[i, tb.RESTS_ON] == 0.0)
 
 
