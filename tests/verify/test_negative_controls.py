@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from tamias2d.errors import SimulationError
 from tamias2d.event_driven import EventDriven
 from tamias2d.generated import (
     continuous_collision,
@@ -30,6 +31,7 @@ from tamias2d.generated import (
     translation,
 )
 from tamias2d.solve import located, sampling
+from tamias2d.solve.plan import Plan
 from tamias2d.verify import FAIL, suite
 from tamias2d.verify.case import Case
 from tamias2d.verify.items import items
@@ -155,6 +157,11 @@ def test_a_fault_is_found(
     for caller in (located, sampling):  # kernels are made from the text of what is wrong here
         monkeypatch.setattr(caller, "march_by_kernels", lambda *_: None)
     monkeypatch.setattr(EventDriven, "pays", lambda *_: False)  # it is compiled, too
+
+    def not_located(_: Plan, reason: str) -> Plan:
+        raise SimulationError(reason)
+
+    monkeypatch.setattr(Plan, "by_steps", not_located)  # steps are compiled, and may be as exact
     for id in ids:
         verdicts = {outcome.verdict for outcome in suite.judge(Case(items()[id]))}
         assert FAIL in verdicts, f"{id} passes with a wrong {name}"
