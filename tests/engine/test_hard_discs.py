@@ -12,13 +12,11 @@ from hypothesis import given, settings, strategies as st
 
 import tamias2d as t2
 from tamias2d.engine import step as engine_step, tables as tb
-from tamias2d.engine.motion.hard_discs import take_hard_steps
-from tamias2d.engine.tables import World
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array
 from tests.engine.conserved import totals
+from tests.engine.hard_steps import STEP, counted
 
-STEP = 1 / 60
 WALLS = ((0, 1, 0.0), (1, 0, 0.0), (-1, 0, -4.0), (0, -1, -4.0))
 
 
@@ -27,20 +25,6 @@ def ordinary() -> Iterator[None]:
     """Let plain steps be no hard ones within this."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(engine_step, "may_be_hard", lambda _: False)
-        yield
-
-
-@contextmanager
-def counted(taken: list[int]) -> Iterator[None]:
-    """Note how many hard steps each call of plain code takes within this."""
-
-    def noted(world: World) -> None:
-        before = int(world.control.counts[tb.STEPS_LEFT])
-        take_hard_steps(world)
-        taken.append(before - int(world.control.counts[tb.STEPS_LEFT]))
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(engine_step, "take_hard_steps", noted)
         yield
 
 
@@ -309,141 +293,6 @@ def test_blows_pass_through_discs_that_nearly_touch() -> None:
             sim.step()
     assert sim.velocity[:, 0].tolist() == pytest.approx([0.0, 0.0, 3.0], abs=1e-12)
     assert sum(taken) == 20
-
-
-# -- discs that rest
-
-
-@pytest.mark.parametrize(
-    ("slope", "friction", "velocity", "spin"),
-    [
-        (0.0, 0.0, 0.7, 3.0),  # slides for ever
-        (0.0, 0.5, 0.0, 0.0),  # stands
-        (0.0, 0.1, 2.0, 5.0),  # slides, and then rolls
-        (0.0, 0.2, 1.0, -40.0),  # is slowed, and comes back
-        (0.3, 0.1, 0.0, 0.0),  # is too steep to roll
-        (0.3, 0.5, 1.0, -3.0),  # rolls down
-        (-0.2, 0.3, 2.0, 9.0),  # rolls up, and down again
-    ],
-)
-def test_a_disc_slides_and_rolls_as_in_a_located_run(
-    slope: float, friction: float, velocity: float, spin: float
-) -> None:
-    pull = (9.81 * math.sin(slope), -9.81 * math.cos(slope))
-    surface: Any = {"restitution": 0.5, "friction": friction}
-    scene = t2.Scene(gravity=pull)
-    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
-    scene.add_body(t2.Disc(radius=0.15), mass=2.0, position=(0.0, 0.15), velocity=(velocity, 0.0),
-                   angular_velocity=spin, **surface)  # fmt: skip
-    run = t2.simulate(scene, duration=1.0, times=np.arange(61) * STEP)
-    sim = Simulator(scene, time_step=STEP, compiled=False)
-    taken: list[int] = []
-    with counted(taken):
-        for k in range(1, 61):
-            start = sim.position[1].copy()
-            sim.step()
-            found = np.array([*sim.position[1], *sim.velocity[1], sim.orientation[1]])
-            right = np.array([*run.position[k, 1], *run.velocity[k, 1], run.orientation[k, 1]])
-            np.testing.assert_allclose(found, right, rtol=0.0, atol=1e-12)
-            assert sim.contacts.impulse == pytest.approx([-2.0 * pull[1] * STEP], rel=1e-12)
-            assert sim.contacts.point[0] == pytest.approx((start[0], 0.0), abs=1e-12)
-            assert sim.contacts.separation.tolist() == [0.0]
-            assert len(sim.began) == (k == 1)
-    assert sum(taken) == 60
-
-
-def test_a_disc_comes_to_rest_and_stays() -> None:
-    """It bounces until gravity brings it back within half a step, and then does not move."""
-    scene = alone(position=(0.0, 1.0), velocity=(0.0, 0.0))
-    sim = Simulator(scene, time_step=STEP)
-    sim.step(1200)
-    assert sim.velocity[1].tolist() == [0.0, 0.0]
-    assert sim.position[1, 1] == pytest.approx(0.5, abs=1e-12)
-    before = sim.position.copy()
-    sim.step(10**6)
-    assert np.array_equal(sim.position, before)
-
-
-def struck(
-    restitution: float, friction: float, offset: float, *, rolling: float = 0.0,
-    falling: tuple[float, float] = (0.0, 0.0),
-) -> t2.Scene:  # fmt: skip
-    """A disc on a floor on which another one falls, from aside; with their velocities."""
-    surface: Any = {"restitution": restitution, "friction": friction}
-    scene = t2.Scene(gravity=(0.0, -9.81))
-    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
-    scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 0.5), velocity=(rolling, 0.0),
-                   **surface)  # fmt: skip
-    scene.add_body(t2.Disc(radius=0.3), mass=1.0, position=(offset, 2.0), velocity=falling,
-                   **surface)  # fmt: skip
-    return scene
-
-
-@pytest.mark.parametrize("friction", [0.0, 0.4])
-@pytest.mark.parametrize("restitution", [0.6, 0.9])
-@pytest.mark.parametrize("offset", [0.0, 0.1, 0.5])
-def test_a_disc_at_rest_that_is_struck_answers_as_in_a_located_run(
-    restitution: float, friction: float, offset: float
-) -> None:
-    """It meets the half-plane at the same instant, and perhaps the other disc again.
-
-    A rebound that gravity ends within half a step counts as none.
-    """
-    scene = struck(restitution, friction, offset)
-    run = t2.simulate(scene, duration=0.45, times=np.arange(28) * STEP)
-    sim = Simulator(scene, time_step=STEP, compiled=False)
-    taken: list[int] = []
-    with counted(taken):
-        for k in range(1, 26):
-            sim.step()
-            off, fast = sim.position - run.position[k], sim.velocity - run.velocity[k]
-            assert np.abs(off).max() < 9.81 * STEP**2 / 32
-            assert np.abs(fast).max() < 9.81 * STEP / 4
-    assert sum(taken) == 25
-
-
-def test_a_disc_that_falls_on_a_rolling_one_meets_it_in_time() -> None:
-    """Their gap is no parabola: one is pulled down, and the other one is carried."""
-    scene = struck(0.9, 0.0, 0.4, rolling=0.3, falling=(-0.5, -3.0))
-    run = t2.simulate(scene, duration=0.4, times=np.arange(25) * STEP)
-    sim = Simulator(scene, time_step=STEP, compiled=False)
-    taken: list[int] = []
-    with counted(taken):
-        for k in range(1, 20):
-            sim.step()
-            np.testing.assert_allclose(sim.position, run.position[k], rtol=0.0, atol=1e-12)
-    assert run.impacts.time[0] < 19 * STEP
-    assert sum(taken) == 19
-
-
-def test_what_loses_nothing_bounces_for_ever() -> None:
-    surface: Any = {"restitution": 1.0, "friction": 0.0}
-    scene = t2.Scene(gravity=(0.0, -9.81))
-    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
-    scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 0.50001), **surface)
-    sim = Simulator(scene, time_step=STEP)
-    for _ in range(100):
-        sim.step()
-        height = sim.velocity[1, 1] ** 2 / (2 * 9.81) + sim.position[1, 1] - 0.5
-        assert height == pytest.approx(1e-5, rel=1e-9)
-
-
-def test_discs_that_roll_at_each_other_meet_in_time() -> None:
-    """One slides, the other rolls: they do not accelerate alike."""
-    surface: Any = {"restitution": 0.8, "friction": 0.1}
-    scene = t2.Scene(gravity=(0.0, -9.81))
-    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
-    for x, speed, spin in ((0.0, 3.0, 0.0), (2.0, -1.0, 2.0)):
-        scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(x, 0.5), velocity=(speed, 0.0),
-                       angular_velocity=spin, **surface)  # fmt: skip
-    run = t2.simulate(scene, duration=0.5, times=np.arange(31) * STEP)
-    sim = Simulator(scene, time_step=STEP, compiled=False)
-    taken: list[int] = []
-    with counted(taken):
-        for k in range(1, 17):
-            sim.step()
-            np.testing.assert_allclose(sim.position, run.position[k], rtol=0.0, atol=1e-12)
-    assert sum(taken) == 16
 
 
 def alone(**body: Any) -> t2.Scene:

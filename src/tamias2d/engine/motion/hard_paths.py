@@ -49,7 +49,7 @@ def all_near(steps: int, control: Control, bodies: Bodies) -> bool:
 
 @inlined
 def stays_near(i: int, steps: int, control: Control, bodies: Bodies) -> bool:
-    """Return whether a body is."""
+    """Return whether a body is within its range of the origin in some steps to come."""
     settings, motion = control.settings, bodies.motion[i]
     time = steps * settings[tb.TIME_STEP]
     pull = abs(settings[tb.GRAVITY_X]) + abs(settings[tb.GRAVITY_Y])
