@@ -1203,6 +1203,9 @@ M_PLACE = _met_point(2)  # m, of hard discs: where they meet
 GAP_AHEAD, RATE_AHEAD, BY_AHEAD, DUE_AHEAD = range(4)
 MOST_OF_BODY = 64  # pairs of a body among so few that all are listed
 
+PARTNER, PARTNER_SIDE = range(2)  # columns of partners: a body, and its side or -1
+MOST_PARTNERS = 256  # of all bodies among so few
+
 
 class Events(NamedTuple):
     """When bodies leave their bounds and pairs meet; read by continuous collision."""
@@ -1222,6 +1225,9 @@ class Events(NamedTuple):
     due: Annotated[Ranks, Sized("contacts"), Rewritten()]
     touched: Annotated[Indices, Sized("contacts"), Rewritten()]
     ahead: Annotated[FloatRows, Sized(4, MOST_OF_BODY), Rewritten()]  # gaps of one of them
+    # whom the contacts of each body are with, and at which distance of centre and other, m
+    partners: Annotated[IndexRows, Sized(MOST_PARTNERS, 2), Rewritten()]
+    reaches: Annotated[Floats, Sized(MOST_PARTNERS), Rewritten()]
 
 
 # -- ballistic motion

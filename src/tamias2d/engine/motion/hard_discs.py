@@ -11,10 +11,9 @@ does is a pass over bodies; an impact looks at the pairs of both bodies.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.contact_list import current_contacts
-from tamias2d.engine.continuous.event_queue import list_contacts_by_body
 from tamias2d.engine.continuous.impact import record_impact
 from tamias2d.engine.hard_scene import are_hard_discs
-from tamias2d.engine.motion.hard_impacts import pass_impacts
+from tamias2d.engine.motion.hard_impacts import list_partners, pass_impacts
 from tamias2d.engine.motion.hard_meetings import foretell, list_due, soonest_of
 from tamias2d.engine.motion.hard_paths import begin_paths, disc_and_other, fly_on, steps_near
 from tamias2d.engine.motion.hard_rest import begin_rest, footing, push_of_rest
@@ -47,14 +46,13 @@ def take_hard_steps(world: World) -> None:
     control, bodies, shapes, events = world.control, world.bodies, world.shapes, world.events
     contacts = current_contacts(world.broad_phase, world.buffers)
     listed, steps = world.broad_phase.counts[tb.CONTACTS], control.counts[tb.STEPS_LEFT]
-    list_contacts_by_body(world.broad_phase, contacts, events, len(bodies.kind))
     begin_paths(control, bodies)
     for p in range(listed):
         begin_rest(p, control, bodies, shapes, contacts)
     for p in range(listed):
         foretell(p, 0, control, bodies, shapes, contacts, events)
     soonest = soonest_of(listed, events)
-    taken, known = 0, list_known(listed, contacts, events)
+    taken, known, partnered = 0, list_known(listed, contacts, events), False
     while taken < steps:
         met = near = 0
         ahead = steps_near(max(min(soonest, steps) - taken, 1), control, bodies)
@@ -63,6 +61,9 @@ def take_hard_steps(world: World) -> None:
         looks = soonest <= taken
         if looks:
             near = list_near(taken, listed, world, contacts)
+            if near > 0 and not partnered:
+                list_partners(len(bodies.kind), world, contacts)
+                partnered = True
             met = pass_impacts(near, taken, world, contacts)
             if met < 0:
                 break

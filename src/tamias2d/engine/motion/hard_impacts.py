@@ -9,16 +9,20 @@ from math import inf, sqrt
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.conservative_advancement import NEAR
+from tamias2d.engine.continuous.event_queue import list_contacts_by_body
 from tamias2d.engine.continuous.impact_points import line_of, rebound_at_point
 from tamias2d.engine.continuous.impulse import speed_along
 from tamias2d.engine.motion.hard_meetings import find_due, note_meeting
 from tamias2d.engine.motion.hard_paths import (
     advance_to,
     closing_of,
+    closing_of_discs,
+    closing_on_plane,
     disc_and_other,
     note_path,
     place_at,
     pull_on,
+    reach_of,
 )
 from tamias2d.engine.motion.hard_rest import (
     land,
@@ -188,6 +192,19 @@ def find_touch(s: int, t: int, row: Array, bodies: Bodies, shapes: Shapes) -> fl
     return max(0.0, -opening)
 
 
+def list_partners(body_count: int, world: World, contacts: Contacts) -> None:
+    """List the pairs of each body, whom they are with, and where they are near."""
+    shapes, events = world.shapes, world.events
+    list_contacts_by_body(world.broad_phase, contacts, events, body_count)
+    for i in range(body_count):
+        for k in range(events.queue[tb.FIRST_OF_BODY, i], events.queue[tb.FIRST_OF_BODY, i + 1]):
+            s, t = own_and_other(events.queue[tb.CONTACT_OF_BODY, k], i, contacts)
+            plane = shapes.kind[t] == tb.HALF_PLANE
+            events.partners[k, tb.PARTNER] = shapes.slot[t]
+            events.partners[k, tb.PARTNER_SIDE] = shapes.first[t] if plane else -1
+            events.reaches[k] = reach_of(s, t, NEAR, shapes)
+
+
 def look_on(
     p: int, now: float, near: int, met: int, taken: int, world: World, contacts: Contacts
 ) -> int:
@@ -203,7 +220,7 @@ def look_on(
         if bodies.kind[i] != tb.DYNAMIC:
             continue
         first, last = events.queue[tb.FIRST_OF_BODY, i], events.queue[tb.FIRST_OF_BODY, i + 1]
-        find_gaps(i, first, last, now, bodies, shapes, contacts, events)
+        find_gaps(i, first, last, now, bodies, shapes, events)
         find_due(last - first, now, taken, control.settings[tb.TIME_STEP], events.ahead)
         for k in range(first, last):
             q = events.queue[tb.CONTACT_OF_BODY, k]
@@ -219,15 +236,18 @@ def look_on(
 
 @inlined
 def find_gaps(
-    i: int, first: int, last: int, now: float, bodies: Bodies, shapes: Shapes, contacts: Contacts,
-    events: Events,
-) -> None:  # fmt: skip
+    i: int, first: int, last: int, now: float, bodies: Bodies, shapes: Shapes, events: Events
+) -> None:
     """Write the gaps between a disc whose path begins at a time in the step, s, and all others."""
     pose, motion = bodies.pose[i], bodies.motion[i]
     at, going = (pose[tb.X], pose[tb.Y]), (motion[tb.VX], motion[tb.VY])
     for k in range(first, last):
-        s, t = own_and_other(events.queue[tb.CONTACT_OF_BODY, k], i, contacts)
-        gap, rate, by = closing_of(s, t, at, going, now, NEAR, bodies, shapes)
+        j, side = events.partners[k, tb.PARTNER], events.partners[k, tb.PARTNER_SIDE]
+        if side >= 0:
+            plane, reach = shapes.world_vertices[side], events.reaches[k]
+            gap, rate, by = closing_on_plane(i, j, plane, reach, at, going, bodies)
+        else:
+            gap, rate, by = closing_of_discs(i, j, events.reaches[k], at, going, now, bodies)
         ahead, n = events.ahead, k - first
         ahead[tb.GAP_AHEAD, n], ahead[tb.RATE_AHEAD, n], ahead[tb.BY_AHEAD, n] = gap, rate, by
 

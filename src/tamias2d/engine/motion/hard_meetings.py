@@ -45,19 +45,20 @@ def time_of_meeting(gap: float, rate: float, acceleration: float) -> float:
 
 
 @inlined
-def steps_free(gap: float, later: float, now: float, taken: int, step: float) -> float:
+def steps_free(gap: float, later: float, now: float, taken: int, per_second: float) -> float:
     """Return after how many steps of this call a gap may close, s after a time in one, s."""
-    free = taken + (now + later) / step - SPARE
+    free = taken + (now + later) * per_second - SPARE
     free = free if free < MOST_FREE else MOST_FREE
     return free if gap > 0.0 else taken
 
 
 def find_due(count: int, now: float, taken: int, step: float, ahead: Array) -> None:
     """Write after how many steps of this call some gaps may close, as seen at a time in one, s."""
+    per_second = 1.0 / step
     for k in range(count):
         gap = ahead[tb.GAP_AHEAD, k]
         later = time_of_meeting(gap, ahead[tb.RATE_AHEAD, k], ahead[tb.BY_AHEAD, k])
-        ahead[tb.DUE_AHEAD, k] = steps_free(gap, later, now, taken, step)
+        ahead[tb.DUE_AHEAD, k] = steps_free(gap, later, now, taken, per_second)
 
 
 @inlined
@@ -72,8 +73,9 @@ def foretell(
         return
     at, going = place_at(shapes.slot[s], 0.0, bodies)
     gap, rate, acceleration = closing_of(s, t, at, going, 0.0, NEAR, bodies, shapes)
-    later, step = time_of_meeting(gap, rate, acceleration), control.settings[tb.TIME_STEP]
-    events.due[p] = int(steps_free(gap, later, 0.0, taken, step))
+    later = time_of_meeting(gap, rate, acceleration)
+    per_second = 1.0 / control.settings[tb.TIME_STEP]
+    events.due[p] = int(steps_free(gap, later, 0.0, taken, per_second))
 
 
 @inlined
@@ -83,8 +85,8 @@ def note_sliding(
 ) -> None:  # fmt: skip
     """Note until when a disc slides on the half-plane on which it rests."""
     events.times[p] = end_of_sliding(p, bodies, shapes, contacts)
-    step = control.settings[tb.TIME_STEP]
-    events.due[p] = int(steps_free(1.0, events.times[p], 0.0, taken, step))
+    per_second = 1.0 / control.settings[tb.TIME_STEP]
+    events.due[p] = int(steps_free(1.0, events.times[p], 0.0, taken, per_second))
 
 
 @inlined

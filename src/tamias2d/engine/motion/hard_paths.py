@@ -21,7 +21,7 @@ from tamias2d.generated.definitions import (
     coordinate_velocity_later,
 )
 from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Vector
+from tamias2d.state import Array, Vector
 
 FARTHEST = 2.0**16  # radii from the origin; there rounding is next to nothing beside `NEAR`
 
@@ -172,16 +172,40 @@ def closing_of(
     Shapes are taken wider, by a share of the smaller one. The gap of two discs is that of DD80, or,
     if they accelerate unlike, that along the line of centres, below which theirs does not fall.
     """
-    i, j, radius = shapes.slot[s], shapes.slot[t], shapes.material[s, tb.SHAPE_RADIUS]
+    i, j, reach = shapes.slot[s], shapes.slot[t], reach_of(s, t, wider, shapes)
     if shapes.kind[t] == tb.HALF_PLANE:
-        side, by = shapes.world_vertices[shapes.first[t]], pull_on(i, bodies)
-        x, y = at[0] - bodies.pose[j, tb.X], at[1] - bodies.pose[j, tb.Y]
-        gap = side[2] * x + side[3] * y - side[0] - (1.0 + wider) * radius
-        return gap, side[2] * going[0] + side[3] * going[1], side[2] * by[0] + side[3] * by[1]
+        side = shapes.world_vertices[shapes.first[t]]
+        return closing_on_plane(i, j, side, reach, at, going, bodies)
+    return closing_of_discs(i, j, reach, at, going, now, bodies)
+
+
+@inlined
+def reach_of(s: int, t: int, wider: float, shapes: Shapes) -> float:
+    """Return how far from a shape the centre of a disc is as they touch, m; see `closing_of`."""
+    radius, far = shapes.material[s, tb.SHAPE_RADIUS], shapes.material[t, tb.SHAPE_RADIUS]
+    if shapes.kind[t] == tb.HALF_PLANE:
+        return (1.0 + wider) * radius
+    return radius + far + wider * min(radius, far)
+
+
+@inlined
+def closing_on_plane(
+    i: int, j: int, side: Array, reach: float, at: Vector, going: Vector, bodies: Bodies
+) -> tuple[float, float, float]:
+    """Return what `closing_of` does of a disc and a side of a half-plane."""
+    by = pull_on(i, bodies)
+    x, y = at[0] - bodies.pose[j, tb.X], at[1] - bodies.pose[j, tb.Y]
+    gap = side[2] * x + side[3] * y - side[0] - reach
+    return gap, side[2] * going[0] + side[3] * going[1], side[2] * by[0] + side[3] * by[1]
+
+
+@inlined
+def closing_of_discs(
+    i: int, j: int, reach: float, at: Vector, going: Vector, now: float, bodies: Bodies
+) -> tuple[float, float, float]:
+    """Return what `closing_of` does of two discs."""
     other, its = place_at(j, now, bodies)
     span, rate = (other[0] - at[0], other[1] - at[1]), (its[0] - going[0], its[1] - going[1])
-    far = shapes.material[t, tb.SHAPE_RADIUS]
-    reach = radius + far + wider * min(radius, far)
     if alike(i, j, bodies):
         return reach_gap(span, reach), reach_gap_rate(span, rate), reach_gap_acceleration(rate)
     away = sqrt(span[0] * span[0] + span[1] * span[1])
