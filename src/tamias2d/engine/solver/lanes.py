@@ -26,6 +26,7 @@ from tamias2d.kernels.assembled import inlined
 from tamias2d.kernels.lanes import LANES, both_above, load_half, load_rows, store_half
 from tamias2d.state import Array, Vector
 
+FEW_LANES = 2  # lanes that hold a contact, for which those of a block cost more than one by one
 OPEN = -1e-300  # m: a larger gap is one that closes, or has just closed
 SETTLED_RESTITUTION = 2.0**-40  # of its impulses: a change that does not count
 
@@ -189,12 +190,91 @@ def after_relaxing(
     return pushed_apart(m, at, after - before, now, row)
 
 
+@inlined
+def warm_started(m: int, at: int, now: Velocities, row: Array) -> Velocities:
+    """Return velocities after the impulses of the last substep at a point."""
+    apart = pushed_apart(m, at, row[at + tb.P_NORMAL_IMPULSE + m], now, row)
+    return pushed_along(m, at, row[at + tb.P_TANGENT_IMPULSE + m], apart, row)
+
+
+@inlined
+def soften(
+    m: int, points: int, now: Velocities, row: Array, scratch: Array, substep: float
+) -> Velocities:
+    """Correct the impulses of a contact with one or two points; return velocities after it."""
+    then = after_friction(m, tb.FIRST_POINT, now, row)
+    if points == 2:
+        then = after_friction(m, tb.SECOND_POINT, then, row)
+    then = after_soft(m, tb.FIRST_POINT, then, row, scratch, substep)
+    if points == 2:
+        then = after_soft(m, tb.SECOND_POINT, then, row, scratch, substep)
+    return then
+
+
+@inlined
+def relaxed(
+    m: int, points: int, now: Velocities, row: Array, substep: float, share: float
+) -> Velocities:
+    """Relax a contact with one or two points; return velocities after it."""
+    then = after_friction(m, tb.FIRST_POINT, now, row)
+    if points == 2:
+        then = after_friction(m, tb.SECOND_POINT, then, row)
+    then = after_relaxing(m, tb.FIRST_POINT, then, row, substep, share)
+    if points == 2:
+        then = after_relaxing(m, tb.SECOND_POINT, then, row, substep, share)
+    return then
+
+
+@inlined
+def after_restitution(
+    m: int, at: int, bounce: int, now: Velocities, row: Array, scratch: Array, slowest: float
+) -> Velocities:
+    """Let a point rebound that met faster than `slowest`, m/s, and has an impulse.
+
+    The impulses that it is given are added up in the column `bounce`.
+    """
+    before = row[at + tb.P_NORMAL_IMPULSE + m]
+    meets = (
+        (row[at + tb.P_APPROACH + m] < -slowest)
+        & (row[at + tb.P_TOTAL_IMPULSE + m] > 0.0)
+        & (row[tb.R_RESTITUTION + m] > 0.0)
+    )
+    bounced = restitution_impulse(
+        before,
+        normal_speed(m, at, now, row),
+        row[at + tb.P_APPROACH + m],
+        row[tb.R_RESTITUTION + m],
+        row[at + tb.P_NORMAL_MASS + m],
+    )
+    after = bounced if meets else before
+    row[at + tb.P_NORMAL_IMPULSE + m] = after
+    row[bounce + m] += after - before
+    least = SETTLED_RESTITUTION * abs(row[bounce + m])
+    scratch[tb.B_UNSETTLED + m] = abs(after - before) - least
+    row[at + tb.P_TOTAL_IMPULSE + m] = row[at + tb.P_TOTAL_IMPULSE + m] + (after - before)
+    return pushed_apart(m, at, after - before, now, row)
+
+
+@inlined
+def after_closed_friction(
+    m: int, at: int, closed: int, least: float, now: Velocities, row: Array
+) -> Velocities:
+    """Correct the tangent impulse of a point that has met or bounced in this substep."""
+    before, limited = row[at + tb.P_TANGENT_IMPULSE + m], friction_impulse(m, at, now, row)
+    met = (row[closed + m] > least) & (row[at + tb.P_NORMAL_IMPULSE + m] > 0.0)
+    after = limited if met else before
+    row[at + tb.P_TANGENT_IMPULSE + m] = after
+    return pushed_along(m, at, after - before, now, row)
+
+
+# -- all lanes of a block
+
+
 def warm_start_lanes(at: int, row: Array, scratch: Array) -> None:
     """Apply the impulses of the last substep again."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = pushed_apart(m, at, row[at + tb.P_NORMAL_IMPULSE + m], now, row)
-        now = pushed_along(m, at, row[at + tb.P_TANGENT_IMPULSE + m], now, row)
+        now = warm_started(m, at, now, row)
         set_velocities(m, now, scratch)
 
 
@@ -202,8 +282,7 @@ def soft_lanes(row: Array, scratch: Array, substep: float) -> None:
     """Correct the impulses of contacts with one point; the substep in s."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = after_friction(m, tb.FIRST_POINT, now, row)
-        now = after_soft(m, tb.FIRST_POINT, now, row, scratch, substep)
+        now = soften(m, 1, now, row, scratch, substep)
         set_velocities(m, now, scratch)
 
 
@@ -211,10 +290,7 @@ def soft_lanes_of_two(row: Array, scratch: Array, substep: float) -> None:
     """Correct the impulses of contacts with two points; the substep in s."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = after_friction(m, tb.FIRST_POINT, now, row)
-        now = after_friction(m, tb.SECOND_POINT, now, row)
-        now = after_soft(m, tb.FIRST_POINT, now, row, scratch, substep)
-        now = after_soft(m, tb.SECOND_POINT, now, row, scratch, substep)
+        now = soften(m, 2, now, row, scratch, substep)
         set_velocities(m, now, scratch)
 
 
@@ -222,8 +298,7 @@ def relax_lanes(row: Array, scratch: Array, substep: float, share: float) -> Non
     """Relax contacts with one point; the substep in s."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = after_friction(m, tb.FIRST_POINT, now, row)
-        now = after_relaxing(m, tb.FIRST_POINT, now, row, substep, share)
+        now = relaxed(m, 1, now, row, substep, share)
         set_velocities(m, now, scratch)
 
 
@@ -231,57 +306,23 @@ def relax_lanes_of_two(row: Array, scratch: Array, substep: float, share: float)
     """Relax contacts with two points; the substep in s."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = after_friction(m, tb.FIRST_POINT, now, row)
-        now = after_friction(m, tb.SECOND_POINT, now, row)
-        now = after_relaxing(m, tb.FIRST_POINT, now, row, substep, share)
-        now = after_relaxing(m, tb.SECOND_POINT, now, row, substep, share)
+        now = relaxed(m, 2, now, row, substep, share)
         set_velocities(m, now, scratch)
 
 
 def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest: float) -> None:
-    """Apply restitution to points that met faster than `slowest`, m/s, and have an impulse.
-
-    The impulses that it gives are added up in the column `bounce`.
-    """
+    """Apply restitution to the points of contacts."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        before = row[at + tb.P_NORMAL_IMPULSE + m]
-        meets = (
-            (row[at + tb.P_APPROACH + m] < -slowest)
-            & (row[at + tb.P_TOTAL_IMPULSE + m] > 0.0)
-            & (row[tb.R_RESTITUTION + m] > 0.0)
-        )
-        bounced = restitution_impulse(
-            before,
-            normal_speed(m, at, now, row),
-            row[at + tb.P_APPROACH + m],
-            row[tb.R_RESTITUTION + m],
-            row[at + tb.P_NORMAL_MASS + m],
-        )
-        after = bounced if meets else before
-        row[at + tb.P_NORMAL_IMPULSE + m] = after
-        row[bounce + m] += after - before
-        least = SETTLED_RESTITUTION * abs(row[bounce + m])
-        scratch[tb.B_UNSETTLED + m] = abs(after - before) - least
-        row[at + tb.P_TOTAL_IMPULSE + m] = row[at + tb.P_TOTAL_IMPULSE + m] + (after - before)
-        now = pushed_apart(m, at, after - before, now, row)
+        now = after_restitution(m, at, bounce, now, row, scratch, slowest)
         set_velocities(m, now, scratch)
-
-
-def some_closed(at: int, closed: int, least: float, row: Array) -> bool:
-    """Return whether a lane with a normal impulse has a gap, or a bounce, above the least."""
-    return both_above(row, closed, least, at + tb.P_NORMAL_IMPULSE, 0.0)
 
 
 def closed_friction_lanes(at: int, closed: int, least: float, row: Array, scratch: Array) -> None:
     """Correct the tangent impulses of points that have met or bounced in this substep."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        before, limited = row[at + tb.P_TANGENT_IMPULSE + m], friction_impulse(m, at, now, row)
-        met = (row[closed + m] > least) & (row[at + tb.P_NORMAL_IMPULSE + m] > 0.0)
-        after = limited if met else before
-        row[at + tb.P_TANGENT_IMPULSE + m] = after
-        now = pushed_along(m, at, after - before, now, row)
+        now = after_closed_friction(m, at, closed, least, now, row)
         set_velocities(m, now, scratch)
 
 
@@ -298,11 +339,81 @@ def apply_closed_friction(
             closed_friction_lanes(tb.SECOND_POINT, second, least, row, scratch)
 
 
+def some_closed(at: int, closed: int, least: float, row: Array) -> bool:
+    """Return whether a lane with a normal impulse has a gap, or a bounce, above the least."""
+    return both_above(row, closed, least, at + tb.P_NORMAL_IMPULSE, 0.0)
+
+
+def some_above(row: Array, column: int) -> bool:
+    """Return whether a lane has a positive number in a column."""
+    return both_above(row, column, 0.0, column, 0.0)
+
+
+# -- the few lanes of a block that hold contacts, one by one
+
+
+@inlined
+def load_pair(m: int, lane: Integers, motion: Array, scratch: Array) -> Velocities:
+    """Load how far both bodies of a lane have gone in the step; return their velocities."""
+    a, b = motion[lane[tb.BODY_A + m]], motion[lane[tb.BODY_B + m]]
+    scratch[tb.B_DX_A + m], scratch[tb.B_DY_A + m] = a[tb.DX], a[tb.DY]
+    scratch[tb.B_DX_B + m], scratch[tb.B_DY_B + m] = b[tb.DX], b[tb.DY]
+    scratch[tb.B_ANGLE_A + m], scratch[tb.B_ANGLE_B + m] = a[tb.DANGLE], b[tb.DANGLE]
+    return Velocities((a[tb.VX], a[tb.VY]), a[tb.SPIN], (b[tb.VX], b[tb.VY]), b[tb.SPIN])
+
+
+@inlined
+def store_pair(m: int, now: Velocities, lane: Integers, motion: Array) -> None:
+    """Store the velocities of both bodies of a lane."""
+    a, b = motion[lane[tb.BODY_A + m]], motion[lane[tb.BODY_B + m]]
+    a[tb.VX], a[tb.VY] = now.a
+    b[tb.VX], b[tb.VY] = now.b
+    a[tb.SPIN], b[tb.SPIN] = now.spin_a, now.spin_b
+
+
+def warm_start_few(lane: Integers, motion: Array, row: Array, scratch: Array) -> None:
+    """Apply the impulses of the last substep to the few contacts of a block again."""
+    for m in range(lane[tb.FILLED]):
+        now = load_pair(m, lane, motion, scratch)
+        now = warm_started(m, tb.FIRST_POINT, now, row)
+        if lane[tb.POINTS] == 2:
+            now = warm_started(m, tb.SECOND_POINT, now, row)
+        store_pair(m, now, lane, motion)
+
+
+def soften_few(lane: Integers, motion: Array, row: Array, scratch: Array, substep: float) -> None:
+    """Correct the impulses of the few contacts of a block; the substep in s."""
+    for m in range(lane[tb.FILLED]):
+        now = load_pair(m, lane, motion, scratch)
+        now = soften(m, lane[tb.POINTS], now, row, scratch, substep)
+        store_pair(m, now, lane, motion)
+
+
+def relax_few(
+    lane: Integers, motion: Array, row: Array, scratch: Array, substep: float, share: float
+) -> None:
+    """Relax the few contacts of a block, and apply friction to what has met."""
+    first, second = tb.FIRST_POINT + tb.P_GAP_NOW, tb.SECOND_POINT + tb.P_GAP_NOW
+    for m in range(lane[tb.FILLED]):
+        now = load_pair(m, lane, motion, scratch)
+        now = relaxed(m, lane[tb.POINTS], now, row, substep, share)
+        now = after_closed_friction(m, tb.FIRST_POINT, first, OPEN, now, row)
+        if lane[tb.POINTS] == 2:
+            now = after_closed_friction(m, tb.SECOND_POINT, second, OPEN, now, row)
+        store_pair(m, now, lane, motion)
+
+
+# -- all blocks
+
+
 def warm_start(first: int, last: int, bodies: Bodies, constraints: Constraints) -> None:
     """Apply the impulses of the last substep to the bodies of some blocks."""
     motion, scratch = bodies.motion, constraints.scratch
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
+        if lane[tb.FILLED] <= FEW_LANES:
+            warm_start_few(lane, motion, row, scratch)
+            continue
         load_velocities(lane, motion, scratch)
         warm_start_lanes(tb.FIRST_POINT, row, scratch)
         if lane[tb.POINTS] == 2:
@@ -317,6 +428,9 @@ def solve_soft(
     motion, scratch = bodies.motion, constraints.scratch
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
+        if lane[tb.FILLED] <= FEW_LANES:
+            soften_few(lane, motion, row, scratch, substep)
+            continue
         load_motions(lane, motion, scratch)
         if lane[tb.POINTS] == 2:
             soft_lanes_of_two(row, scratch, substep)
@@ -341,6 +455,9 @@ def relax(
     motion, scratch, share = bodies.motion, constraints.scratch, 1.0 if counted else 0.0
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
+        if lane[tb.FILLED] <= FEW_LANES:
+            relax_few(lane, motion, row, scratch, substep, share)
+            continue
         load_velocities(lane, motion, scratch)
         if lane[tb.POINTS] == 2:
             relax_lanes_of_two(row, scratch, substep, share)
@@ -384,8 +501,3 @@ def apply_restitution(
         apply_closed_friction(lane, tb.FIRST_RESTITUTION, tb.SECOND_RESTITUTION, 0.0, row, scratch)
         store_velocities(lane, motion, scratch)
     return settled
-
-
-def some_above(row: Array, column: int) -> bool:
-    """Return whether a lane has a positive number in a column."""
-    return both_above(row, column, 0.0, column, 0.0)
