@@ -138,6 +138,7 @@ def begin(bodies: Array, laws: Array, world: World) -> None:
     world.sliding[:] = inf
     world.numbers[tb.NOW] = 0.0
     world.counts[tb.EVENTS] = world.counts[tb.IMPACTS] = 0
+    world.counts[tb.RULED] = world.counts[tb.STAYED] = 0
     world.counts[tb.AT_START] = 1
     world.counts[tb.CHANGED] = len(world.kinds)
     for k in range(len(world.kinds)):

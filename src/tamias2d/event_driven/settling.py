@@ -12,6 +12,7 @@ from tamias2d.contact.rolling_disc import (
     settled,
     sliding_end,
 )
+from tamias2d.contact.ruled_instants import MOST_RULED
 from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.approach import EPSILON, axis_of_plane, resolution, size_of, state_at
 from tamias2d.event_driven.departure import MOST_REPEATS, depart, pull_of
@@ -29,9 +30,10 @@ def stay(
 ) -> bool:
     """Let a disc stay on the half-plane that it met in such states; return whether it is so."""
     if world.kinds[i] == tb.PLANE:
-        return settle(j, i, b, arm_b, normal, 64 * EPSILON, world)
+        return settle(j, i, speed_of_disc(b, arm_b) * (64 * EPSILON), arm_b, normal, world)
     if world.kinds[j] == tb.PLANE:
-        return settle(i, j, a, arm_a, (-normal[0], -normal[1]), 64 * EPSILON, world)
+        noise, upwards = speed_of_disc(a, arm_a) * (64 * EPSILON), (-normal[0], -normal[1])
+        return settle(i, j, noise, arm_a, upwards, world)
     return False
 
 
@@ -47,26 +49,23 @@ def end_sliding(k: int, time: float, world: World) -> bool:
     if unclear or parts or touches_third(k, k, time, world):
         return False
     depart(k, time, a, world)
-    return settle(k, plane, a, arm, normal, 64 * EPSILON, world)
+    return settle(k, plane, speed * (64 * EPSILON), arm, normal, world)
 
 
-@inlined
-def stay_on(k: int, before: Moving, time: float, world: World) -> bool:
+def stay_on(k: int, before: Moving, time: float, noise: float, speed: float, world: World) -> bool:
     """Let a disc that has just been struck stay where it rests, if it does, or leave it.
 
-    Return whether that is all that happens. `before` is its state before it was struck.
+    Return whether that is all that happens. `before` is its state before it was struck; a normal
+    velocity up to the noise, m/s, counts as none, and the speed is that by which slips are judged.
     """
     plane = world.notes[k, tb.HELD_BY] - 1
     if plane < 0:
         return True
     path, body = world.paths[k], world.bodies[k]
     arm, normal, tolerance = footing(k, plane, before, time, world)
-    speed, pull = speed_of_disc(before, arm), hypot(body[tb.AX], body[tb.AY])
-    noise = speed if speed <= 64 * EPSILON * time * pull else LASTING_NOISE * speed
     motion = (path[tb.VX], path[tb.VY], path[tb.SPIN])
     rate = rate_of(motion, arm, normal)
-    pressed = abs(rate_of((before[3], before[4], before[5]), arm, normal)) > noise
-    if tolerance < 0.0 or pressed or rate < -noise:
+    if tolerance < 0.0 or rate < -noise:
         return False
     loads = (body[tb.AX], body[tb.AY], body[tb.TURNING])
     world.notes[k, tb.HELD_BY] = 0
@@ -79,7 +78,23 @@ def stay_on(k: int, before: Moving, time: float, world: World) -> bool:
         least = sense_of(motion, loads, arm, normal, inverses, coefficient, low, time)
         if least != sense_of(motion, loads, arm, normal, inverses, coefficient, high, time):
             return False  # it depends on whether it has slid before
-    return settle(k, plane, before, arm, normal, 64 * EPSILON, world)
+    return settle(k, plane, speed * (64 * EPSILON), arm, normal, world)
+
+
+@inlined
+def rests_within(k: int, before: Moving, time: float, world: World) -> tuple[float, float]:
+    """Return by how much a disc at rest may be off it, m/s, and the speed by which that is judged.
+
+    The first is below 0 where it is more off than that, and both are 0 where it does not rest.
+    """
+    plane, body = world.notes[k, tb.HELD_BY] - 1, world.bodies[k]
+    if plane < 0:
+        return 0.0, 0.0
+    arm, normal, _ = footing(k, plane, before, time, world)
+    speed, pull = speed_of_disc(before, arm), hypot(body[tb.AX], body[tb.AY])
+    noise = speed if speed <= 64 * EPSILON * time * pull else LASTING_NOISE * speed
+    off = abs(rate_of((before[3], before[4], before[5]), arm, normal)) > noise
+    return -1.0 if off else noise, speed
 
 
 @inlined
@@ -96,18 +111,20 @@ def footing(k: int, plane: int, a: Moving, time: float, world: World) -> tuple[P
 
 
 @inlined
-def settle(
-    k: int, plane: int, before: Moving, arm: Pair, normal: Pair, share: float, world: World
-) -> bool:
-    """Let a disc that starts on its path now stay on a half-plane; return whether it is pressed.
+def settle(k: int, plane: int, noise: float, arm: Pair, normal: Pair, world: World) -> bool:
+    """Let a disc that starts on its path now stay on a half-plane; return whether it does.
 
-    `before` is its state before the instant; a share of its speed counts as no sliding.
+    A slip up to the noise, m/s, counts as none. Where so many have stayed and a rule has decided
+    something, `simulate` may give up.
     """
     path, body = world.paths[k], world.bodies[k]
     loads = (body[tb.AX], body[tb.AY], body[tb.TURNING])
     if not is_pressed(loads, arm, normal):
         return False
     world.notes[k, tb.HELD_BY] = plane + 1
+    world.counts[tb.STAYED] += 1
+    if world.counts[tb.RULED] > 0 and world.counts[tb.STAYED] > MOST_RULED:
+        return False
     i, j = min(k, plane), max(k, plane)
     coefficient = friction_of(i, j, world)
     if coefficient == 0.0:
@@ -116,7 +133,6 @@ def settle(
         return True
     inverses = (body[tb.INVERSE_MASS], body[tb.INVERSE_INERTIA])
     motion = (path[tb.VX], path[tb.VY], path[tb.SPIN])
-    noise = speed_of_disc(before, arm) * share
     start = path[tb.START]
     sense = sense_of(motion, loads, arm, normal, inverses, coefficient, noise, start)
     ax, ay, turning, sense = held(loads, arm, normal, inverses, coefficient, sense)

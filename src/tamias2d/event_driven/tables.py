@@ -69,8 +69,11 @@ IMPACT_COLUMNS = 9
 # numbers of a run: how far it is, how far to go now and at most, s; how it is divided into cells, m
 NOW, LIMIT, END, CELL, SLACK, ORIGIN_X, ORIGIN_Y = range(7)
 NUMBERS = 7
-EVENTS, IMPACTS, DEPARTURES, CHANGED, MEETING, OTHER, SETTLES, AT_START, LOOKED_AT = range(9)
-COUNTS = 9
+(
+    EVENTS, IMPACTS, DEPARTURES, CHANGED, MEETING, OTHER, SETTLES, AT_START, LOOKED_AT, RULED,
+    STAYED,
+) = range(11)  # fmt: skip
+COUNTS = 11
 
 NOWHERE = -1.0  # of a body that is in no cell yet, instead of when it leaves it
 
