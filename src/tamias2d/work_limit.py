@@ -14,7 +14,7 @@ from tamias2d.errors import SimulationError
 WORK_LIMIT = 100_000
 """Steps and impacts of a run, together, where nothing else is asked; a step takes about 1 ms."""
 
-_SAMPLE = 1000
+SAMPLE = 1000
 """Steps, or impacts, from which the rest of a run is estimated."""
 
 
@@ -55,9 +55,9 @@ class Work:
         self._steps += 1
         self._sampled += 1
         coming = 0.0
-        if self._sampled == _SAMPLE:
+        if self._sampled == SAMPLE:
             covered, left = time - self._start, self._duration - time
-            coming = left / covered * _SAMPLE if covered > 0 else 0.0
+            coming = left / covered * SAMPLE if covered > 0 else 0.0
             self._sampled, self._start = 0, time
         self._check(time, coming, "steps", "a method of fixed steps")
 
@@ -70,7 +70,7 @@ class Work:
         self._impacts += count
         self._sampled, self._start = 0, time
         coming = 0.0
-        if self._impacts >= _SAMPLE:
+        if self._impacts >= SAMPLE:
             left = self._duration - time
             coming = left / time * self._impacts if time > 0 else math.inf
         self._check(time, coming, "impacts", "method=Stepped()")
@@ -81,7 +81,7 @@ class Work:
         done = self._steps + counts
         with np.errstate(all="ignore"):
             left = (self._duration - times) / times * counts
-        coming = np.where(counts >= _SAMPLE, np.where(times > 0, left, math.inf), 0.0)
+        coming = np.where(counts >= SAMPLE, np.where(times > 0, left, math.inf), 0.0)
         good = (done <= self._limit) & (coming <= self._limit * np.sqrt(self._limit / done))
         found = len(times) if good.all() else int(np.argmin(good))
         if found:

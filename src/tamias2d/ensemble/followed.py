@@ -27,7 +27,7 @@ from tamias2d.scene import Body, Disc, HalfPlane, Scene
 from tamias2d.state import Array
 from tamias2d.work_limit import WORK_LIMIT
 
-_MOST_IMPACTS = 999  # from 1000 on, the rest of a run is estimated
+_MOST_IMPACTS = 10_000
 _VARIED = (
     *("position", "velocity", "orientation", "angular_velocity", "mass", "inertia", "force"),
     *("torque", "radius", "restitution", "friction"),
@@ -101,7 +101,7 @@ def _asked(request: Request) -> bool:
         and request.tolerance is None
         and not request.quantities
         and set(request.keep) <= set(STATE)
-        and request.work_limit >= min(WORK_LIMIT, 2 * _MOST_IMPACTS)
+        and request.work_limit >= WORK_LIMIT
     )
 
 

@@ -11,7 +11,7 @@ from math import inf, nan
 from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.approach import EPSILON, MARGIN, time_of_impact
 from tamias2d.event_driven.bound import BLURRED, earliest_meeting
-from tamias2d.event_driven.instant import collide, is_full
+from tamias2d.event_driven.instant import collide, is_full, seems_endless
 from tamias2d.event_driven.kinds import has_hull, is_pushed
 from tamias2d.event_driven.meeting import meets
 from tamias2d.event_driven.settling import end_sliding
@@ -67,8 +67,8 @@ def follow_few(world: World, few: Few) -> int:
         if is_full(world):
             return tb.FULL
         status = happen_to(min(k, other), max(k, other), few.least[k], world, few)
-        if status != tb.DONE:
-            return status
+        if status != tb.DONE or seems_endless(world):
+            return tb.FULL if status == tb.DONE else status
 
 
 @inlined

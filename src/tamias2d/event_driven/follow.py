@@ -9,7 +9,7 @@ from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.cells import enter, gather, leave, time_of_leaving
 from tamias2d.event_driven.departure import tell
 from tamias2d.event_driven.few import are_few, follow_few
-from tamias2d.event_driven.instant import is_full, meet
+from tamias2d.event_driven.instant import is_full, meet, seems_endless
 from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.meeting import look, meets, search
 from tamias2d.event_driven.queue import has_room, is_void, pop, push
@@ -43,8 +43,8 @@ def follow(world: World) -> int:
         if is_full(world):
             return tb.FULL
         status = happen(world)
-        if status != tb.DONE:
-            return status
+        if status != tb.DONE or seems_endless(world):
+            return tb.FULL if status == tb.DONE else status
     return tb.FULL
 
 

@@ -20,7 +20,9 @@ from tamias2d.event_driven.tables import Moving, Pair, Point, World
 from tamias2d.event_driven.touch import MOST_RESOLUTION, touch_of, touches_third
 from tamias2d.generated import friction, rest
 from tamias2d.kernels.assembled import inlined
+from tamias2d.work_limit import SAMPLE, WORK_LIMIT
 
+MOST_COMING = WORK_LIMIT  # impacts; after ten thousand, three times as many end a run
 CLEAR = 4.0  # times what rounding is at most: a bounce so fast is one, whatever the rounding is
 
 
@@ -90,6 +92,14 @@ def is_full(world: World) -> bool:
     impacts = world.counts[tb.IMPACTS] + MOST_IMPULSES > len(world.impacts)
     few = world.counts[tb.DEPARTURES] + 2 > len(world.departures)
     return bool(impacts or (few and len(world.departures) > 0))
+
+
+@inlined
+def seems_endless(world: World) -> bool:
+    """Return whether so many impacts seem to come of a world that `simulate` may refuse it."""
+    done, now = world.counts[tb.IMPACTS], world.numbers[tb.NOW]
+    many = world.counts[tb.SETTLES] > 0 and done >= SAMPLE
+    return bool(many and done * (world.numbers[tb.END] - now) > MOST_COMING * now)
 
 
 @inlined
