@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from tamias2d.contact.core import Core
 from tamias2d.event_driven import tables
-from tamias2d.event_driven.instant import MOST_IMPULSES
+from tamias2d.event_driven.rebound import MOST_IMPULSES
 from tamias2d.event_driven.tables import Few, Hulls, World
 from tamias2d.generated import rotation, translation
 from tamias2d.motion.loads import Loads
@@ -73,6 +73,10 @@ def blank_world(
         samples=np.zeros((len(times) * count, 6)),
         impacts=np.zeros((impacts + MOST_IMPULSES, tables.IMPACT_COLUMNS)),
         departures=np.zeros((departures, tables.DEPARTURE_COLUMNS)),
+        standing=np.zeros((count, 6)),
+        cluster=np.zeros(count, dtype=np.int32),
+        touchings=np.zeros((tables.MOST_TOUCHING, tables.TOUCHING_COLUMNS), dtype=np.int32),
+        contacts=np.zeros((tables.MOST_TOUCHING, tables.CONTACT_COLUMNS)),
     )
 
 

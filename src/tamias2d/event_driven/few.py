@@ -11,10 +11,11 @@ from math import inf, nan
 from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.approach import EPSILON, MARGIN, time_of_impact
 from tamias2d.event_driven.bound import BLURRED, earliest_meeting
-from tamias2d.event_driven.instant import collide, is_full, seems_endless
+from tamias2d.event_driven.cluster import resolve
+from tamias2d.event_driven.instant import collide, is_full, seems_endless, stop_sliding
 from tamias2d.event_driven.kinds import has_hull, is_pushed
 from tamias2d.event_driven.meeting import meets
-from tamias2d.event_driven.settling import end_sliding
+from tamias2d.event_driven.settling import rests
 from tamias2d.event_driven.tables import Few, World
 from tamias2d.event_driven.touch import touches_third
 from tamias2d.generated import translation
@@ -51,7 +52,7 @@ def follow_few(world: World, few: Few) -> int:
             return tb.SEARCH
     for k in range(count):
         find_first(k, world, few)
-    world.counts[tb.AT_START] = 0
+    world.counts[tb.AT_START] = world.counts[tb.CHANGED] = 0
     while True:
         k = first_of_all(world, few)
         if k < 0 or few.least[k] > world.numbers[tb.LIMIT]:
@@ -77,10 +78,10 @@ def happen_to(i: int, j: int, time: float, world: World, few: Few) -> int:
     world.numbers[tb.NOW] = time
     place_all(time, few)
     if i == j:
-        return go_on(i, time, world, few)
+        return take_changed(time, world, few) if stop_sliding(i, time, world) else tb.INSTANT
     third = is_third_near(i, j, world, few) or is_third_near(j, i, world, few)
-    if third and touches_third(i, j, time, world):
-        return tb.INSTANT
+    if rests(i, world) or rests(j, world) or (third and touches_third(i, j, time, world)):
+        return take_changed(time, world, few) if resolve(i, j, time, world) else tb.INSTANT
     if not collide(i, j, time, world):
         return tb.INSTANT
     take_up(i, world, few)
@@ -101,15 +102,18 @@ def happen_to(i: int, j: int, time: float, world: World, few: Few) -> int:
 
 
 @inlined
-def go_on(k: int, time: float, world: World, few: Few) -> int:
-    """Let a disc go on that does not slide any more, and find when it meets others."""
-    if not end_sliding(k, time, world):
-        return tb.INSTANT
-    take_up(k, world, few)
-    place(k, few)
-    if not look_around(k, -1, time, world, few):
-        return tb.SEARCH
-    find_first(k, world, few)
+def take_changed(time: float, world: World, few: Few) -> int:
+    """Find when the bodies whose paths are new meet others."""
+    count = world.counts[tb.CHANGED]
+    world.counts[tb.CHANGED] = 0
+    for n in range(count):
+        take_up(world.changed[n], world, few)
+        place(world.changed[n], few)
+    for n in range(count):
+        if not look_around(world.changed[n], -1, time, world, few):
+            return tb.SEARCH
+    for n in range(count):
+        find_first(world.changed[n], world, few)
     return tb.DONE
 
 

@@ -9,11 +9,10 @@ from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.cells import enter, gather, leave, time_of_leaving
 from tamias2d.event_driven.departure import tell
 from tamias2d.event_driven.few import are_few, follow_few
-from tamias2d.event_driven.instant import is_full, meet, seems_endless
+from tamias2d.event_driven.instant import is_full, meet, seems_endless, stop_sliding
 from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.meeting import look, meets, search
 from tamias2d.event_driven.queue import has_room, is_void, pop, push
-from tamias2d.event_driven.settling import end_sliding
 from tamias2d.event_driven.tables import World, Worlds
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
@@ -27,12 +26,9 @@ def follow(world: World) -> int:
     What is not decided is left as it is, for others to decide: the paths are those before it, and
     `counts` say who meets.
     """
-    while world.counts[tb.CHANGED] > 0:
-        if not has_room(most_events(world), world):
-            return tb.CROWDED
-        world.counts[tb.CHANGED] -= 1
-        if not set_out(world.changed[world.counts[tb.CHANGED]], -1, world.numbers[tb.NOW], world):
-            return tb.SEARCH
+    status = set_out_changed(world)
+    if status != tb.DONE:
+        return status
     world.counts[tb.AT_START] = 0
     for _ in range(MOST_EVENTS):
         if world.counts[tb.EVENTS] == 0 or world.queue[0] > world.numbers[tb.LIMIT]:
@@ -48,6 +44,17 @@ def follow(world: World) -> int:
     return tb.FULL
 
 
+def set_out_changed(world: World) -> int:
+    """Schedule what happens to the bodies whose paths are new; return why that ends."""
+    while world.counts[tb.CHANGED] > 0:
+        if not has_room(most_events(world), world):
+            return tb.CROWDED
+        world.counts[tb.CHANGED] -= 1
+        if not set_out(world.changed[world.counts[tb.CHANGED]], -1, world.numbers[tb.NOW], world):
+            return tb.SEARCH
+    return tb.DONE
+
+
 @inlined
 def happen(world: World) -> int:
     """Let the first event happen, unless it is void."""
@@ -61,15 +68,15 @@ def happen(world: World) -> int:
     world.numbers[tb.NOW] = time
     if i == j:
         if time < world.leaving[i]:
-            if not end_sliding(i, time, world):
-                return tb.INSTANT
-        else:
-            leave(i, world)
-            world.leaving[i] = tb.NOWHERE
+            return set_out_changed(world) if stop_sliding(i, time, world) else tb.INSTANT
+        leave(i, world)
+        world.leaving[i] = tb.NOWHERE
         return tb.DONE if set_out(i, -1, time, world) else tb.SEARCH
     if not meet(i, j, time, world):
         world.counts[tb.MEETING], world.counts[tb.OTHER] = i, j
         return tb.INSTANT
+    if world.counts[tb.CHANGED] > 0:
+        return set_out_changed(world)
     first, second = (i, j) if is_pushed(i, world) else (j, i)
     both = is_pushed(second, world)  # when both leave their cells is known to the second search
     good = set_out(first, second if both else -1, time, world)

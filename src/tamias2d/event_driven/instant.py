@@ -1,24 +1,30 @@
 """What happens where two bodies meet in one point and touch nothing else: IM3, IM9 with friction.
 
 It is what `tamias2d.contact` does at such an instant, operation by operation. Whatever else
-happens at an instant is not decided here, but for a disc that rests on a half-plane where it need
-not be told since when (`settling`).
+happens at an instant is left to others, but for a disc that rests on a half-plane where it need not
+be told since when (`settling`, `cluster`).
 """
-
-from math import inf
 
 from tamias2d.contact.rest_time import better_estimate
 from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.approach import EPSILON, state_at
-from tamias2d.event_driven.departure import MOST_REPEATS, depart, pull_of, pull_on
+from tamias2d.event_driven.cluster import resolve
+from tamias2d.event_driven.departure import MOST_REPEATS, depart, pull_of
 from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.laws import restitution_of
-from tamias2d.event_driven.rebound import MOST_IMPULSES, arms, normal_velocity, rebound, speed_of
-from tamias2d.event_driven.settling import stay
-from tamias2d.event_driven.strike import strike
-from tamias2d.event_driven.tables import Moving, Pair, Point, World
+from tamias2d.event_driven.opening import opening_acceleration, pressing
+from tamias2d.event_driven.rebound import (
+    MOST_IMPULSES,
+    arms,
+    normal_velocity,
+    reach,
+    rebound,
+    speed_of,
+)
+from tamias2d.event_driven.settling import end_sliding, rests, stay
+from tamias2d.event_driven.tables import Moving, Pair, World
 from tamias2d.event_driven.touch import MOST_RESOLUTION, touch_of, touches_third
-from tamias2d.generated import friction, rest
+from tamias2d.generated import rest
 from tamias2d.kernels.assembled import inlined
 from tamias2d.work_limit import SAMPLE, WORK_LIMIT
 
@@ -29,7 +35,18 @@ CLEAR = 4.0  # times what rounding is at most: a bounce so fast is one, whatever
 @inlined
 def meet(i: int, j: int, time: float, world: World) -> bool:
     """Set the paths of two bodies after they have met; return whether that is all that happens."""
-    return not touches_third(i, j, time, world) and collide(i, j, time, world)
+    if rests(i, world) or rests(j, world) or touches_third(i, j, time, world):
+        return world.counts[tb.SETTLES] > 0 and resolve(i, j, time, world)
+    return collide(i, j, time, world)
+
+
+@inlined
+def stop_sliding(k: int, time: float, world: World) -> bool:
+    """Let a disc go on that does not slide any more; return whether that is all that happens."""
+    if touches_third(k, k, time, world):
+        return resolve(k, k, time, world)
+    world.changed[0], world.counts[tb.CHANGED] = k, 1
+    return end_sliding(k, time, world)
 
 
 @inlined
@@ -74,12 +91,6 @@ def collide(i: int, j: int, time: float, world: World) -> bool:
             q[0] + arm[0],
             q[1] + arm[1],
         )
-    if world.notes[i, tb.HELD_BY] > 0 or world.notes[j, tb.HELD_BY] > 0:
-        most = abs(opening) + 2.0 * (pull_of(i, world) + pull_of(j, world))
-        struck = (after_a, after_b)
-        return not staying and strike(
-            i, j, (a, b), struck, arm_a, arm_b, normal, noise, tolerance, most, before, time, world
-        )
     forecast(i, j, time, rate, opening, restitution, tolerance, world)
     depart(i, time, after_a, world)
     depart(j, time, after_b, world)
@@ -104,21 +115,12 @@ def seems_endless(world: World) -> bool:
 
 @inlined
 def is_bound(k: int, time: float, world: World) -> bool:
-    """Return whether a body rests, bounces on several others, or does not get on in time.
-
-    What rests may go on, where it need not be told when it does.
-    """
+    """Return whether a body bounces on several others, or does not get on in time."""
     note = world.notes[k]
-    rests = note[tb.HELD_BY] > 0 and world.counts[tb.SETTLES] == 0
     repeats = note[tb.STALLED] >= MOST_REPEATS and world.paths[k, tb.START] >= time * (
         1 - 4 * EPSILON
     )
-    return bool(rests or world.bounces[k, tb.WITH] == tb.SEVERAL or repeats)
-
-
-def reach(k: int, world: World) -> float:
-    """Return the radius of a body, m; of a half-plane it is infinite."""
-    return inf if world.kinds[k] == tb.PLANE else world.bodies[k, tb.RADIUS]
+    return bool(world.bounces[k, tb.WITH] == tb.SEVERAL or repeats)
 
 
 @inlined
@@ -136,31 +138,6 @@ def most_speed_of(a: Moving, b: Moving, arm_a: Pair, arm_b: Pair) -> float:
 def least_speed_of(a: Moving, b: Moving) -> float:
     """Return no more than `speed_of` does."""
     return max(abs(a[3]), abs(a[4])) + max(abs(b[3]), abs(b[4]))
-
-
-@inlined
-def pressing(arm_a: Pair, arm_b: Pair, normal: Pair, i: int, j: int, world: World) -> float:
-    """Return the normal acceleration of a contact under the loads alone, m/s^2 (DD19)."""
-    on_a, on_b = pull_on(i, world), pull_on(j, world)
-    return float(
-        rest.normal_acceleration(
-            (on_a[0], on_a[1]), on_a[2], arm_a, (on_b[0], on_b[1]), on_b[2], arm_b, normal
-        )
-    )
-
-
-@inlined
-def opening_acceleration(on_points: float, p: Moving, q: Moving, point: Point, sided: int) -> float:
-    """Return the second derivative of a gap of which the points accelerate, m/s^2 (GD15)."""
-    ux, uy, wx, wy, vx, vy = point
-    u, w, v = (ux, uy), (wx, wy), (vx, vy)
-    distance = ux * (q[0] - p[0] + wx - vx) + uy * (q[1] - p[1] + wy - vy)
-    slip = friction.tangential_velocity((p[3], p[4]), p[5], v, (q[3], q[4]), q[5], w, u)
-    if sided == 1:
-        return float(rest.gap_acceleration_side(on_points, p[5], q[5], w, u, slip, distance))
-    if distance == 0.0:
-        slip, distance = 0.0, 1.0
-    return float(rest.gap_acceleration_corner(on_points, p[5], v, q[5], w, u, slip, distance))
 
 
 @inlined

@@ -3,6 +3,8 @@
 It is what `tamias2d.contact` does where a pair alone approaches, operation by operation.
 """
 
+from math import inf
+
 from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.laws import friction_of
@@ -173,3 +175,8 @@ def note_impact(i: int, j: int, normal: Pair, impulse: float, rate: float, world
     row[tb.TIME], row[tb.A], row[tb.B] = world.numbers[tb.NOW], i, j
     row[tb.ALONG_X], row[tb.ALONG_Y] = normal
     row[tb.IMPULSE], row[tb.NORMAL_VELOCITY] = impulse, rate
+
+
+def reach(k: int, world: World) -> float:
+    """Return the radius of a body, m; of a half-plane it is infinite."""
+    return inf if world.kinds[k] == tb.PLANE else world.bodies[k, tb.RADIUS]

@@ -6,7 +6,6 @@ from tamias2d.contact.rolling_disc import (
     crept,
     held,
     is_pressed,
-    load_on,
     rate_of,
     sense_of,
     settled,
@@ -19,8 +18,7 @@ from tamias2d.event_driven.departure import MOST_REPEATS, depart, pull_of
 from tamias2d.event_driven.laws import friction_of, restitution_of
 from tamias2d.event_driven.length import hypot
 from tamias2d.event_driven.tables import Moving, Pair, World
-from tamias2d.event_driven.touch import MOST_RESOLUTION, touches_third
-from tamias2d.generated import rest
+from tamias2d.event_driven.touch import MOST_RESOLUTION
 from tamias2d.kernels.assembled import inlined
 
 
@@ -39,62 +37,42 @@ def stay(
 
 @inlined
 def end_sliding(k: int, time: float, world: World) -> bool:
-    """Let a disc go on that does not slide any more; return whether that is all that happens."""
+    """Let a disc go on that does not slide any more, and touches nothing else; return whether."""
     plane, a = world.notes[k, tb.HELD_BY] - 1, state_at(k, time, world.paths)
     arm, normal, tolerance = footing(k, plane, a, time, world)
     speed = speed_of_disc(a, arm)
     unclear = tolerance < 0.0 or world.notes[k, tb.STALLED] >= MOST_REPEATS
     unclear = unclear or speed <= 64 * EPSILON * time * pull_of(k, world)
     parts = abs(rate_of((a[3], a[4], a[5]), arm, normal)) > LASTING_NOISE * speed
-    if unclear or parts or touches_third(k, k, time, world):
+    if unclear or parts:
         return False
     depart(k, time, a, world)
     return settle(k, plane, speed * (64 * EPSILON), arm, normal, world)
 
 
-def stay_on(k: int, before: Moving, time: float, noise: float, speed: float, world: World) -> bool:
-    """Let a disc that has just been struck stay where it rests, if it does, or leave it.
+def keep(
+    k: int, plane: int, state: Moving, speed: float, lasts: bool, time: float, world: World
+) -> bool:
+    """Let a disc that starts on its path now stay on a half-plane; return whether it does.
 
-    Return whether that is all that happens. `before` is its state before it was struck; a normal
-    velocity up to the noise, m/s, counts as none, and the speed is that by which slips are judged.
+    The speed is that by which slips are judged, m/s; what lasts has been there before.
     """
-    plane = world.notes[k, tb.HELD_BY] - 1
-    if plane < 0:
-        return True
-    path, body = world.paths[k], world.bodies[k]
-    arm, normal, tolerance = footing(k, plane, before, time, world)
-    motion = (path[tb.VX], path[tb.VY], path[tb.SPIN])
-    rate = rate_of(motion, arm, normal)
-    if tolerance < 0.0 or rate < -noise:
-        return False
-    loads = (body[tb.AX], body[tb.AY], body[tb.TURNING])
-    world.notes[k, tb.HELD_BY] = 0
-    if rate > noise and rest.bounce_height(rate, load_on(loads, arm, normal)) > tolerance:
-        return True
-    coefficient = friction_of(min(k, plane), max(k, plane), world)
-    if coefficient > 0.0:
+    body, (arm, normal, _) = world.bodies[k], footing(k, plane, state, time, world)
+    coefficient, low = friction_of(min(k, plane), max(k, plane), world), 64 * EPSILON * speed
+    if lasts and coefficient > 0.0:
+        loads = (body[tb.AX], body[tb.AY], body[tb.TURNING])
         inverses = (body[tb.INVERSE_MASS], body[tb.INVERSE_INERTIA])
-        low, high = 64 * EPSILON * speed, LASTING_NOISE * speed
+        motion, high = (state[3], state[4], state[5]), LASTING_NOISE * speed
         least = sense_of(motion, loads, arm, normal, inverses, coefficient, low, time)
         if least != sense_of(motion, loads, arm, normal, inverses, coefficient, high, time):
             return False  # it depends on whether it has slid before
-    return settle(k, plane, speed * (64 * EPSILON), arm, normal, world)
+    return settle(k, plane, low, arm, normal, world)
 
 
 @inlined
-def rests_within(k: int, before: Moving, time: float, world: World) -> tuple[float, float]:
-    """Return by how much a disc at rest may be off it, m/s, and the speed by which that is judged.
-
-    The first is below 0 where it is more off than that, and both are 0 where it does not rest.
-    """
-    plane, body = world.notes[k, tb.HELD_BY] - 1, world.bodies[k]
-    if plane < 0:
-        return 0.0, 0.0
-    arm, normal, _ = footing(k, plane, before, time, world)
-    speed, pull = speed_of_disc(before, arm), hypot(body[tb.AX], body[tb.AY])
-    noise = speed if speed <= 64 * EPSILON * time * pull else LASTING_NOISE * speed
-    off = abs(rate_of((before[3], before[4], before[5]), arm, normal)) > noise
-    return -1.0 if off else noise, speed
+def rests(k: int, world: World) -> bool:
+    """Return whether a body rests on a half-plane."""
+    return bool(world.notes[k, tb.HELD_BY] > 0)
 
 
 @inlined

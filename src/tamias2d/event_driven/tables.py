@@ -55,13 +55,23 @@ SEARCH_COLUMNS = 5
 # of a body, as it is followed: samples written, support + 1, paths without advance, paths so far;
 # its cell, 0 to the right and upwards, and its neighbours in the list of the cell, each + 1
 TOLD, HELD_BY, STALLED, VERSION, ACROSS, UP, NEXT, BEFORE = range(8)
-NOTE_COLUMNS = 8
+# at an instant: whether it was struck, and the touching pair + 1 in which it stays
+STRUCK, SUPPORT = range(8, 10)
+NOTE_COLUMNS = 10
 WITH, LAST, BEST, DOUBT = range(4)  # of a body that bounces: the other + 1, when the bounces end, s
 SEVERAL = -1.0  # of a body that bounces on more than one other, instead of the other + 1
 FIRST, SECOND, FIRST_VERSION, SECOND_VERSION = range(4)  # of an event; one body twice: it leaves
 EVENT_COLUMNS = 4
 # of a departure: the body, its path from then on
 DEPARTURE_COLUMNS = 1 + PATH_COLUMNS
+# of a touching pair: its bodies (`FIRST`, `SECOND`), whether it has lasted, whether it approaches
+LASTS, COMES = range(2, 4)
+TOUCHING_COLUMNS = 4
+# the normal from the first to the second, against that from P to Q; arms, m; which velocity is
+# none, and the speed by which that is judged, m/s; which gap is none, m
+NORMAL, SIGN, ARM_A, ARM_B, NOISE, SPEED, TOLERANCE = 0, 2, 3, 5, 7, 8, 9
+CONTACT_COLUMNS = 10
+MOST_TOUCHING = 32  # pairs of one instant
 # of an impact
 TIME, A, B, POINT_X, POINT_Y, ALONG_X, ALONG_Y, IMPULSE, NORMAL_VELOCITY = range(9)
 IMPACT_COLUMNS = 9
@@ -71,9 +81,9 @@ NOW, LIMIT, END, CELL, SLACK, ORIGIN_X, ORIGIN_Y = range(7)
 NUMBERS = 7
 (
     EVENTS, IMPACTS, DEPARTURES, CHANGED, MEETING, OTHER, SETTLES, AT_START, LOOKED_AT, RULED,
-    STAYED,
-) = range(11)  # fmt: skip
-COUNTS = 11
+    STAYED, CLUSTER, TOUCHINGS,
+) = range(13)  # fmt: skip
+COUNTS = 13
 
 NOWHERE = -1.0  # of a body that is in no cell yet, instead of when it leaves it
 
@@ -136,7 +146,7 @@ class World(NamedTuple):
     paths: FloatRows
     """(n, 10)"""
     notes: IndexRows
-    """(n, 8)"""
+    """(n, 10)"""
     bounces: FloatRows
     """(n, 4)"""
     leaving: Floats
@@ -161,6 +171,14 @@ class World(NamedTuple):
     impacts: FloatRows
     departures: FloatRows
     """The new paths; without rows, none are recorded."""
+    standing: FloatRows
+    """(n, 6): the states of bodies at an instant"""
+    cluster: Indices
+    """(n,): the pushed ones that touch there"""
+    touchings: IndexRows
+    """(32, 4): the pairs that touch there"""
+    contacts: FloatRows
+    """(32, 10): how they touch"""
 
 
 class Few(NamedTuple):
