@@ -17,6 +17,7 @@ from concurrent.futures import (
     wait,
 )
 from typing import Any, Protocol, TypeAlias, TypeVar
+from weakref import WeakKeyDictionary
 
 from tamias2d.certificate import source_digest
 from tamias2d.errors import SimulationError, TamiasError
@@ -31,6 +32,10 @@ _MOST_DEATHS = 3  # of workers, one after the other, without a block being done
 
 class Executors(Protocol):
     """Whoever gives executors."""
+
+    @property
+    def hands(self) -> int:
+        """How many tasks are computed at a time."""
 
     @property
     def waiting(self) -> int:
@@ -126,7 +131,7 @@ class _Threads:
 
     def __init__(self, count: int) -> None:
         self._executor = ThreadPoolExecutor(count)
-        self.waiting = 2 * count
+        self.hands, self.waiting = count, 2 * count
 
     def executor(self) -> Executor:
         return self._executor
@@ -136,14 +141,13 @@ class _Processes:
     """Processes on this machine, which stay for a while for the next ensemble."""
 
     def __init__(self, count: int) -> None:
-        self._count = count
-        self.waiting = 2 * count
+        self.hands, self.waiting = count, 2 * count
 
     def executor(self) -> Executor:
         with extra():
             from loky import get_reusable_executor
 
-        found: Executor = get_reusable_executor(max_workers=self._count, timeout=60)
+        found: Executor = get_reusable_executor(max_workers=self.hands, timeout=60)
         return found
 
 
@@ -158,7 +162,8 @@ class _Cluster:
                 "client",
             )
         self._client = client
-        self.waiting = 2 + 2 * sum(_answered(client.nthreads).values())
+        self.hands = max(sum(_answered(client.nthreads).values()), 1)
+        self.waiting = 2 + 2 * self.hands
         _refuse_other_programs(client)
 
     def executor(self) -> Executor:
@@ -166,10 +171,10 @@ class _Cluster:
         return found
 
 
-def _answered(call: Callable[..., Any], *arguments: Any) -> Any:
+def _answered(call: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
     """Return what a cluster answers; raise `SimulationError` if it does not."""
     try:
-        return call(*arguments)
+        return call(*arguments, **options)
     except TamiasError:
         raise
     except Exception as fault:
@@ -184,16 +189,27 @@ def _lost(fault: BaseException) -> SimulationError:
     )
 
 
+_alike: WeakKeyDictionary[Any, set[str]] = WeakKeyDictionary()
+"""The workers of clients that have been found to have the same Tamias2D."""
+
+
 def _refuse_other_programs(client: Any) -> None:
-    """Refuse workers that have another Tamias2D than this process, or none."""
-    here = source_digest()
-    for worker, there in _answered(client.run, _program_text()).items():
+    """Refuse workers that have another Tamias2D than this process, or none.
+
+    Each is asked once: one that starts anew has another address.
+    """
+    here, known = source_digest(), _alike.setdefault(client, set())
+    unknown = [worker for worker in _answered(client.nthreads) if worker not in known]
+    if not unknown:
+        return
+    for worker, there in _answered(client.run, _program_text(), workers=unknown).items():
         if there != here:
             what = "no Tamias2D" if there is None else "another version of Tamias2D"
             raise SimulationError(
                 f"client: worker {worker} has {what} (R8): all must have the same, or their bits "
                 "differ. Install it there."
             )
+    known.update(unknown)
 
 
 def _program_text() -> Callable[[], str | None]:

@@ -35,7 +35,7 @@ _VARIED = (
 _OF_PAIRS = ("restitution_of_pairs", "friction_of_pairs")
 _LARGEST = 1e100  # what is beyond it is left to the ordinary way, which tells why it cannot be
 _WORTH = 100  # worlds: to compile for fewer takes longer than it saves
-_PILOT, _MOST = 64, 0.98
+_LEAST_PILOT, _MOST_PILOT, _PILOT_SHARE = 64, 1024, 64  # worlds; one of so many
 
 
 @dataclass(frozen=True)
@@ -48,10 +48,11 @@ class Followed:
     """(k,): which worlds it could follow; the others are to be solved in the ordinary way."""
 
 
-def mostly_followed(worlds: Worlds, request: Request) -> bool:
-    """Whether compiled code can follow most worlds: then threads are enough."""
-    found = followed(worlds, request, 0, min(len(worlds), _PILOT))
-    return found is not None and bool(found.done.mean() > _MOST)
+def share_followed(worlds: Worlds, request: Request) -> float:
+    """Return the share of the first worlds that compiled code can follow."""
+    pilot = min(max(_LEAST_PILOT, len(worlds) // _PILOT_SHARE), _MOST_PILOT, len(worlds))
+    found = followed(worlds, request, 0, pilot)
+    return 0.0 if found is None else float(found.done.mean())
 
 
 def followed(worlds: Worlds, request: Request, first: int, last: int) -> Followed | None:

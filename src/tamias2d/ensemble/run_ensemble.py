@@ -10,7 +10,7 @@ import numpy as np
 
 from tamias2d.ensemble.dataset import dataset_of
 from tamias2d.ensemble.execution import done, executors_of
-from tamias2d.ensemble.followed import mostly_followed
+from tamias2d.ensemble.followed import share_followed
 from tamias2d.ensemble.request import STATE, Quantity, Request, request_of
 from tamias2d.ensemble.sampling import Design
 from tamias2d.ensemble.solving import REFUSED, Block, solved_block
@@ -31,9 +31,11 @@ Told = Callable[[int, int], None]
 """Hears how many worlds are finished, and how many there are."""
 
 _LONGEST = 1024  # worlds of a chunk
-_LONGEST_QUICK = 8192  # of worlds that take microseconds each: to hand over fewer takes as long
+_LONGEST_QUICK = 32_768  # of worlds that take microseconds each: to hand over fewer takes as long
 _LARGEST = 2**24  # bytes of a chunk
 _EACH = 4  # chunks for each worker, so that none waits long for the last one
+_EACH_QUICK = 2  # the same on a cluster, which needs milliseconds for a chunk
+_MOSTLY = 0.98  # of the worlds; one that is not followed takes as long as a thousand others
 
 
 @suggests
@@ -118,10 +120,13 @@ def _computed(
     told: Told,
 ) -> Any:
     """Return the dataset of all worlds, computed where they are to be."""
-    quick = mostly_followed(worlds, request) or mostly_stepped(worlds, request)
-    executors = executors_of(workers, client, threads=quick and client is None)
-    hands = 1 if executors is None else executors.waiting // 2
-    size = _chunk(chunk, len(worlds), hands, request, _LONGEST_QUICK if quick else _LONGEST)
+    followed = share_followed(worlds, request)
+    brief = followed == 1.0 or mostly_stepped(worlds, request)
+    quick = brief or followed > _MOSTLY
+    executors = executors_of(workers, client, threads=brief and client is None)
+    hands = 1 if executors is None else executors.hands
+    pieces = hands * (_EACH_QUICK if brief and client is not None else _EACH)
+    size = _chunk(chunk, len(worlds), pieces, request, _LONGEST_QUICK if quick else _LONGEST)
     if out is None:
         return _in_memory(worlds, request, size, executors, told)
     return _stored(worlds, request, size, executors, told, Store(Path(out)))
@@ -190,12 +195,12 @@ def _watched(blocks: Iterator[Block]) -> Iterator[Block]:
         yield block
 
 
-def _chunk(asked: int | None, count: int, hands: int, request: Request, longest: int) -> int:
+def _chunk(asked: int | None, count: int, pieces: int, request: Request, longest: int) -> int:
     """Return how many worlds are computed, and stored, together."""
     if asked is not None:
         return checked_count(asked, "chunk", 1)
     by_memory = max(_LARGEST // max(request.size, 1), 1)
-    return min(-(-count // (_EACH * hands)), by_memory, longest)
+    return min(-(-count // pieces), by_memory, longest)
 
 
 @contextmanager
