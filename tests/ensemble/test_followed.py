@@ -197,6 +197,45 @@ def test_discs_that_are_struck_at_rest_have_the_bits_of_the_ordinary_way() -> No
     assert ruled > 8  # of most, one at rest was driven into what it rests on
 
 
+def at_once(places: list[tuple[float, float]], tilt: float = 0.0) -> t2.Scene:
+    """Discs of 25 cm above two planes that meet in the origin, each at an angle to the ground."""
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    for side in (-1.0, 1.0):
+        normal = (-side * math.sin(tilt), math.cos(tilt))
+        plane = t2.HalfPlane(normal=normal, offset=0.0)
+        scene.add_static(plane, restitution=1.0, friction=0.0, name=f"plane at {side}")
+        if not tilt:
+            break
+    for k, place in enumerate(places):
+        disc = t2.Disc(radius=0.25)
+        scene.add_body(disc, mass=1.0, position=place, restitution=0.5, friction=0.3, name=f"d{k}")
+    return scene
+
+
+@pytest.mark.parametrize(
+    ("places", "tilt"),
+    [
+        ([(-0.3, 0.25), (0.3, 0.25), (0.0, 1.5)], 0.0),  # the third meets both at rest at once
+        ([(0.0, 1.0)], 0.5),  # it meets both planes at once, and comes to rest on both
+    ],
+)
+def test_what_happens_at_one_instant_is_not_answered_one_by_one(
+    places: list[tuple[float, float]], tilt: float
+) -> None:
+    vary = {"bodies.d0.angular_velocity": [0.0]}
+    found = compare(at_once(places, tilt), vary, 1, 2.0, seed=0)
+    assert not found.done.any()
+
+
+def test_discs_in_a_row_that_hardly_touch_pass_a_blow_on() -> None:
+    """Gaps of some 1e-13 m are a thousand times what float64 resolves there, and are gaps."""
+    scene = at_once([(-1.0, 1.0), (0.0, 1.0), (0.5 + 3e-13, 1.0), (1.0 + 9e-13, 1.0)])
+    vary = {"bodies.d0.velocity.x": np.linspace(0.5, 2.0, 8), "gravity.y": np.zeros(8)}
+    found = compare(scene, vary, 8, 2.0, seed=0)
+    assert found.done.all()
+    assert (found.arrays["velocity"][:, -1, 3, 0] > 0.1).all()
+
+
 def test_discs_that_lean_on_each_other_are_handed_over() -> None:
     scene, vary = heap(3)
     vary["gravity.x"] = np.full(8, -3.0)  # they roll to the wall on the left, and stay there
