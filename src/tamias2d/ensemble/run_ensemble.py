@@ -32,7 +32,8 @@ Told = Callable[[int, int], None]
 
 _LONGEST = 1024  # worlds of a chunk
 _LONGEST_QUICK = 32_768  # of worlds that take microseconds each: to hand over fewer takes as long
-_LARGEST = 2**24  # bytes of a chunk
+_LARGEST = 2**24  # bytes of a chunk that is stored; half of one that stays in memory
+_BODY = 200  # bytes in the tables from which compiled code follows, or steps, it
 _EACH = 4  # chunks for each worker, so that none waits long for the last one
 _EACH_QUICK = 2  # the same on a cluster, which needs milliseconds for a chunk
 _MOSTLY = 0.98  # of the worlds; one that is not followed takes as long as a thousand others
@@ -126,7 +127,8 @@ def _computed(
     executors = executors_of(workers, client, threads=brief and client is None)
     hands = 1 if executors is None else executors.hands
     pieces = hands * (_EACH_QUICK if brief and client is not None else _EACH)
-    size = _chunk(chunk, len(worlds), pieces, request, _LONGEST_QUICK if quick else _LONGEST)
+    longest = _LONGEST_QUICK if quick else _LONGEST
+    size = _chunk(chunk, len(worlds), pieces, longest, _longest_of(request, stored=out is not None))
     if out is None:
         return _in_memory(worlds, request, size, executors, told)
     return _stored(worlds, request, size, executors, told, Store(Path(out)))
@@ -195,12 +197,15 @@ def _watched(blocks: Iterator[Block]) -> Iterator[Block]:
         yield block
 
 
-def _chunk(asked: int | None, count: int, pieces: int, request: Request, longest: int) -> int:
+def _chunk(asked: int | None, count: int, pieces: int, *longest: int) -> int:
     """Return how many worlds are computed, and stored, together."""
-    if asked is not None:
-        return checked_count(asked, "chunk", 1)
-    by_memory = max(_LARGEST // max(request.size, 1), 1)
-    return min(-(-count // pieces), by_memory, longest)
+    return min(-(-count // pieces), *longest) if asked is None else checked_count(asked, "chunk", 1)
+
+
+def _longest_of(request: Request, *, stored: bool) -> int:
+    """Return of how many worlds memory holds what is kept, and the tables, beside all others."""
+    most = _LARGEST if stored else 2 * _LARGEST
+    return max(most // (request.size + _BODY * len(request.names)), 1)
 
 
 @contextmanager
