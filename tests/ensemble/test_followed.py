@@ -197,6 +197,25 @@ def test_discs_that_are_struck_at_rest_have_the_bits_of_the_ordinary_way() -> No
     assert ruled > 8  # of most, one at rest was driven into what it rests on
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_bodies_with_corners_that_strike_discs_or_come_to_rest_have_their_bits(seed: int) -> None:
+    """One that comes to rest on a corner may tip: it is no disc, and is handed over."""
+    scene, vary = heap(seed)
+    chance = np.random.default_rng(seed)
+    for k, shape in enumerate((t2.Box(width=0.3, height=0.2), t2.Capsule(length=0.3, radius=0.08))):
+        scene.add_body(
+            shape,
+            mass=10 ** chance.uniform(-1, 1),
+            position=(0.5 + 0.8 * k, 1.6),
+            restitution=chance.uniform(0.6, 1),
+            friction=0.0,
+            name=f"hull{k}",
+        )
+        vary[f"bodies.hull{k}.velocity.x"] = stats.norm(0.0, 1.5)
+        vary[f"bodies.hull{k}.orientation"] = stats.uniform(0.0, 3.0)
+    compare(scene, vary, 12, 2.0, seed=seed)
+
+
 def at_once(places: list[tuple[float, float]], tilt: float = 0.0) -> t2.Scene:
     """Discs of 25 cm above two planes that meet in the origin, each at an angle to the ground."""
     scene = t2.Scene(gravity=(0.0, -9.81))

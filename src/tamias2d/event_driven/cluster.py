@@ -1,16 +1,16 @@
-"""Discs that touch more than one body at an instant: their impacts, and what stays on half-planes.
+"""Bodies that touch more than one at an instant: their impacts, and discs that stay on half-planes.
 
 It is what `tamias2d.contact` does there, operation by operation. Pairs that approach answer one by
-one, in rounds where they act on one another (A18); what neither approaches nor parts stays on its
-half-plane. Not decided here: pairs that approach at a time and share a disc, discs that stay on
-each other, or on two half-planes.
+one, in rounds where they act on one another (A18); a disc that neither approaches its half-plane
+nor parts from it stays there. Not decided here: pairs that approach at a time and share a body, and
+all else that stays.
 """
 
 from math import inf
 
 from tamias2d.contact.manifold import LASTING_NOISE
 from tamias2d.event_driven import tables as tb
-from tamias2d.event_driven.approach import EPSILON, axis_of, resolution, size_of, state_at
+from tamias2d.event_driven.approach import EPSILON, state_at
 from tamias2d.event_driven.cells import gather
 from tamias2d.event_driven.departure import MOST_REPEATS, depart, pull_of
 from tamias2d.event_driven.kinds import has_hull, is_pushed
@@ -28,7 +28,7 @@ from tamias2d.event_driven.rebound import (
 )
 from tamias2d.event_driven.settling import keep
 from tamias2d.event_driven.tables import Moving, Pair, World
-from tamias2d.event_driven.touch import MOST_RESOLUTION, is_far
+from tamias2d.event_driven.touch import MOST_RESOLUTION, gap_between, is_far, touch_of
 from tamias2d.generated import definitions, rest
 from tamias2d.kernels.assembled import inlined
 
@@ -38,7 +38,7 @@ GAIN = 5e-10  # of the energy: where rounds add more, they may have made some
 
 
 def resolve(i: int, j: int, time: float, world: World) -> bool:
-    """Set the paths of all that touches two discs, or one, at a time, s; return whether that is it.
+    """Set the paths of all that touch two bodies, or one, at a time, s; return whether that is all.
 
     The bodies on new paths are listed as changed.
     """
@@ -60,7 +60,7 @@ def resolve(i: int, j: int, time: float, world: World) -> bool:
 
 @inlined
 def list_cluster(i: int, j: int, time: float, world: World) -> bool:
-    """List all discs that touch two, and what they touch; return whether all is known of them."""
+    """List all bodies that touch two, and what they touch; return whether all is known of them."""
     world.counts[tb.CLUSTER] = world.counts[tb.TOUCHINGS] = 0
     add_to_cluster(i, time, world)
     if j != i:
@@ -83,7 +83,7 @@ def add_to_cluster(k: int, time: float, world: World) -> None:
 
 
 def list_touching(k: int, time: float, world: World) -> bool:
-    """List what a disc touches; return whether all is known of it."""
+    """List what a body touches; return whether all is known of it."""
     if world.notes[k, tb.STALLED] > MOST_REPEATS // 4 or world.bounces[k, tb.WITH] == tb.SEVERAL:
         return False
     a = standing_of(k, world)
@@ -93,8 +93,6 @@ def list_touching(k: int, time: float, world: World) -> bool:
         lasts = world.notes[k, tb.HELD_BY] == other + 1 or world.notes[other, tb.HELD_BY] == k + 1
         if not (lasts or meets(i, j, world)) or is_listed(i, j, world):
             continue
-        if has_hull(i, j, world):
-            return False
         if (lasts or not is_far(a, k, other, time, world)) and not add_if_touching(
             i, j, lasts, time, world
         ):
@@ -113,10 +111,11 @@ def is_listed(i: int, j: int, world: World) -> bool:
 def add_if_touching(i: int, j: int, lasts: bool, time: float, world: World) -> bool:
     """List a pair if it touches, and its bodies; return whether there is room, and it is known."""
     a, b = state_at(i, time, world.paths), state_at(j, time, world.paths)
-    tolerance = resolution(a, b, size_of(i, world), size_of(j, world), time)
-    ux, uy, gap, swapped = axis_of(a, b, i, j, world)
-    if not lasts and gap > tolerance:
-        return True
+    point, swapped, sided, tolerance = touch_of(i, j, a, b, time, world)
+    if tolerance < 0.0:
+        gap, tolerance = gap_between(i, a, j, time, world)
+        if not lasts:
+            return not has_hull(i, j, world) or gap > 2.0 * tolerance
     t = world.counts[tb.TOUCHINGS]
     close = tolerance > MOST_RESOLUTION * min(reach(i, world), reach(j, world))
     if t == len(world.touchings) or close or restitution_of(i, j, world) < 0.0:
@@ -125,8 +124,10 @@ def add_if_touching(i: int, j: int, lasts: bool, time: float, world: World) -> b
     note, row = world.touchings[t], world.contacts[t]
     note[tb.FIRST], note[tb.SECOND], note[tb.LASTS], note[tb.COMES] = i, j, 1 if lasts else 0, 0
     sign = -1.0 if swapped == 1 else 1.0
-    arm_a, arm_b = arms(a, b, (ux, uy, 0.0, 0.0, 0.0, 0.0), swapped, i, j, world)
-    row[tb.NORMAL], row[tb.NORMAL + 1], row[tb.SIGN] = sign * ux, sign * uy, sign
+    arm_a, arm_b = arms(a, b, point, swapped, i, j, world)
+    row[tb.NORMAL], row[tb.NORMAL + 1], row[tb.SIGN] = sign * point[0], sign * point[1], sign
+    row[tb.CORNER_Q], row[tb.CORNER_Q + 1] = point[2], point[3]
+    row[tb.CORNER_P], row[tb.CORNER_P + 1], row[tb.SIDED] = point[4], point[5], sided
     row[tb.ARM_A], row[tb.ARM_A + 1] = arm_a
     row[tb.ARM_B], row[tb.ARM_B + 1] = arm_b
     speed = speed_of(a, b, arm_a, arm_b)
@@ -140,7 +141,7 @@ def add_if_touching(i: int, j: int, lasts: bool, time: float, world: World) -> b
 
 
 def in_cluster(k: int, world: World) -> bool:
-    """Return whether a body is among the discs that touch."""
+    """Return whether a body is among the pushed bodies that touch."""
     found = False
     for n in range(world.counts[tb.CLUSTER]):
         found = found or world.cluster[n] == k
@@ -189,7 +190,7 @@ def answer_all(world: World) -> bool:
 def find_approaching(limit: float, world: World) -> int:
     """Mark the pairs that approach, and return how many do.
 
-    It is -1 if two of them share a disc, or if all are slower than a limit, m/s.
+    It is -1 if two of them share a body, or if all are slower than a limit, m/s.
     """
     come, fast = 0, False
     for t in range(world.counts[tb.TOUCHINGS]):
@@ -199,13 +200,13 @@ def find_approaching(limit: float, world: World) -> int:
             come += 1
             fast = fast or rate < limit or limit == -inf
             for s in range(t):
-                if world.touchings[s, tb.COMES] == 1 and share_disc(s, t, world):
+                if world.touchings[s, tb.COMES] == 1 and share_body(s, t, world):
                     return -1
     return come if fast or come == 0 else -1
 
 
-def share_disc(s: int, t: int, world: World) -> bool:
-    """Return whether two touching pairs have a disc in common that is pushed."""
+def share_body(s: int, t: int, world: World) -> bool:
+    """Return whether two touching pairs have a body in common that is pushed."""
     one, other, found = world.touchings[s], world.touchings[t], False
     for k in (one[tb.FIRST], one[tb.SECOND]):
         found = found or (is_pushed(k, world) and (k in (other[tb.FIRST], other[tb.SECOND])))
@@ -266,7 +267,7 @@ def quieten(world: World) -> None:
 
 @inlined
 def gains(time: float, world: World) -> bool:
-    """Return whether the discs may have more kinetic energy than they came with."""
+    """Return whether the bodies may have more kinetic energy than they came with."""
     before = after = 0.0
     for n in range(world.counts[tb.CLUSTER]):
         k = world.cluster[n]
@@ -277,7 +278,7 @@ def gains(time: float, world: World) -> bool:
 
 
 def energy_in(k: int, state: Moving, world: World) -> float:
-    """Return the kinetic energy of a disc that is pushed, J."""
+    """Return the kinetic energy of a body that is pushed, J."""
     inverse = world.bodies[k, tb.INVERSE_INERTIA]
     inertia = 1.0 / inverse if inverse > 0.0 else 0.0
     mass, velocity = 1.0 / world.bodies[k, tb.INVERSE_MASS], (state[3], state[4])
@@ -293,7 +294,7 @@ def find_support(world: World) -> bool:
     for t in range(world.counts[tb.TOUCHINGS]):
         i, j = world.touchings[t, tb.FIRST], world.touchings[t, tb.SECOND]
         k, plane = (j, i) if world.kinds[i] == tb.PLANE else (i, j)
-        if world.kinds[plane] != tb.PLANE:
+        if world.kinds[plane] != tb.PLANE or world.kinds[k] != tb.DISC:
             if stays_near(t, True, world):
                 return False
         elif stays_near(t, False, world):
@@ -320,8 +321,15 @@ def stays_near(t: int, perhaps: bool, world: World) -> bool:
     arm_a, arm_b, normal = contact_of(t, world)
     a, b = standing_of(i, world), standing_of(j, world)
     p, q = (b, a) if sign < 0.0 else (a, b)
-    point = (sign * normal[0], sign * normal[1], 0.0, 0.0, 0.0, 0.0)
-    sided = 1 if world.kinds[i] == tb.PLANE or world.kinds[j] == tb.PLANE else 0
+    point = (
+        sign * normal[0],
+        sign * normal[1],
+        row[tb.CORNER_Q],
+        row[tb.CORNER_Q + 1],
+        row[tb.CORNER_P],
+        row[tb.CORNER_P + 1],
+    )
+    sided = 1 if row[tb.SIDED] > 0.0 else 0
     on_points = pressing(arm_a, arm_b, normal, i, j, world)
     opening = opening_acceleration(on_points, p, q, point, sided)
     if perhaps:
@@ -330,7 +338,7 @@ def stays_near(t: int, perhaps: bool, world: World) -> bool:
 
 
 def go_on_in(k: int, time: float, world: World) -> bool:
-    """Set the path of a disc that was struck or has rested; return whether that is decided."""
+    """Set the path of a body that was struck or has rested; return whether that is decided."""
     held, support, state = (
         world.notes[k, tb.HELD_BY],
         world.notes[k, tb.SUPPORT],

@@ -26,10 +26,13 @@ from tamias2d.kernels.assembled import inlined
 def stay(
     i: int, j: int, a: Moving, b: Moving, arm_a: Pair, arm_b: Pair, normal: Pair, world: World
 ) -> bool:
-    """Let a disc stay on the half-plane that it met in such states; return whether it is so."""
-    if world.kinds[i] == tb.PLANE:
+    """Let a disc stay on the half-plane that it met in such states; return whether it is so.
+
+    A body with corners is left to others: it may tip.
+    """
+    if world.kinds[i] == tb.PLANE and world.kinds[j] == tb.DISC:
         return settle(j, i, speed_of_disc(b, arm_b) * (64 * EPSILON), arm_b, normal, world)
-    if world.kinds[j] == tb.PLANE:
+    if world.kinds[j] == tb.PLANE and world.kinds[i] == tb.DISC:
         noise, upwards = speed_of_disc(a, arm_a) * (64 * EPSILON), (-normal[0], -normal[1])
         return settle(i, j, noise, arm_a, upwards, world)
     return False

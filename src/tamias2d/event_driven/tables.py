@@ -70,7 +70,8 @@ TOUCHING_COLUMNS = 4
 # the normal from the first to the second, against that from P to Q; arms, m; which velocity is
 # none, and the speed by which that is judged, m/s; which gap is none, m
 NORMAL, SIGN, ARM_A, ARM_B, NOISE, SPEED, TOLERANCE = 0, 2, 3, 5, 7, 8, 9
-CONTACT_COLUMNS = 10
+CORNER_Q, CORNER_P, SIDED = 10, 12, 14  # of the point, m, and whether P has a side there
+CONTACT_COLUMNS = 15
 MOST_TOUCHING = 32  # pairs of one instant
 # of an impact
 TIME, A, B, POINT_X, POINT_Y, ALONG_X, ALONG_Y, IMPULSE, NORMAL_VELOCITY = range(9)
@@ -178,7 +179,7 @@ class World(NamedTuple):
     touchings: IndexRows
     """(32, 4): the pairs that touch there"""
     contacts: FloatRows
-    """(32, 10): how they touch"""
+    """(32, 15): how they touch"""
 
 
 class Few(NamedTuple):
