@@ -27,10 +27,11 @@ from tamias2d.event_driven.rebound import (
     speed_of,
 )
 from tamias2d.event_driven.settling import keep
-from tamias2d.event_driven.tables import Moving, Pair, World
+from tamias2d.event_driven.tables import Moving, Pair, Point, World
 from tamias2d.event_driven.touch import MOST_RESOLUTION, gap_between, is_far, touch_of
 from tamias2d.generated import definitions, rest
 from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array
 
 MOST_ROUNDS = 64
 LEFT = 1e-9  # of the first approach: a slower one is closed without restitution, elsewhere
@@ -123,13 +124,8 @@ def add_if_touching(i: int, j: int, lasts: bool, time: float, world: World) -> b
     world.counts[tb.TOUCHINGS] += 1
     note, row = world.touchings[t], world.contacts[t]
     note[tb.FIRST], note[tb.SECOND], note[tb.LASTS], note[tb.COMES] = i, j, 1 if lasts else 0, 0
-    sign = -1.0 if swapped == 1 else 1.0
-    arm_a, arm_b = arms(a, b, point, swapped, i, j, world)
-    row[tb.NORMAL], row[tb.NORMAL + 1], row[tb.SIGN] = sign * point[0], sign * point[1], sign
-    row[tb.CORNER_Q], row[tb.CORNER_Q + 1] = point[2], point[3]
-    row[tb.CORNER_P], row[tb.CORNER_P + 1], row[tb.SIDED] = point[4], point[5], sided
-    row[tb.ARM_A], row[tb.ARM_A + 1] = arm_a
-    row[tb.ARM_B], row[tb.ARM_B + 1] = arm_b
+    note_contact(i, j, a, b, point, swapped, sided, row, world)
+    arm_a, arm_b, _ = contact_of(t, world)
     speed = speed_of(a, b, arm_a, arm_b)
     still = speed <= 64 * EPSILON * time * max(load_on_body(i, world), load_on_body(j, world))
     noise = speed if still else speed * (LASTING_NOISE if lasts else 64 * EPSILON)
@@ -138,6 +134,28 @@ def add_if_touching(i: int, j: int, lasts: bool, time: float, world: World) -> b
         if not in_cluster(k, world):
             add_to_cluster(k, time, world)
     return True
+
+
+@inlined
+def note_contact(
+    i: int,
+    j: int,
+    a: Moving,
+    b: Moving,
+    point: Point,
+    swapped: int,
+    sided: int,
+    row: Array,
+    world: World,
+) -> None:
+    """Note where a pair touches, in two states of its bodies."""
+    sign = -1.0 if swapped == 1 else 1.0
+    arm_a, arm_b = arms(a, b, point, swapped, i, j, world)
+    row[tb.NORMAL], row[tb.NORMAL + 1], row[tb.SIGN] = sign * point[0], sign * point[1], sign
+    row[tb.CORNER_Q], row[tb.CORNER_Q + 1] = point[2], point[3]
+    row[tb.CORNER_P], row[tb.CORNER_P + 1], row[tb.SIDED] = point[4], point[5], sided
+    row[tb.ARM_A], row[tb.ARM_A + 1] = arm_a
+    row[tb.ARM_B], row[tb.ARM_B + 1] = arm_b
 
 
 def in_cluster(k: int, world: World) -> bool:
