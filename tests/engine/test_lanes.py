@@ -8,34 +8,56 @@ from pathlib import Path
 import pytest
 from llvmlite.binding import get_host_cpu_features
 
-from tamias2d.engine.solver.lanes import apply_restitution, relax, solve_soft, warm_start
+from tamias2d.engine import tables as tb
+from tamias2d.engine.solver.lanes import (
+    relax_lanes,
+    relax_lanes_of_two,
+    restitution_lanes,
+    soft_lanes,
+    soft_lanes_of_two,
+    warm_start_lanes,
+)
 from tamias2d.engine.tables import World
 from tamias2d.kernels import Library
 
 _ARITHMETIC = r"\bv?(?:add|sub|mul|div){}\b"
 
 
-def warm_start_alone(world: World, first: int, last: int) -> None:
-    """An entry: some blocks through `warm_start`."""
-    warm_start(first, last, world.bodies, world.constraints)
+def warm_start_alone(world: World, substep: float) -> None:  # noqa: ARG001
+    """An entry: the lanes of a block, warm-started."""
+    warm_start_lanes(tb.FIRST_POINT, world.constraints.blocks[0], world.constraints.scratch)
 
 
-def solve_soft_alone(world: World, first: int, last: int, substep: float) -> None:
-    """An entry: some blocks through `solve_soft`."""
-    solve_soft(first, last, world.bodies, world.constraints, substep)
+def soften_alone(world: World, substep: float) -> None:
+    """An entry: the lanes of a block, solved softly."""
+    soft_lanes(world.constraints.blocks[0], world.constraints.scratch, substep)
 
 
-def relax_alone(world: World, first: int, last: int, substep: float) -> None:
-    """An entry: some blocks through `relax`."""
-    relax(first, last, world.bodies, world.constraints, substep, True)
+def soften_two_alone(world: World, substep: float) -> None:
+    """An entry: the same with two points in each lane."""
+    soft_lanes_of_two(world.constraints.blocks[0], world.constraints.scratch, substep)
 
 
-def apply_restitution_alone(world: World, again: int, slowest: float) -> None:
-    """An entry: all blocks through `apply_restitution`."""
-    apply_restitution(again > 0, world.bodies, world.constraints, slowest)
+def relax_alone(world: World, substep: float) -> None:
+    """An entry: the lanes of a block, relaxed."""
+    relax_lanes(world.constraints.blocks[0], world.constraints.scratch, substep, 1.0)
 
 
-PARTS = (warm_start_alone, solve_soft_alone, relax_alone, apply_restitution_alone)
+def relax_two_alone(world: World, substep: float) -> None:
+    """An entry: the same with two points in each lane."""
+    relax_lanes_of_two(world.constraints.blocks[0], world.constraints.scratch, substep, 1.0)
+
+
+def restitution_alone(world: World, substep: float) -> None:
+    """An entry: restitution of the lanes of a block."""
+    row, scratch = world.constraints.blocks[0], world.constraints.scratch
+    restitution_lanes(tb.FIRST_POINT, tb.FIRST_RESTITUTION, row, scratch, substep)
+
+
+PARTS = (
+    *(warm_start_alone, soften_alone, soften_two_alone),
+    *(relax_alone, relax_two_alone, restitution_alone),
+)
 
 
 @pytest.mark.skipif(platform.machine() != "x86_64", reason="looks at x86-64 machine code")

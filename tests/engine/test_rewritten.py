@@ -13,7 +13,8 @@ SHAPES = (t2.Disc(radius=0.2), t2.Box(width=0.4, height=0.3), t2.Capsule(length=
 REWRITTEN = (
     "constraints.blocks", "constraints.scratch", "constraints.colour_counts", "islands.energy",
     "events.scratch", "events.met_points", "events.due", "events.touched", "events.ahead",
-    "bodies.path", "chunks.course", "chunks.stream", "chunks.asleep",
+    "events.partners", "events.reaches", "bodies.path", "chunks.course", "chunks.stream",
+    "chunks.asleep",
 )  # fmt: skip
 
 

@@ -149,9 +149,9 @@ class Adaptive:
 
         Raises as `step` does.
         """
-        known = field.known(start, position, velocity)
+        memory = self.memory(field, start, limit, position, velocity)
+        known = field.known(start, position, velocity)  # from the first step's length on
         while True:
-            memory = self.memory(field, start, limit, position, velocity)
             before = replace(memory), replace(field.tally)
             steps = self._batch(field, start, limit, position, velocity, most)
             missed = self._missed(field, steps.times, steps.at)
