@@ -203,3 +203,17 @@ def test_a_first_step_as_long_as_its_trial_costs_the_same_in_all_ways(
     scene.add_body(None, mass=1.0, position=(2.0, 0.0), velocity=(0.0078125, 0.0), linear_drag=0.0)
     scene.add_body(None, mass=1.0, position=(4.0, 0.0), force=("0[N/m]*x(position)", 0.0))
     assert outcome(scene, method, step) == generally(scene, method, step)
+
+
+def test_a_law_missed_soon_after_the_first_step_costs_the_same_in_all_ways(
+    at_price: Callable[[float], None], generally: Callable[..., Outcome]
+) -> None:
+    """The acceleration at the start, known from the first step's length, is not counted again."""
+    at_price(np.inf)
+    for at in (0.04, 0.05, 0.06, 0.07, 0.08):
+        scene = t2.Scene(gravity=(0.0, 0.0))
+        law = f"1[N] + 9[N]*exp(-((time-{at}[s])/0.004[s])**2)"
+        scene.add_body(None, mass=1.0, position=(1.0, 0.0), force=(law, 0.0))
+        found = outcome(scene, DormandPrince5(1e-5), None)
+        assert found == generally(scene, DormandPrince5(1e-5), None)
+        assert not isinstance(found, str)
