@@ -12,7 +12,7 @@ import tamias2d as t2
 from tamias2d.certificate import Certificate, from_json
 from tamias2d.replay import check
 from tamias2d.run import Run
-from tamias2d.study import companion, tolerance as tolerance_module
+from tamias2d.study import asked, companion, tolerance as tolerance_module, unweighed
 from tamias2d.study.companion import limit_beside
 from tamias2d.study.error import history_error
 from tamias2d.study.offers import holding
@@ -59,7 +59,7 @@ def test_others_are_weighed_only_where_the_first_does_not_meet_it(
     weighed = []
     plan = tolerance_module.located_plan
     monkeypatch.setattr(
-        tolerance_module, "located_plan", lambda *asked: weighed.append(asked) or plan(*asked)
+        tolerance_module, "located_plan", lambda *inputs: weighed.append(inputs) or plan(*inputs)
     )
     run = t2.simulate(oscillator(), duration=1.0, tolerance=1e-6)
     assert not weighed
@@ -84,10 +84,10 @@ def test_a_companion_is_returned_where_only_that_meets_it(
         made.append(inputs["method"])
         return whole(*asked, **inputs)
 
-    whole = tolerance_module.solve
-    monkeypatch.setattr(tolerance_module, "solve", solve)
+    whole = asked.solve
+    monkeypatch.setattr(asked, "solve", solve)
     monkeypatch.setattr(companion, "solve", solve)
-    monkeypatch.setattr(tolerance_module, "has_error_equation", lambda *_: False)
+    monkeypatch.setattr(unweighed, "has_error_equation", lambda *_: False)
     run = t2.simulate(oscillator(), duration=10.0, tolerance=tolerance)
     assert made[1:] == [run.method]
     assert run.certificate is not None
@@ -126,7 +126,7 @@ def test_halved_steps_that_meet_something_sudden_are_certified(
     name: str, tolerance: float, how: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """By the whole ones beside them, or if that is not enough by shorter ones."""
-    monkeypatch.setattr(tolerance_module, "has_error_equation", lambda *_: False)
+    monkeypatch.setattr(unweighed, "has_error_equation", lambda *_: False)
     scene = next(one for one in held_out.scenes() if one.name == name)
     run = t2.simulate(scene, duration=scene.duration, tolerance=tolerance)
     exact = t2.simulate(scene, duration=scene.duration, method=t2.Reference(1e-13), times=run.times)
