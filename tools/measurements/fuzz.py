@@ -2,7 +2,7 @@
 
 Kinds: scenes and what is asked of them, damaged scene files, sequences of calls of a simulator,
 damaged saved states and compiled code, and momentum where nothing outside pushes. A case is known
-by its kind and seed.
+by its kind and seed. Stop it by Ctrl-C, and what was found is printed.
 """
 
 from argparse import ArgumentParser
@@ -11,7 +11,7 @@ from typing import Any
 
 from tools.fuzz.runner import KINDS, results
 from tools.measurements.columns import Columns
-from tools.measurements.progress import TOLD, each
+from tools.measurements.progress import TOLD, each, until_stopped
 
 
 def options(parser: ArgumentParser) -> None:
@@ -23,17 +23,18 @@ def options(parser: ArgumentParser) -> None:
 
 def measure(kind: list[str] | None = None, first: int = 0, count: int = 1000) -> dict[str, Any]:
     """Return for each kind how many cases were done and refused, and what was wrong."""
-    rows = []
-    for name in kind or KINDS:
-        counted: Counter[str] = Counter()
-        wrong: list[tuple[int, str]] = []
-        for found in each(results(name, first, count), name, total=count):
-            if found.wrong:
-                wrong.append((found.seed, found.what))
-                TOLD.print(f"{name} {found.seed}: {found.what}")
-            else:
-                counted[found.what] += 1
-        rows.append({"kind": name, **counted, "wrong": [list(each) for each in wrong]})
+    counted: dict[str, Counter[str]] = {}
+    wrong: dict[str, list[list[Any]]] = {}
+    with until_stopped():
+        for name in kind or KINDS:
+            counted[name], wrong[name] = Counter(), []
+            for found in each(results(name, first, count), name, total=count):
+                if found.wrong:
+                    wrong[name].append([found.seed, found.what])
+                    TOLD.print(f"{name} {found.seed}: {found.what}")
+                else:
+                    counted[name][found.what] += 1
+    rows = [{"kind": name, **counted[name], "wrong": wrong[name]} for name in counted]
     return {"first": first, "count": count, "rows": rows}
 
 

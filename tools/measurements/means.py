@@ -28,7 +28,7 @@ from tamias2d import (
 )
 from tamias2d.motion import Method
 from tools.measurements.columns import Columns
-from tools.measurements.progress import each
+from tools.measurements.progress import each, until_stopped
 
 _G = 9.81  # m/s^2
 
@@ -57,11 +57,13 @@ def options(parser: ArgumentParser) -> None:
 
 def measure(repetitions: int = 200, scenes: list[str] | None = None) -> dict[str, Any]:
     """Return a row for each scene."""
-    rows = []
-    for name in scenes or KNOWN:
-        known = KNOWN[name]()
-        seeds = each(range(repetitions), name)
-        rows.append({"scene": name, **_row(known, [_found(known, seed) for seed in seeds])})
+    found: dict[str, tuple[Known, list[Mean]]] = {}
+    with until_stopped():
+        for name in scenes or KNOWN:
+            known, means = found[name] = KNOWN[name](), []
+            for seed in each(range(repetitions), name):
+                means.append(_found(known, seed))
+    rows = [{"scene": name, **_row(*of)} for name, of in found.items() if of[1]]
     return {"repetitions": repetitions, "rows": rows}
 
 
@@ -84,6 +86,7 @@ def _row(known: Known, means: list[Mean]) -> dict[str, Any]:
     bounds = np.array([mean.bound for mean in means])
     costs = np.array([mean.cost / mean.plain_cost for mean in means])
     return {
+        "repetitions": len(means),
         "within": float(np.mean(errors <= bounds)),
         "tolerance": known.tolerance,
         "met": bool((bounds <= known.tolerance * (1 + 1e-12)).all()),
@@ -97,6 +100,7 @@ def _row(known: Known, means: list[Mean]) -> dict[str, Any]:
 
 COLUMNS: Columns = {
     "scene": "{scene}",
+    "repetitions": "{repetitions}",
     "within": "{within:.1%}",
     "error/bound": "{worst:.2f}",
     "tolerance": "{tolerance:g}",
@@ -107,10 +111,10 @@ COLUMNS: Columns = {
 }
 
 
-def notes(found: dict[str, Any]) -> list[str]:
+def notes(_: dict[str, Any]) -> list[str]:
     """Return what the columns mean."""
     return [
-        f"{found['repetitions']} repetitions of each; within: share of them whose error is within "
+        "within: share of them whose error is within "
         "their bound; error/bound: the worst; error, levels, cost: medians; cost: in steps, of "
         "worlds in the finest steps alone for the same statistical error"
     ]
