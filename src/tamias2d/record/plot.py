@@ -149,9 +149,9 @@ def _heights(axes: Any, run: RunData) -> None:
 
 def _energy(axes: Any, run: RunData) -> None:
     kinetic = kinetic_energy(run.scene, run.velocity, run.angular_velocity)
-    series = {"energy": run.energy, "kinetic": kinetic}
-    if (potential := run.energy - kinetic).any():  # fields and laws of forces have none
-        series["potential"] = potential
+    series = {"energy": run.energy, "kinetic": kinetic, "potential": run.energy - kinetic}
+    if not series["potential"].any():  # fields and laws of forces have none
+        series = {"kinetic energy": kinetic}
     for (name, values), colour in zip(series.items(), drawing.PALETTE, strict=False):
         axes.plot(run.times, values, label=name, color=_unit(colour), linewidth=1.2)
     axes.set(xlabel="time, s", ylabel="energy, J")
