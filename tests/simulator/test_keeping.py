@@ -72,6 +72,24 @@ def test_laws_and_names_are_kept() -> None:
     assert still.digest() != sim.digest()
 
 
+@pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")
+def test_what_was_warned_of_is_kept(tmp_path: Path) -> None:
+    """It is told once, by whatever goes on."""
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    surface = {"friction": 0.6, "restitution": 0.0}
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
+    for mass, height in ((1.0, 0.5), (1e8, 1.5)):
+        scene.add_body(t2.Box(width=1.0, height=1.0), mass=mass, position=(0.0, height), **surface)
+    sim = t2.Simulator(scene)
+    sim.step(120)
+    assert sim.warnings
+    sim.save(tmp_path / "sim.npz")
+    restored = t2.Simulator.restore(tmp_path / "sim.npz")
+    for other in (restored, copy.deepcopy(sim), pickle.loads(pickle.dumps(sim))):
+        other.step(10)
+        assert other.warnings == sim.warnings
+
+
 def test_two_threads_give_the_bits_of_one() -> None:
     alone = [history(lively(seed), 40) for seed in (2, 3)]
     with ThreadPoolExecutor(2) as threads:

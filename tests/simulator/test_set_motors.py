@@ -182,3 +182,57 @@ def test_what_is_no_motor_is_refused_by_name() -> None:
     with pytest.raises(InputError, match=r"speed of motor of joint 'engine': found nan"):
         sim.set_motor("engine", Motor(speed=math.nan))
     assert sim.digest() == before
+
+
+@pytest.mark.parametrize("height", [0.4085, 0.4087, 0.409])
+def test_a_wheel_that_lands_at_the_end_of_a_step_gets_no_more_than_the_maximum(
+    height: float,
+) -> None:
+    """Friction brakes the wheel after joints were solved: its motor does not make up for that."""
+    surface = {"friction": 1.0, "restitution": 0.0}
+    scene = Scene(gravity=(0.0, -10.0))
+    scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
+    place: Any = {"position": (0.0, height), "velocity": (0.0, -1.0)}
+    scene.add_body(Disc(radius=0.4), mass=3.0, angular_velocity=-15.0, **place, **surface)
+    scene.add_body(None, mass=10.0, inertia=3.0, **place)
+    scene.add_joint(Revolute(), 2, 1)
+    scene.add_joint(Rotary(motor=Motor(speed=-15.0, maximum=5.0)), 2, 1, name="motor")
+    sim = plain(scene, time_step=1 / 240)
+    for _ in range(12):
+        before = sim.angular_velocity[2]
+        sim.step()
+        assert abs(3.0 * (sim.angular_velocity[2] - before) * 240) <= 5.0 * (1 + 1e-9)
+        assert abs(sim.reactions.torque[1, 1]) <= 5.0 * (1 + 1e-9)
+
+
+def test_a_piston_that_drives_a_crate_into_a_wall_gives_no_more_than_its_maximum() -> None:
+    """The crate reaches the wall at the end of a step, and the piston the crate in the next one."""
+    surface = {"friction": 0.0, "restitution": 0.5}
+    scene = Scene(gravity=(0.0, 0.0))
+    scene.add_static(HalfPlane(normal=(-1.0, 0.0), offset=-5.0), **surface)
+    for width, height, x in ((0.4, 0.8, 4.187466973610554), (0.6, 0.6, 4.687482767821861)):
+        box, place = Box(width=width, height=height), (x, 0.0)
+        scene.add_body(box, mass=2.0, position=place, velocity=(3.00046, 0.0), **surface)
+    drive = Prismatic(axis=(1.0, 0.0), motor=Motor(speed=3.0, maximum=5.0))
+    scene.add_joint(drive, (4.187466973610554, 0.0), 1)
+    sim = plain(scene, time_step=1 / 240)
+    for _ in range(24):
+        sim.step()
+        assert abs(sim.reactions.force[0, 1, 0]) <= 5.0 * (1 + 1e-9)
+
+
+def test_what_a_motor_puts_in_is_told() -> None:
+    """One lifts 2 kg against 10 m/s^2 at 0.5 m/s, one turns an inertia: torque times speed."""
+    scene = Scene(gravity=(0.0, -10.0))
+    scene.add_body(None, mass=2.0, inertia=1.0, position=(0.0, 0.0))
+    lift = Prismatic(axis=(0.0, 1.0), motor=Motor(speed=0.5))
+    scene.add_joint(lift, (0.0, 0.0), 0, name="lift")
+    scene.add_body(None, mass=1.0, inertia=2.0, position=(5.0, 0.0))
+    drive = Revolute(motor=Motor(speed=9.0, maximum=4.0))
+    scene.add_joint(drive, (5.0, 0.0), 1, name="drive")
+    sim = plain(scene)
+    sim.step(30)
+    told = sim.reactions
+    assert told.speed == pytest.approx([0.5, 1.0], rel=1e-9)  # 4 / 2 rad/s^2 for 0.5 s
+    assert told.power == pytest.approx([10.0, 4.0], rel=1e-8)
+    assert copy.deepcopy(sim).reactions.power == pytest.approx(told.power, rel=1e-12)

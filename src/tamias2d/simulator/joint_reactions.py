@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tamias2d.read_only import read_only
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.springs import arm
+from tamias2d.simulator.joint_drives import drives_of
 from tamias2d.simulator.joint_rows import joint_rows
 from tamias2d.simulator.joint_separations import separations
 from tamias2d.simulator.told_only import REMEDIES
@@ -38,6 +39,10 @@ class Reactions:
     """(j,), by how much the joint is apart now, m"""
     angular_separation: Array
     """(j,), by how much it is turned against what it keeps, rad"""
+    speed: Array
+    """(j,), of what a motor drives, now, rad/s or m/s; zero for joints without one"""
+    power: Array
+    """(j,), what a motor gave on average over the step, times its speed now, W"""
 
     def index(self, name: str) -> int:
         """Return the place of a joint; raise `ValueError` if there is none of that name."""
@@ -76,23 +81,33 @@ def forces_and_torques(
 
 
 def reactions_of(
-    joints: Sequence[Joint], totals: Array, pose: Array, time: float, time_step: float
+    joints: Sequence[Joint],
+    totals: Array,
+    pose: Array,
+    velocity: Array,
+    *,
+    time: float,
+    time_step: float,
 ) -> Reactions:
     """Return what joints (j,) exerted, from what a step of so many s left of each of their rows.
 
-    It ended at a time, s, with bodies at poses (n, 3).
+    It ended at a time, s, with bodies at poses and velocities (n, 3).
     """
     owner = [k for k, joint in enumerate(joints) for _ in joint_rows(joint)]
     impulses = np.zeros((len(joints), len(ENDS), 3))
-    np.add.at(impulses, owner, totals[:, : 3 * len(ENDS)].reshape(-1, len(ENDS), 3))
+    of_rows = totals[:, : 3 * len(ENDS)].reshape(-1, len(ENDS), 3)
+    np.add.at(impulses, owner, of_rows)
     force, torque = forces_and_torques(Held.by(joints), impulses, pose, time_step)
     lengths, angles = separations(joints, pose, time)
+    speed, power = drives_of(joints, of_rows, pose, velocity, time_step)
     told = {
         "impulse": impulses[:, :, :2].copy(),
         "force": force,
         "torque": torque,
         "separation": lengths,
         "angular_separation": angles,
+        "speed": speed,
+        "power": power,
     }
     return Reactions(
         names=tuple(joint.name for joint in joints),

@@ -277,7 +277,14 @@ class JointSet:
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
         """Return what joints exerted in the last step, and how well they hold now."""
-        return reactions_of(list(self), self.kept(engine), engine.pose, engine.time, time_step)
+        return reactions_of(
+            list(self),
+            self.kept(engine),
+            engine.pose,
+            engine.velocity,
+            time=engine.time,
+            time_step=time_step,
+        )
 
     def _change(self, kept: Array | None = None) -> None:
         """Note that the engine has to be told of joints, with what a step left of their rows."""

@@ -20,7 +20,7 @@ from tamias2d.scene.reading import read_scene
 from tamias2d.simulator.settings import checked_count, checked_substeps, checked_time_step
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 14  # of the saved state: its arrays, and the columns of the engine's
+VERSION = 15  # of the saved state: its arrays, and the columns of the engine's
 _MARK = "tamias2d simulator"
 _ABOUT, _DIGEST = "about", "digest"
 
@@ -40,6 +40,8 @@ class About:
     """The text of a scene whose loads vary."""
     joints: list[dict[str, Any]]
     """As plain data."""
+    warnings: dict[str, str]
+    """What was warned of so far, by the names under which it is told once."""
 
 
 def write(path: Path, arrays: Arrays) -> None:
@@ -119,7 +121,8 @@ def _about(text: str) -> About:
         fits = all(isinstance(row, int) and not isinstance(row, bool) and row >= 0 for row in rows)
         fits = fits and isinstance(about.time_step, float) and isinstance(about.substeps, int)
         fits = fits and isinstance(about.names, dict) and isinstance(about.staying, list)
-        fits = fits and isinstance(about.joints, list)
+        fits = fits and isinstance(about.joints, list) and isinstance(about.warnings, dict)
+        fits = fits and all(isinstance(text, str) for text in about.warnings.values())
     except (TypeError, ValueError, AttributeError, RecursionError) as error:
         raise UnfitError(f"{_ABOUT}: {error}") from error
     require(fits, _ABOUT, "must be numbers, rows and names")

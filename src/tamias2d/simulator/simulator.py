@@ -157,6 +157,7 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
             staying=sorted(self._staying),
             scene=None if self._scene is None else scene_text(self._scene),
             joints=[asdict(joint) for joint in self._joints],
+            warnings=self._warned,
         )
         parts = {
             "engine": saved_arrays(self._engine),
@@ -180,6 +181,7 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
         )
         self._scene = saving.scene_of(about, engine.kind, dynamic=DYNAMIC, where=where)
         self._begin(engine)
+        self._warned = about.warnings
         self._joints = JointSet(*restored_joints(about.joints, arrays.get("joints"), engine.kind))
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
         self._pushed = saving.pushed_of(arrays, engine.size)

@@ -37,8 +37,10 @@ def begin_motors(n: int, substep: float, bodies: Bodies, joints: Joints) -> None
 def end_motors(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Let the motors that give the most catch up as a part ends, as the other loads do."""
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        if joints.joints[j, tb.J_LAW] == tb.MOTOR and joints.joints[j, tb.J_STATE] != tb.HOLDS:
-            give_the_most(j, HALF * substep, bodies, joints)
+        if joints.joints[j, tb.J_LAW] == tb.MOTOR:
+            joints.numbers[j, tb.J_GIVEN] = 0.0
+            if joints.joints[j, tb.J_STATE] != tb.HOLDS:
+                give_the_most(j, HALF * substep, bodies, joints)
 
 
 def give_the_most(j: int, time: float, bodies: Bodies, joints: Joints) -> None:
@@ -68,6 +70,27 @@ def choose_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
             changed = choose_limit(j, -1.0, bodies, joints) or changed
         elif law == tb.MOTOR:
             changed = choose_motor(j, time, bodies, joints) or changed
+    return changed
+
+
+def let_go_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
+    """Let go of limits that pull, and of motors that give too much, as velocities fit their rows.
+
+    Return whether there are any. Where nothing touches the mechanism motors have half a substep, s,
+    left, and else what is left of the last one.
+    """
+    alone, changed = joints.mechanisms[n, tb.M_STATUS] != tb.IN_CONTACT, False
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        law = joints.joints[j, tb.J_LAW]
+        if joints.joints[j, tb.J_STATE] != tb.HOLDS:
+            continue
+        if law == tb.MOTOR:
+            time = HALF * substep if alone else substep
+            changed = choose_motor(j, time, bodies, joints) or changed
+        elif law == tb.LOWER_LIMIT:
+            changed = choose_limit(j, 1.0, bodies, joints) or changed
+        elif law == tb.UPPER_LIMIT:
+            changed = choose_limit(j, -1.0, bodies, joints) or changed
     return changed
 
 

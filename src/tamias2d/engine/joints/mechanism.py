@@ -4,12 +4,18 @@ That is a tree of hinges, a net of hinges, or any other system of rows.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.governed import let_go_of_rows
 from tamias2d.engine.joints.hinge_laws import keep_tree_positions
 from tamias2d.engine.joints.hinge_net import bring_net_to_aims, fit_net, linearise_net, store_links
 from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
 from tamias2d.engine.joints.hinge_tree import hang_tree, linearise_tree, store_hinge_impulses
 from tamias2d.engine.joints.linearise import factor_mechanism, linearise
-from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
+from tamias2d.engine.joints.solve import (
+    MOST_CHOICES,
+    aim_joints,
+    keep_positions,
+    keep_velocities,
+)
 from tamias2d.engine.tables import Bodies, Joints
 
 
@@ -52,8 +58,18 @@ def bring_to_end(
 def fit(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of its rows from the velocities of a mechanism; `warm` is for meshes.
 
-    What is left in a net parts it little in a substep, s. Springs do not count.
+    Limits push only, and motors give no more than they can. What is left in a net parts it little
+    in a substep, s. Springs do not count.
     """
+    take_rates(n, warm, substep, bodies, joints)
+    for _ in range(MOST_CHOICES if joints.mechanisms[n, tb.M_CHOOSING] == 1 else 0):
+        if not let_go_of_rows(n, substep, bodies, joints):
+            return
+        take_rates(n, warm, substep, bodies, joints)
+
+
+def take_rates(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of the rows that hold from the velocities of a mechanism."""
     hinged, meshed = joints.mechanisms[n, tb.M_HINGED] == 1, joints.mechanisms[n, tb.M_MESHED] == 1
     governed = joints.mechanisms[n, tb.M_GOVERNED] == 1
     if hinged and meshed:
