@@ -3,11 +3,13 @@
 import math
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import mpmath as mp
 import numpy as np
 import pytest
 from hypothesis import example, given, settings, strategies as st
+from scipy.integrate import solve_ivp
 
 import tamias2d as t2
 from tamias2d.state import Array
@@ -255,17 +257,26 @@ def orbit_from_apoapsis(far: float, speed: float, times: Array) -> Array:
         return np.array(found)
 
 
-def test_the_turning_of_a_body_without_a_shape_is_not_claimed() -> None:
-    """Its only point is its centre, which does not move here."""
+@pytest.mark.parametrize("tolerance", [1e-1, 1e-3, 1e-6, 1e-9])
+def test_the_turning_of_a_body_without_a_shape_counts_at_its_radius_of_gyration(
+    tolerance: float,
+) -> None:
+    """Its centre does not move; 2 kg and 0.5 kg m^2 have a radius of gyration of 0.5 m."""
     scene = t2.Scene(gravity=(0.0, 0.0))
-    torque = "-1[N*m]*sin(orientation)"
-    scene.add_body(
-        None, mass=1.0, inertia=1.0, position=(0.0, 0.0), angular_velocity=1.0, torque=torque
-    )
-    certificate = t2.simulate(scene, duration=1.0, tolerance=1e-6).certificate
+    turns: Any = {"angular_velocity": 1.0, "torque": "-1[N*m]*sin(orientation)"}
+    scene.add_body(None, mass=2.0, inertia=0.5, position=(0.0, 0.0), **turns)
+    run = t2.simulate(scene, duration=1.0, tolerance=tolerance)
+    swing = solve_ivp(
+        lambda _, y: [y[1], -2.0 * math.sin(y[0])], (0.0, 1.0), [0.0, 1.0], method="DOP853",
+        rtol=1e-13, atol=1e-13, t_eval=run.times,
+    )  # fmt: skip
+    certificate, arc = run.certificate, float(np.ptp(run.orientation))
     assert certificate is not None
-    assert certificate.measure.endswith("relative to the 1 m taken where nothing moves")
-    assert any("without a shape has turned" in text for text in certificate.does_not_claim)
+    assert certificate.bound is not None
+    assert f"relative to the {0.5 * arc:.6g} m that the farthest" in certificate.measure
+    error = np.abs(run.orientation[:, 0] - swing.y[0]).max() / arc
+    assert error <= certificate.bound + 1e-12
+    assert certificate.bound <= tolerance
 
 
 @pytest.mark.parametrize(("eccentricity", "duration"), [(0.9464, 13.15), (0.9999, 5.48)])

@@ -254,6 +254,7 @@ Solvable: TypeAlias = PathMethod | Legacy2018 | Stepped
 
 
 _ROUNDING = 2.0**-52
+_HELD = 2.0**-40  # of the accelerations without joints: less is none
 
 
 def _scale(scene: Scene, duration: float) -> tuple[float, float]:
@@ -264,8 +265,12 @@ def _scale(scene: Scene, duration: float) -> tuple[float, float]:
         return max((shape.bounding_radius for shape in shapes), default=0.0) or 1.0, duration
     states = start_states(scene)
     q, rate = coordinates([states[i] for i in moving])
-    pull = Loads(scene).field(moving, [None] * len(moving))(0.0, q, rate)
-    place, speed, push = (np.hypot(rows[:, 0], rows[:, 1]) for rows in (q, rate, pull))
+    loads = Loads(scene)
+    pull = loads.field(moving, [None] * len(moving))(0.0, q, rate)
+    free = loads.free_field(moving)(0.0, q, rate)
+    place, speed, push, loose = (np.hypot(rows[:, 0], rows[:, 1]) for rows in (q, rate, pull, free))
     ways = (speed * duration + push * duration**2).max()
+    if ways <= _HELD * (unheld := (loose * duration**2).max()):
+        ways = unheld  # what is left beside what joints exert is rounding
     far = place.max() if place.max() > _ROUNDING * ways else math.inf
     return float(min(far, ways)) or 1.0, duration

@@ -57,7 +57,8 @@ def candidates(scene: Scene, *, rungs: Iterable[int]) -> Iterator[Candidate]:
     moving = [body for body in scene.bodies if body.dynamic]
     if len(closed_forms(scene)) == len(moving):
         yield Candidate("ClosedForm", "", _own(ClosedForm(), None))
-    dragged = (ExponentialDrag(),) if any(body.linear_drag for body in moving) else ()
+    drags = any(body.linear_drag for body in moving) and not scene.joints
+    dragged = (ExponentialDrag(),) if drags else ()
     for method in (*FIXED_STEP, *dragged):
         for count in counts:
             yield Candidate(type(method).__name__, f"{count} steps", _own(method, count), count)

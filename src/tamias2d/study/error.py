@@ -6,13 +6,14 @@ from typing import Protocol
 import numpy as np
 
 from tamias2d.run import Run
-from tamias2d.scene import Scene
+from tamias2d.scene import Body, Scene
 from tamias2d.state import Array
 
 MEASURE = "distance of any point of any body from its exact place, at any time of the history"
 
 
 _STILL = 2.0**-40  # of the size of a body
+_ROUNDING = 2.0**-46  # of a place: what solutions of a structure that stands leave
 
 
 class Placed(Protocol):
@@ -47,10 +48,12 @@ def distance(scene: Scene, one: Placed, other: Placed) -> Array:
 def scale(run: Run) -> float:
     """Return how far the farthest moving body goes during a run, m; errors are relative to it.
 
-    Where nothing moves but by rounding, it is the size of the largest body.
+    Where nothing moves but by rounding, it is the size of the largest body, and of particles 1 m.
     """
     size, far = float(radii(run.scene).max(initial=0.0)), way(run.scene, run)
-    return far if far > _STILL * size else size or 1.0
+    moving = [body.dynamic for body in run.scene.bodies]
+    place = float(np.abs(run.position[:, moving]).max(initial=0.0))
+    return far if far > max(_STILL * size, _ROUNDING * place) else size or 1.0
 
 
 def way(scene: Scene, history: Placed) -> float:
@@ -64,13 +67,17 @@ def way(scene: Scene, history: Placed) -> float:
 
 
 def radii(scene: Scene) -> Array:
-    """Return (n,), m: how far each body that moves reaches from its centre; 0 for a particle."""
-    return np.array(
-        [
-            body.shape.bounding_radius if body.dynamic and body.shape is not None else 0.0
-            for body in scene.bodies
-        ]
-    )
+    """Return (n,), m: how far each body that moves reaches from its centre; 0 for a particle.
+
+    Of one without a shape that can turn it is the radius of gyration.
+    """
+    return np.array([_radius(body) if body.dynamic else 0.0 for body in scene.bodies])
+
+
+def _radius(body: Body) -> float:
+    if body.shape is not None:
+        return body.shape.bounding_radius
+    return math.sqrt(body.inertia / body.mass) if math.isfinite(body.inertia) else 0.0
 
 
 def history_error(run: Run, exact: Run) -> float:

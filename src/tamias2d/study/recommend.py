@@ -183,6 +183,6 @@ def _lost(one: Estimate, best: float) -> str:
 def schemes_for(scene: Scene) -> list[Method]:
     """Return the stepped methods that suit the forces of a scene."""
     schemes: list[Method] = [RungeKutta4(), Yoshida4(), VelocityVerlet(), SemiImplicitEuler()]
-    if any(body.linear_drag for body in scene.bodies):
+    if any(body.linear_drag for body in scene.bodies) and not scene.joints:
         schemes.insert(0, ExponentialDrag())
     return schemes

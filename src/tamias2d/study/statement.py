@@ -3,8 +3,6 @@
 import math
 from dataclasses import replace
 
-import numpy as np
-
 from tamias2d.certificate import Certificate, hashes, not_claimed
 from tamias2d.contact import RULED
 from tamias2d.motion import ClosedForm, Stepped
@@ -24,7 +22,6 @@ _LEFT_OPEN = (
     "contacts at once, and restitution follows (A18)"
 )
 _BRIEF = "what a law does for less than {shortest:.3g} s: it is asked a thousand times over the run"
-_POINTS = "how far a body without a shape has turned: it has no point but its centre"
 _UNSEEN = "that no body passes through another: of so many it is not looked for"
 _BALANCE = "balance of energy, with what impacts take, relative to the largest kinetic energy"
 _KEPT = "the balance of energy"
@@ -44,7 +41,7 @@ def of_positions(run: Run, found: Bound) -> Certificate:
     """Return the certificate of a bound; raise `NoBoundError` if it is larger than the motion."""
     stepped = isinstance(run.method, Stepped)
     length, of = scale(run), "that the farthest one goes"
-    if not way(run.scene, run):
+    if length != way(run.scene, run):
         of = "taken where nothing moves"
     if stepped and length < (largest := float(radii(run.scene).max(initial=0.0))):
         length, of = largest, "around the largest one"  # what only sinks in goes nowhere
@@ -60,7 +57,6 @@ def of_positions(run: Run, found: Bound) -> Certificate:
         does_not_claim=(
             *not_claimed(None),
             *_brief(run),
-            *_turning(run),
             *((_LEFT_OPEN,) if stepped else ()),
             *((_UNSEEN,) if stepped and crowded(run) else ()),
         ),
@@ -75,12 +71,6 @@ def _brief(run: Run) -> tuple[str, ...]:
     if isinstance(run.method, ClosedForm) or not brief_laws(run.scene):
         return ()
     return (_BRIEF.format(shortest=run.duration / LOOKS),)
-
-
-def _turning(run: Run) -> tuple[str, ...]:
-    """Return what is not claimed of bodies without a shape: they have no point but the centre."""
-    points = [k for k, b in enumerate(run.scene.bodies) if b.dynamic and b.shape is None]
-    return (_POINTS,) if np.ptp(run.orientation[:, points], axis=0).any() else ()
 
 
 def of_penetration(run: Run, fault: Penetration) -> Certificate:
