@@ -272,6 +272,7 @@ def explain(
         Method,
         typer.Option(metavar="METHOD", help="The stepped method that the code is made for."),
     ] = Method.VELOCITY_VERLET,
+    duration: _Duration = None,
     as_json: _Json = False,
 ) -> None:
     """Say which models, states and terms a scene needs, and why the others are left out."""
@@ -280,7 +281,7 @@ def explain(
     if source:
         explain_source(scene, method.value)
     else:
-        explain_scene(scene, as_json=as_json)
+        explain_scene(scene, duration=duration, as_json=as_json)
 
 
 @app.command()

@@ -301,6 +301,16 @@ def test_explain_gives_every_reason(call: Call) -> None:
     assert all(entry["reason"] in text for entry in entries)
 
 
+def test_explain_takes_a_duration_for_a_scene_that_states_none(call: Call, tmp_path: Path) -> None:
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(
+        "gravity: [0 m/s^2, -9.81 m/s^2]\n"
+        "bodies:\n  ball: {shape: disc, radius: 10 cm, mass: 1 kg, position: [0 m, 0 m]}\n"
+    )
+    assert "--duration: found none" in call("explain", str(scene)).stderr
+    assert "translation (IM1)" in call("explain", str(scene), "--duration", "2 s").stdout
+
+
 def test_explain_tells_why_joints_are_stepped(call: Call) -> None:
     text = call("explain", "car").stdout
     assert "joints in a substep (IM15)" in text

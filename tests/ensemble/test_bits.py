@@ -111,6 +111,16 @@ def test_a_quantity_is_a_number_of_the_run() -> None:
     assert set(found.data_vars) == {"peak", "outcome"}
 
 
+@pytest.mark.parametrize("workers", [1, 2])
+def test_what_a_function_raises_tells_the_world(workers: int) -> None:
+    def fails(run: t2.Run) -> float:
+        raise ZeroDivisionError(str(run.duration))
+
+    with pytest.raises(ZeroDivisionError) as raised:
+        t2.ensemble(bouncing(), workers=workers, **{**LOCATED, "quantities": {"fails": fails}})
+    assert any("in world" in note for note in raised.value.__notes__)
+
+
 def test_coordinates_and_units_say_what_was_varied() -> None:
     found = t2.ensemble(bouncing(), workers=1, **LOCATED)
     assert found.position.dims == ("world", "time", "body", "axis")

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import asdict, replace
 
-from tamias2d.commands.names import find_method, find_scene
+from tamias2d.commands.names import find_method, find_scene, span_of
 from tamias2d.commands.output import print_json, print_table, say
 from tamias2d.contact import steps_because
 from tamias2d.errors import InputError
@@ -13,9 +13,10 @@ from tamias2d.scene.needs import Need
 _STEPS = "steps through contacts (IM10)"
 
 
-def explain_scene(name: str, *, as_json: bool) -> None:
+def explain_scene(name: str, *, duration: str | None, as_json: bool) -> None:
     """Print every state, term, model and method with the reason for it or against it."""
-    entries = _entries(find_scene(name))
+    scene = find_scene(name)
+    entries = _entries(scene, span_of(scene, name, duration))
     if as_json:
         print_json({"scene": name, "entries": [asdict(entry) for entry in entries]})
         return
@@ -28,10 +29,10 @@ def explain_scene(name: str, *, as_json: bool) -> None:
     )
 
 
-def _entries(scene: Scene) -> Sequence[Need]:
-    """What the scene needs; contacts are located or stepped."""
-    found = needs(scene)
-    reason = steps_because(scene, scene.duration or 0.0)  # `needs` had one
+def _entries(scene: Scene, duration: float) -> Sequence[Need]:
+    """What the scene needs within a duration, s; contacts are located or stepped."""
+    found = needs(scene, duration)
+    reason = steps_because(scene, duration)
     if reason is None:
         why = "taken only where impacts turn out not to be located" if found.pairs else "none meet"
         return [*found.entries, Need(_STEPS, "method", False, why)]

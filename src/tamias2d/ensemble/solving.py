@@ -78,6 +78,9 @@ def solved_block(worlds: Worlds, request: Request, first: int, last: int) -> Blo
             refused = next(kind for kind in _REFUSALS if isinstance(fault, kind))
             refusal = refusal or refused(f"world {world} of the ensemble: {fault}")
             continue
+        except Exception as fault:  # of a function of the user's
+            fault.add_note(f"It was raised in world {world} of the ensemble.")
+            raise
         for name, values in solved.items():
             arrays[name][row] = values
     return Block(first, arrays, outcome, refusal)
