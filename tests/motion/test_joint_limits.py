@@ -5,7 +5,6 @@ Where nothing is said the reference steps: it errs by some 1e-13 of a value.
 
 import math
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +15,6 @@ import tamias2d as t2
 from tamias2d.motion.joint_events import WORDS
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.state import Array
 
 G = 9.81
 
@@ -437,47 +435,3 @@ def test_events_are_recorded_and_read_back_to_the_bit(tmp_path: Path, suffix: st
     back = t2.Run.load(tmp_path / f"run{suffix}")
     assert list(back.joint_events) == list(run.joint_events)
     assert back.digest() == run.digest()
-
-
-def bead(also: str) -> Scene:
-    """Return a bead on a parabola, by an equation, and what else holds it."""
-    scene = Scene(gravity=(0.0, -G))
-    scene.add_body(None, mass=1.0, inertia=0.1, position=(1.0, 1.0), name="bead")
-    bears = {"break_force": 1e6} if also == "break" else {}
-    scene.add_joint(t2.Equation("y(position_a)*1[m] - x(position_a)**2"), "bead", **bears)
-    if also == "spring":
-        spring = t2.JointSpring(stiffness=5.0, rest=1.0)
-        scene.add_joint(t2.Distance(spring=spring), "bead", (0.0, 2.0))
-    if also == "rope":
-        limits = t2.Limits(upper=20.0, restitution=0.5)
-        scene.add_joint(t2.Distance(limits=limits), "bead", (0.0, 2.0))
-    if also == "brake":
-        scene.add_joint(t2.Rotary(motor=t2.Motor(speed=0.0)), (0.0, 0.0), "bead")
-    return scene
-
-
-@pytest.mark.parametrize("also", ["break", "spring", "rope", "brake"])
-@pytest.mark.parametrize(
-    "way", [{}, {"tolerance": 1e-8}, {"method": t2.RungeKutta4(), "time_step": 1e-3}]
-)
-def test_an_equation_of_ones_own_beside_what_is_governed(also: str, way: dict[str, Any]) -> None:
-    """A rope that is not taut and a brake of what nothing turns exert nothing.
-
-    Of the parabola x, x^2: (1 + 4 x^2) x'' + 4 x x'^2 = -2 g x, and a spring to (0, 2).
-    """
-    stiffness = 5.0 if also == "spring" else 0.0
-
-    def rate(_: float, state: Array) -> list[float]:
-        x, u = state
-        away = np.array((x, x * x - 2.0))
-        length = np.hypot(*away)
-        pull = -stiffness * (length - 1.0) * away / length
-        force = pull[0] + 2 * x * (pull[1] - G)
-        return [u, (force - 4 * x * u * u) / (1 + 4 * x * x)]
-
-    run = t2.simulate(bead(also), duration=2.0, **way)
-    true = solve_ivp(
-        rate, (0.0, 2.0), [1.0, 0.0], method="DOP853", rtol=1e-12, atol=1e-12, t_eval=run.times
-    )
-    error = np.abs(run.position[:, 0, 0] - true.y[0]).max()
-    assert error <= (1e-9 if not way else 2e-8)

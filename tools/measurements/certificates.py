@@ -27,7 +27,7 @@ from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
 from tamias2d.solve import StoppedError, solve, solve_halved, solve_with_error
 from tamias2d.state import Array
-from tamias2d.study import asked as asking, companion, embedded, path_error, pilot, unweighed
+from tamias2d.study import asked as asking, companion, embedded, path_error, pilot
 from tamias2d.study.bound import rounding
 from tamias2d.study.error import history_error, scale
 from tamias2d.study.recommend import schemes_for, solved
@@ -322,7 +322,7 @@ def _counted() -> Iterator[Callable[[], int]]:
     with ExitStack() as patched:
         for module in (companion, pilot, asking):
             patched.enter_context(patch.object(module, "solve", counting))
-        for module in (embedded, unweighed):
+        for module in (embedded, asking):
             patched.enter_context(patch.object(module, "solve_halved", counting_halves))
         for module in (path_error, asking):
             patched.enter_context(patch.object(module, "solve_with_error", counting_errors))

@@ -23,8 +23,9 @@ def drives_of(
     """
     speed, power = np.zeros(len(joints)), np.zeros(len(joints))
     for r, k, driven in _motors(joints):
-        slopes = _slopes(driven, pose)
-        speed[k] = np.sum(slopes * _of_ends(driven, velocity))
+        values = _values(driven, pose, velocity)
+        (speed[k],) = driven.functions.rate(values)
+        slopes = _slopes(driven, values)
         size = float(np.sum(slopes * slopes))
         if size > 0.0:
             power[k] += np.sum(slopes * impulses[r]) / size / time_step * speed[k]
@@ -44,16 +45,18 @@ def _motors(joints: Sequence[Joint]) -> Iterator[tuple[int, int, Joint]]:
             r += 1
 
 
-def _slopes(joint: Joint, pose: Array) -> Array:
-    """Return the slopes (3, 3) of the value of a joint by the coordinates of A, B and C."""
+def _values(joint: Joint, pose: Array, velocity: Array) -> dict[str, Any]:
+    """Return what the constraint of a joint takes; what is no body is at rest in the origin."""
     values: dict[str, Any] = dict(joint.given)
-    for end, (x, y, turn) in zip(ENDS, _of_ends(joint, pose).tolist(), strict=True):
+    for end, body in zip(ENDS, joint.ends, strict=True):
+        x, y, turn = (0.0,) * 3 if body is None else pose[body].tolist()
+        u, v, spin = (0.0,) * 3 if body is None else velocity[body].tolist()
         values[f"position_{end}"], values[f"orientation_{end}"] = (x, y), turn
+        values[f"velocity_{end}"], values[f"angular_velocity_{end}"] = (u, v), spin
+    return values
+
+
+def _slopes(joint: Joint, values: dict[str, Any]) -> Array:
+    """Return the slopes (3, 3) of the value of a joint by the coordinates of A, B and C."""
     slopes = joint.functions.slopes
     return np.array([slopes[end](values) if end in slopes else (0.0,) * 3 for end in ENDS])
-
-
-def _of_ends(joint: Joint, of_bodies: Array) -> Array:
-    """Return the rows (3, 3) of the bodies A, B and C; of what is no body they are 0."""
-    nothing = np.zeros(3)
-    return np.array([nothing if body is None else of_bodies[body] for body in joint.ends])

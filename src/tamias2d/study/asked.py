@@ -1,14 +1,15 @@
 """A run that is asked for within a tolerance, and how its tries are made."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from tamias2d.motion import Dop853, DormandPrince5
 from tamias2d.motion.error_equation import Watch
+from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.solve import solve, solve_with_error
+from tamias2d.solve import solve, solve_halved, solve_with_error
 from tamias2d.state import Array
 from tamias2d.study.pilot import Estimate
 
@@ -35,29 +36,28 @@ class Asked(NamedTuple):
     def run(self, estimate: Estimate) -> Run:
         """Return the run that was estimated."""
         return solve(
-            self.scene,
-            duration=self.duration,
-            method=estimate.method,
-            time_step=estimate.time_step,
-            times=self.times,
-            progress=self.progress,
-            work_limit=self.work_limit,
+            self.scene, method=estimate.method, time_step=estimate.time_step, **self._given()
         )
+
+    def halved(self, method: Dop853 | DormandPrince5) -> tuple[Run, Halving | None]:
+        """Return the run of a method by halved steps, as `solve_halved`."""
+        return solve_halved(self.scene, method=method, **self._given())
 
     def with_error(
         self, method: Dop853 | DormandPrince5, watch: Watch | None = None
     ) -> tuple[Run, Array | None]:
         """Return the run of a method with the largest error of its path, as `solve_with_error`."""
-        watched = {} if watch is None else {"watch": watch}
-        return solve_with_error(
-            self.scene,
-            duration=self.duration,
-            method=method,
-            times=self.times,
-            progress=self.progress,
-            work_limit=self.work_limit,
-            **watched,
-        )
+        watched: dict[str, Any] = {} if watch is None else {"watch": watch}
+        return solve_with_error(self.scene, method=method, **self._given(), **watched)
+
+    def _given(self) -> dict[str, Any]:
+        """Return what all solvers take alike."""
+        return {
+            "duration": self.duration,
+            "times": self.times,
+            "progress": self.progress,
+            "work_limit": self.work_limit,
+        }
 
     def is_met(self, run: Run) -> bool:
         """Return whether the certificate of a run is within the tolerance."""

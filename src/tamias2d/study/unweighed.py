@@ -15,7 +15,6 @@ from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity, kinked, only_slowed
 from tamias2d.scene.reach import pairs_that_can_meet
-from tamias2d.solve import solve_halved
 from tamias2d.study.asked import Asked
 from tamias2d.study.certify import (
     certify_embedded,
@@ -67,8 +66,8 @@ def unweighed(asked: Asked) -> Run | None:
     try:
         if has_error_equation(scene, Dop853()):
             if meet:
-                return _through_impacts(asked, _first_through_impacts(asked))
-            if (run := _with_error(asked, _first_with_error(asked))) is not None:
+                return _through_impacts(asked, _first(asked, _STRUCK, _IMPACTS))
+            if (run := _with_error(asked, _first(asked, _SLOWED, _LOOSE))) is not None:
                 return run
         if not (meet or slowed or scene.joints or kinked(scene)) and tolerance < _HALVES:
             return _halved(asked, Dop853(rtol=_own(_HALVED * tolerance, _ORDERLY)))
@@ -79,22 +78,16 @@ def unweighed(asked: Asked) -> Run | None:
         return None
 
 
-def _first_with_error(asked: Asked) -> Adaptive:
-    """Return the method whose error is integrated first."""
-    scene, tolerance = asked.scene, asked.tolerance
-    slowed = only_slowed(scene)
-    rtol = _own(tolerance * (_SLOWED if slowed else _aim(scene)))
-    loose = slowed and tolerance >= _LOOSE
-    return DormandPrince5(rtol=rtol) if loose else Dop853(rtol=rtol)
+def _first(asked: Asked, slowed_to: float, loose: float) -> Adaptive:
+    """Return the method that is tried first with its error beside it.
 
-
-def _first_through_impacts(asked: Asked) -> Adaptive:
-    """Return the method whose error is carried through impacts first."""
-    scene, tolerance = asked.scene, asked.tolerance
-    slowed = only_slowed(scene)
-    rtol = _own(tolerance * (_STRUCK if slowed else _aim(scene)))
-    loose = slowed and tolerance >= _IMPACTS
-    return DormandPrince5(rtol=rtol) if loose else Dop853(rtol=rtol)
+    Where bodies are only slowed its tolerance is so many times that of the run, and from a loose
+    one on it is of order 5.
+    """
+    slowed = only_slowed(asked.scene)
+    rtol = _own(asked.tolerance * (slowed_to if slowed else _aim(asked.scene)))
+    order_5 = slowed and asked.tolerance >= loose
+    return DormandPrince5(rtol=rtol) if order_5 else Dop853(rtol=rtol)
 
 
 def _aim(scene: Scene) -> float:
@@ -149,15 +142,7 @@ def _through_impacts(asked: Asked, method: Adaptive) -> Run | None:
 
 def _halved(asked: Asked, method: Adaptive) -> Run | None:
     """Return a run by halved steps, which are certified by whole ones, of the same times or not."""
-    run, halving = solve_halved(
-        asked.scene,
-        duration=asked.duration,
-        method=method,
-        times=asked.times,
-        progress=asked.progress,
-        work_limit=asked.work_limit,
-    )
-    run, tighter = certify_halved(run, halving)
+    run, tighter = certify_halved(*asked.halved(method))
     if tighter is None and not asked.is_met(run) and reached_by(run.certificate) < math.inf:
         run, tighter = certify_embedded(run)
     return _tightened(asked, run, tighter)
