@@ -65,6 +65,21 @@ def row_error(row_value: Scalar, row_aim: Scalar, time_step: Scalar) -> Scalar:
     return (row_value - row_aim) / time_step
 
 
+def row_value_ahead(row_value: Scalar, row_rate: Scalar, time_step: Scalar) -> Scalar:
+    """Value of a row after a substep at its rate (m).
+
+    row_value_ahead = row_value + time_step*row_rate
+
+    Args:
+        row_value: Number of a joint's equation that is zero where it holds, m
+        row_rate: Rate of a row's value, or a body's part in it, m/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD56, srs/models/joint_step.md:18.
+    """
+    return row_value + time_step * row_rate
+
+
 def slope_turned(slope_before: Vector, slope: Vector) -> Scalar:
     """Squared slope times the sine of the angle by which it turned (1).
 
@@ -74,7 +89,7 @@ def slope_turned(slope_before: Vector, slope: Vector) -> Scalar:
         slope_before: A slope as it was a substep before, 1
         slope: How a row's value changes with the place of a body, 1
 
-    Source: DD56, srs/models/joint_step.md:18.
+    Source: DD56, srs/models/joint_step.md:19.
     """
     slope_before_x, slope_before_y = slope_before
     slope_x, slope_y = slope
@@ -89,7 +104,7 @@ def slope_squared(slope: Vector) -> Scalar:
     Args:
         slope: How a row's value changes with the place of a body, 1
 
-    Source: DD56, srs/models/joint_step.md:19.
+    Source: DD56, srs/models/joint_step.md:20.
     """
     slope_x, slope_y = slope
     return slope_x * slope_x + slope_y * slope_y
@@ -105,7 +120,7 @@ def firmness(firm_ratio: Scalar, row_yield: Scalar) -> Scalar:
         row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
             1/kg
 
-    Source: DD57, srs/models/joint_step.md:48.
+    Source: DD57, srs/models/joint_step.md:51.
     """
     return firm_ratio / row_yield
 
@@ -120,7 +135,7 @@ def row_impulse(row_rate: Scalar, firmness: Scalar) -> Scalar:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:49.
+    Source: DD57, srs/models/joint_step.md:52.
     """
     return (-firmness) * row_rate
 
@@ -138,7 +153,7 @@ def velocity_later(
         slope: How a row's value changes with the place of a body, 1
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD57, srs/models/joint_step.md:50.
+    Source: DD57, srs/models/joint_step.md:53.
     """
     velocity_x, velocity_y = velocity
     slope_x, slope_y = slope
@@ -161,7 +176,7 @@ def angular_velocity_later(
         turning_slope: How a row's value changes with the orientation of a body, m
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD57, srs/models/joint_step.md:51.
+    Source: DD57, srs/models/joint_step.md:54.
     """
     return angular_velocity + inverse_inertia * row_impulse * turning_slope
 
@@ -176,7 +191,7 @@ def momentum_later(momentum: Vector, row_impulse: Scalar, slope: Vector) -> Vect
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         slope: How a row's value changes with the place of a body, 1
 
-    Source: DD57, srs/models/joint_step.md:53.
+    Source: DD57, srs/models/joint_step.md:56.
     """
     momentum_x, momentum_y = momentum
     slope_x, slope_y = slope
@@ -195,7 +210,7 @@ def angular_momentum_later(
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         turning_slope: How a row's value changes with the orientation of a body, m
 
-    Source: DD57, srs/models/joint_step.md:54.
+    Source: DD57, srs/models/joint_step.md:57.
     """
     return angular_momentum + row_impulse * turning_slope
 
@@ -211,7 +226,7 @@ def coupled_mass(slope_a: Vector, slope_along: Scalar, firmness: Scalar) -> Vect
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:55.
+    Source: DD57, srs/models/joint_step.md:58.
     """
     slope_a_x, slope_a_y = slope_a
     return (firmness * slope_along * slope_a_x, firmness * slope_along * slope_a_y)
@@ -228,7 +243,7 @@ def coupled_moment(turning_slope_a: Scalar, slope_b: Vector, firmness: Scalar) -
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:56.
+    Source: DD57, srs/models/joint_step.md:59.
     """
     slope_b_x, slope_b_y = slope_b
     return (firmness * turning_slope_a * slope_b_x, firmness * turning_slope_a * slope_b_y)
@@ -245,7 +260,7 @@ def coupled_lever(slope_a: Vector, turning_slope_b: Scalar, firmness: Scalar) ->
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:57.
+    Source: DD57, srs/models/joint_step.md:60.
     """
     slope_a_x, slope_a_y = slope_a
     return (firmness * turning_slope_b * slope_a_x, firmness * turning_slope_b * slope_a_y)
@@ -262,7 +277,7 @@ def coupled_inertia(turning_slope_a: Scalar, turning_slope_b: Scalar, firmness: 
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:58.
+    Source: DD57, srs/models/joint_step.md:61.
     """
     return firmness * turning_slope_b * turning_slope_a
 
@@ -276,7 +291,7 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:118.
+    Source: IM15, srs/models/joint_step.md:121.
     """
     return (1 - removed_share) * row_value
 
@@ -290,7 +305,7 @@ def drive_error(row_rate: Scalar, drive_rate: Scalar) -> Scalar:
         row_rate: Rate of a row's value, or a body's part in it, m/s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: IM15, srs/models/joint_step.md:119.
+    Source: IM15, srs/models/joint_step.md:122.
     """
     return row_rate - drive_rate
 
@@ -304,7 +319,7 @@ def row_impulse_most(row_force_most: Scalar, time_step: Scalar) -> Scalar:
         row_force_most: The most that a motor exerts, for slopes of length one, N
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:120.
+    Source: IM15, srs/models/joint_step.md:123.
     """
     return time_step * row_force_most
 
@@ -319,7 +334,7 @@ def struck_share(row_value_start: Scalar, row_value: Scalar) -> Scalar:
             m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: IM15, srs/models/joint_step.md:121.
+    Source: IM15, srs/models/joint_step.md:124.
     """
     return row_value_start / (row_value_start - row_value)
 
@@ -334,7 +349,7 @@ def struck_rate(row_rate_start: Scalar, struck_share: Scalar, row_rate: Scalar) 
         struck_share: Part of a substep after which a limit is struck, 1
         row_rate: Rate of a row's value, or a body's part in it, m/s
 
-    Source: IM15, srs/models/joint_step.md:122.
+    Source: IM15, srs/models/joint_step.md:125.
     """
     return row_rate_start + struck_share * (row_rate - row_rate_start)
 
@@ -349,7 +364,7 @@ def bounce_rate(restitution: Scalar, struck_rate: Scalar) -> Scalar:
             energy is lost), 1
         struck_rate: Rate of a row as its limit is struck, m/s
 
-    Source: IM15, srs/models/joint_step.md:123.
+    Source: IM15, srs/models/joint_step.md:126.
     """
     return (-restitution) * struck_rate
 
@@ -363,7 +378,7 @@ def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
         row_force: Force of a row of a joint, for slopes of length one, N
         row_bend: Second derivative of a row's value by the orientation of a body, m
 
-    Source: IM15, srs/models/joint_step.md:124.
+    Source: IM15, srs/models/joint_step.md:127.
     """
     return (-row_force) * row_bend
 
@@ -378,7 +393,7 @@ def inertia_held(inertia: Scalar, leaning: Scalar, time_step: Scalar) -> Scalar:
         leaning: By how much less a joint's pull turns a body that has turned by a radian, N*m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:125.
+    Source: IM15, srs/models/joint_step.md:128.
     """
     return largest(inertia, time_step * time_step * leaning)
 
@@ -391,7 +406,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:126.
+    Source: IM15, srs/models/joint_step.md:129.
     """
     return sqrt(kick_decay)
 
@@ -405,7 +420,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:127.
+    Source: IM15, srs/models/joint_step.md:130.
     """
     return kick_gain / (1 + half_decay)
 
@@ -420,7 +435,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:128.
+    Source: IM15, srs/models/joint_step.md:131.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -435,7 +450,7 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:129.
+    Source: IM15, srs/models/joint_step.md:132.
     """
     return (kick_velocity - half_gain) / half_decay
 
@@ -450,7 +465,7 @@ def kept_way(kinetic_energy_start: Scalar, lift_work: Scalar, work: Scalar) -> S
         lift_work: Energy that overlaps under the weight of a body store and give back, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM15, srs/models/joint_step.md:130.
+    Source: IM15, srs/models/joint_step.md:133.
     """
     return least((-(kinetic_energy_start + lift_work)) / work, 1)
 
@@ -465,7 +480,7 @@ def spring_change(row_impulse: Scalar, row_yield: Scalar) -> Scalar:
         row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
             1/kg
 
-    Source: DD86, srs/models/joint_step.md:241.
+    Source: DD86, srs/models/joint_step.md:244.
     """
     return row_impulse * row_impulse * row_yield / 2
 
@@ -485,7 +500,7 @@ def change_most(
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:242.
+    Source: DD86, srs/models/joint_step.md:245.
     """
     return amplification * amplification * mass * rates_squared / 2 + spring_change
 
@@ -501,7 +516,7 @@ def firmness_most(mass: Scalar, row_arm: Scalar, amplification: Scalar) -> Scala
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:243.
+    Source: DD86, srs/models/joint_step.md:246.
     """
     return amplification * amplification * mass * row_arm * row_arm
 
@@ -515,7 +530,7 @@ def closing_share(row_value: Scalar, closing_way: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         closing_way: Way by which a row that has yielded may close in a substep at most, m
 
-    Source: DD86, srs/models/joint_step.md:244.
+    Source: DD86, srs/models/joint_step.md:247.
     """
     return closing_way / abs(row_value)
 
@@ -535,7 +550,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:322.
+    Source: IM19, srs/models/joint_step.md:325.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -557,7 +572,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:326.
+    Source: IM19, srs/models/joint_step.md:329.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -592,7 +607,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:328.
+    Source: IM19, srs/models/joint_step.md:331.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -608,7 +623,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:329.
+    Source: IM19, srs/models/joint_step.md:332.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -622,7 +637,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:430.
+    Source: DD79, srs/models/joint_step.md:433.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -647,7 +662,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:431.
+    Source: DD79, srs/models/joint_step.md:434.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -666,7 +681,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:433.
+    Source: DD79, srs/models/joint_step.md:436.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -690,7 +705,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:435.
+    Source: DD79, srs/models/joint_step.md:438.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -705,7 +720,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:437.
+    Source: DD79, srs/models/joint_step.md:440.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -721,6 +736,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:438.
+    Source: DD79, srs/models/joint_step.md:441.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

@@ -2301,13 +2301,21 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1433,
     ),
+    "row_value_ahead": Symbol(
+        "row_value_ahead",
+        "m",
+        "value of a row after a substep at its rate",
+        tex="C_+",
+        file="srs/symbols.md",
+        line=1437,
+    ),
     "row_aim": Symbol(
         "row_aim",
         "m",
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1437,
+        line=1441,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2316,7 +2324,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1441,
+        line=1445,
     ),
     "slope": Symbol(
         "slope",
@@ -2325,7 +2333,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1446,
+        line=1450,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2334,7 +2342,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1451,
+        line=1455,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2343,7 +2351,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1456,
+        line=1460,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2352,7 +2360,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1461,
+        line=1465,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2360,7 +2368,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1466,
+        line=1470,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2368,7 +2376,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1470,
+        line=1474,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2376,7 +2384,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1474,
+        line=1478,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2385,7 +2393,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1478,
+        line=1482,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2393,7 +2401,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1483,
+        line=1487,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2401,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1487,
+        line=1491,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2409,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1491,
+        line=1495,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2417,7 +2425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1495,
+        line=1499,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2425,7 +2433,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1499,
+        line=1503,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2433,7 +2441,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1503,
+        line=1507,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2441,7 +2449,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1507,
+        line=1511,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2449,7 +2457,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1511,
+        line=1515,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2458,7 +2466,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1515,
+        line=1519,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2467,7 +2475,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1520,
+        line=1524,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2476,7 +2484,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1525,
+        line=1529,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2485,7 +2493,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1530,
+        line=1534,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2493,7 +2501,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1535,
+        line=1539,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2502,7 +2510,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1539,
+        line=1543,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2510,7 +2518,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1544,
+        line=1548,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2518,7 +2526,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1548,
+        line=1552,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2527,7 +2535,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1552,
+        line=1556,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2536,7 +2544,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1557,
+        line=1561,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2544,7 +2552,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1562,
+        line=1566,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2553,7 +2561,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1566,
+        line=1570,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2561,7 +2569,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1571,
+        line=1575,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2569,7 +2577,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1575,
+        line=1579,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2578,7 +2586,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1579,
+        line=1583,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2587,7 +2595,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1584,
+        line=1588,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2596,7 +2604,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1589,
+        line=1593,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2605,7 +2613,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1594,
+        line=1598,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2614,7 +2622,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1599,
+        line=1603,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2623,7 +2631,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1604,
+        line=1608,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2632,7 +2640,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1609,
+        line=1613,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2641,7 +2649,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1614,
+        line=1618,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2650,7 +2658,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1619,
+        line=1623,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2658,7 +2666,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1624,
+        line=1628,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2667,7 +2675,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1628,
+        line=1632,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2676,7 +2684,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1633,
+        line=1637,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2685,7 +2693,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1638,
+        line=1642,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2693,7 +2701,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1643,
+        line=1647,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2702,7 +2710,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1647,
+        line=1651,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2710,7 +2718,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1652,
+        line=1656,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2718,7 +2726,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1656,
+        line=1660,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2727,7 +2735,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1660,
+        line=1664,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2736,7 +2744,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1665,
+        line=1669,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2745,7 +2753,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1670,
+        line=1674,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2753,7 +2761,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1675,
+        line=1679,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2761,7 +2769,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1679,
+        line=1683,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2769,7 +2777,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1683,
+        line=1687,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2778,7 +2786,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1687,
+        line=1691,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2787,7 +2795,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1692,
+        line=1696,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2796,7 +2804,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1697,
+        line=1701,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2805,7 +2813,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1702,
+        line=1706,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2814,7 +2822,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1707,
+        line=1711,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2823,7 +2831,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1712,
+        line=1716,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2832,7 +2840,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1717,
+        line=1721,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2841,7 +2849,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1722,
+        line=1726,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2849,7 +2857,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1727,
+        line=1731,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2858,7 +2866,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1731,
+        line=1735,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2866,7 +2874,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1736,
+        line=1740,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2875,7 +2883,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1740,
+        line=1744,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2884,7 +2892,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1745,
+        line=1749,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2893,7 +2901,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1750,
+        line=1754,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2902,7 +2910,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1755,
+        line=1759,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2911,7 +2919,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1760,
+        line=1764,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2919,7 +2927,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1765,
+        line=1769,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2928,7 +2936,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1769,
+        line=1773,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2937,7 +2945,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1774,
+        line=1778,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2946,7 +2954,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1779,
+        line=1783,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2955,7 +2963,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1784,
+        line=1788,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2963,7 +2971,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1789,
+        line=1793,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2971,7 +2979,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1793,
+        line=1797,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2980,7 +2988,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1797,
+        line=1801,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2989,7 +2997,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1802,
+        line=1806,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2998,7 +3006,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1807,
+        line=1811,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3007,7 +3015,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1812,
+        line=1816,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3016,7 +3024,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1817,
+        line=1821,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3025,7 +3033,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1822,
+        line=1826,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3034,7 +3042,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1827,
+        line=1831,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3043,7 +3051,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1832,
+        line=1836,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3052,7 +3060,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1837,
+        line=1841,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3060,7 +3068,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1842,
+        line=1846,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3068,7 +3076,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1846,
+        line=1850,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3077,7 +3085,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1850,
+        line=1854,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3085,7 +3093,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1855,
+        line=1859,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3093,7 +3101,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1859,
+        line=1863,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3102,7 +3110,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1863,
+        line=1867,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3111,7 +3119,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1868,
+        line=1872,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3120,7 +3128,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1873,
+        line=1877,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3128,7 +3136,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1878,
+        line=1882,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3137,7 +3145,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1882,
+        line=1886,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3145,7 +3153,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1887,
+        line=1891,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3154,7 +3162,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1891,
+        line=1895,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3162,7 +3170,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1896,
+        line=1900,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3171,7 +3179,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1900,
+        line=1904,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3179,7 +3187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1905,
+        line=1909,
     ),
     "change": Symbol(
         "change",
@@ -3188,7 +3196,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1909,
+        line=1913,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3197,7 +3205,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1914,
+        line=1918,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3206,7 +3214,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1919,
+        line=1923,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3214,7 +3222,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1924,
+        line=1928,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3223,7 +3231,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1928,
+        line=1932,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3231,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1933,
+        line=1937,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3239,7 +3247,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1937,
+        line=1941,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3247,7 +3255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1941,
+        line=1945,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3256,7 +3264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1945,
+        line=1949,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3264,7 +3272,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1950,
+        line=1954,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3273,6 +3281,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1954,
+        line=1958,
     ),
 }

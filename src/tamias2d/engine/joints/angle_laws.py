@@ -65,8 +65,8 @@ def add_law(j: int, root: int, substep: float, bodies: Bodies, joints: Joints) -
     joints.hinges[m, tb.H_FIRM] += coupled_inertia(turning, turning, firm)
 
 
-def error_of_law(j: int, substep: float, bodies: Bodies, joints: Joints) -> float:
-    """Write the rate that an angle has too much, whose bodies are placed; return it, rad/s."""
+def error_of_law(j: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Write the rate that an angle has too much, whose bodies are placed, rad/s."""
     ends, numbers, law = joints.joints[j], joints.numbers[j], joints.laws[j]
     place_a, place_b = joints.places[ends[tb.J_MEMBER]], joints.places[ends[tb.J_MEMBER + 1]]
     angle_values(joints.given[j], place_a, place_b, numbers)
@@ -81,7 +81,6 @@ def error_of_law(j: int, substep: float, bodies: Bodies, joints: Joints) -> floa
         stiffness, damping = law[tb.LAW_STIFFNESS], law[tb.LAW_DAMPING]
         error = spring_error(angle, start, rate, given, stiffness, damping, share, firm, substep)
     numbers[tb.J_ERROR] = error
-    return float(error)
 
 
 @inlined

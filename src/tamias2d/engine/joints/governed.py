@@ -63,14 +63,55 @@ def choose_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
     changed = False
     time = substep * share_of_loads(n, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        law = joints.joints[j, tb.J_LAW]
-        if law == tb.LOWER_LIMIT:
-            changed = choose_limit(j, 1.0, bodies, joints) or changed
-        elif law == tb.UPPER_LIMIT:
-            changed = choose_limit(j, -1.0, bodies, joints) or changed
-        elif law == tb.MOTOR:
-            changed = choose_motor(j, time, bodies, joints) or changed
+        if is_to_change(j, time, joints):
+            change_row(j, time, bodies, joints)
+            changed = True
     return changed
+
+
+def hold_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
+    """Let limits hold that would be passed, and motors that would be too fast, as `choose_rows`."""
+    changed = False
+    time = substep * share_of_loads(n, joints)
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.joints[j, tb.J_STATE] != tb.HOLDS and is_to_change(j, time, joints):
+            change_row(j, time, bodies, joints)
+            changed = True
+    return changed
+
+
+def keep_within(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Let go of the rows of a mechanism that hold with more than they can give."""
+    time = substep * share_of_loads(n, joints)
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(j, time, joints):
+            change_row(j, time, bodies, joints)
+
+
+def nearest_bound(n: int, substep: float, joints: Joints) -> tuple[float, int]:
+    """Return the share of the last solution after which a row has given what it can, and its joint.
+
+    That is all of it, and -1, if none gives more.
+    """
+    time = substep * share_of_loads(n, joints)
+    nearest, which = 1.0, -1
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(j, time, joints):
+            given = joints.numbers[j, tb.J_GIVEN]
+            bound = bound_of(j, given, time, joints)
+            before = given - joints.numbers[j, tb.J_IMPULSE]
+            share = max(struck_share(before - bound, given - bound), 0.0)
+            if which < 0 or share < nearest:
+                nearest, which = share, j
+    return nearest, which
+
+
+def bound_of(j: int, given: float, time: float, joints: Joints) -> float:
+    """Return the bound of what a limit or a motor gives in a time, s, that it has gone beyond."""
+    if joints.joints[j, tb.J_LAW] != tb.MOTOR:
+        return 0.0
+    most = row_impulse_most(joints.laws[j, tb.LAW_MOST], time)
+    return most if given > 0.0 else -most
 
 
 def let_go_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
@@ -80,34 +121,48 @@ def let_go_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bo
     left, and else what is left of the last one.
     """
     alone, changed = joints.mechanisms[n, tb.M_STATUS] != tb.IN_CONTACT, False
+    time = HALF * substep if alone else substep
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        law = joints.joints[j, tb.J_LAW]
-        if joints.joints[j, tb.J_STATE] != tb.HOLDS:
-            continue
-        if law == tb.MOTOR:
-            time = HALF * substep if alone else substep
-            changed = choose_motor(j, time, bodies, joints) or changed
-        elif law == tb.LOWER_LIMIT:
-            changed = choose_limit(j, 1.0, bodies, joints) or changed
-        elif law == tb.UPPER_LIMIT:
-            changed = choose_limit(j, -1.0, bodies, joints) or changed
+        if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(j, time, joints):
+            change_row(j, time, bodies, joints)
+            changed = True
     return changed
 
 
-def choose_limit(j: int, sign: float, bodies: Bodies, joints: Joints) -> bool:
-    """Let go of a limit that pulls, or hold one that would be passed; return whether it changes."""
+def is_to_change(j: int, time: float, joints: Joints) -> bool:
+    """Return whether a limit or a motor, which has a time, s, is to change whether it holds.
+
+    That is a limit that pulls, or one that would be passed, and a motor that gives more than it
+    can, or would go beyond its speed by the most that it can.
+    """
     ends, numbers = joints.joints[j], joints.numbers[j]
+    law, holds, given = ends[tb.J_LAW], ends[tb.J_STATE] == tb.HOLDS, numbers[tb.J_GIVEN]
+    if law == tb.MOTOR:
+        if holds:
+            return bool(abs(given) > row_impulse_most(joints.laws[j, tb.LAW_MOST], time))
+        sign = 1.0 if ends[tb.J_STATE] == tb.AT_MOST else -1.0
+        return bool(sign * numbers[tb.J_ERROR] > 0.0)
+    if law != tb.LOWER_LIMIT and law != tb.UPPER_LIMIT:
+        return False
+    sign = 1.0 if law == tb.LOWER_LIMIT else -1.0
+    if holds:
+        return bool(sign * given < 0.0)
+    return bool(sign * numbers[tb.J_ROW] < sign * numbers[tb.J_AIM])
+
+
+def change_row(j: int, time: float, bodies: Bodies, joints: Joints) -> None:
+    """Let a limit or a motor hold, or let it go: a motor then gives the most in a time, s."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    motor, given = ends[tb.J_LAW] == tb.MOTOR, numbers[tb.J_GIVEN]
     if ends[tb.J_STATE] != tb.HOLDS:
-        passed = sign * numbers[tb.J_ROW] < sign * numbers[tb.J_AIM]
-        ends[tb.J_STATE] = tb.HOLDS if passed else tb.FREE_ROW
-        if passed and numbers[tb.J_STRUCK] == 0.0:
-            note_struck(sign, numbers)
-        return bool(passed)
-    pulls = sign * numbers[tb.J_GIVEN] < 0.0
-    if pulls:
-        apply_joint_impulse(j, 0, -numbers[tb.J_GIVEN], bodies, joints)
-        ends[tb.J_STATE] = tb.FREE_ROW
-    return bool(pulls)
+        ends[tb.J_STATE] = tb.HOLDS
+        if not motor and numbers[tb.J_STRUCK] == 0.0:
+            note_struck(1.0 if ends[tb.J_LAW] == tb.LOWER_LIMIT else -1.0, numbers)
+        return
+    ends[tb.J_STATE] = tb.FREE_ROW
+    if motor:
+        ends[tb.J_STATE] = tb.AT_MOST if given > 0.0 else tb.AT_LEAST
+    apply_joint_impulse(j, 0, bound_of(j, given, time, joints) - given, bodies, joints)
 
 
 def note_struck(sign: float, numbers: Array) -> None:
@@ -116,24 +171,3 @@ def note_struck(sign: float, numbers: Array) -> None:
     free = sign * numbers[tb.J_VALUE_START] > 0.0
     share = struck_share(numbers[tb.J_VALUE_START], numbers[tb.J_ROW]) if free else 0.0
     numbers[tb.J_STRUCK] = struck_rate(before, share, after)
-
-
-def choose_motor(j: int, time: float, bodies: Bodies, joints: Joints) -> bool:
-    """Let a motor give the most that it can in a time, s, or less if that is too much.
-
-    Return whether it changes.
-    """
-    ends, numbers = joints.joints[j], joints.numbers[j]
-    given, most = numbers[tb.J_GIVEN], row_impulse_most(joints.laws[j, tb.LAW_MOST], time)
-    if ends[tb.J_STATE] == tb.HOLDS:
-        if abs(given) <= most:
-            return False
-        forwards = given > 0.0
-        apply_joint_impulse(j, 0, (most if forwards else -most) - given, bodies, joints)
-        ends[tb.J_STATE] = tb.AT_MOST if forwards else tb.AT_LEAST
-        return True
-    sign = 1.0 if ends[tb.J_STATE] == tb.AT_MOST else -1.0
-    if sign * numbers[tb.J_ERROR] <= 0.0:
-        return False
-    ends[tb.J_STATE] = tb.HOLDS
-    return True

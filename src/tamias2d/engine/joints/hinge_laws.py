@@ -1,21 +1,39 @@
 """Positions of a tree of hinges with limits and motors: as of other mechanisms (IM15).
 
-Cost: for each choice that changes, a visit more to each body, and a solution.
+Cost: for each choice that changes, two visits more to each body, and a solution.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.governed import choose_rows
+from tamias2d.engine.joints.choices import (
+    MOST_CHOICES,
+    MOST_STEPS,
+    MOST_TRIALS,
+    begin_led_joint,
+    lead_joint,
+    note_led_joint,
+)
+from tamias2d.engine.joints.governed import (
+    change_row,
+    choose_rows,
+    hold_rows,
+    keep_within,
+    nearest_bound,
+    share_of_loads,
+)
 from tamias2d.engine.joints.hinge_solve import (
     answer_tree,
     begin_errors,
     bring_tree_to_aims,
     energy_asked_of_tree,
     find_gap_errors,
+    firm_errors,
     rates_of_hinge,
+    solve_hinges,
+    take_solution_back,
 )
 from tamias2d.engine.joints.hinge_tree import first_besides, hang_tree
-from tamias2d.engine.joints.solve import MOST_CHOICES, rate_of_row
 from tamias2d.engine.tables import Bodies, Joints
+from tamias2d.generated.joint_step import row_error, row_value_ahead
 
 
 def keep_tree_positions(
@@ -25,38 +43,100 @@ def keep_tree_positions(
 
     Again, they have changed little. Limits push only, and motors give no more than they can.
     """
-    governed = joints.mechanisms[n, tb.M_GOVERNED] == 1
-    if governed and not again:
+    if joints.mechanisms[n, tb.M_GOVERNED] == 1 and not again:
         hang_tree(n, substep, bodies, joints)
-    bring_tree_to_aims(n, substep, bodies, joints)
-    for _ in range(MOST_CHOICES if joints.mechanisms[n, tb.M_CHOOSING] == 1 else 0):
+    if joints.mechanisms[n, tb.M_CHOOSING] == 0:
+        bring_tree_to_aims(n, 0.0, substep, bodies, joints)
+        return
+    if not again:
+        begin_led_tree(n, joints)
+    for k in range(MOST_CHOICES):
+        first = choose_by_slopes_of_tree(n, substep, bodies, joints)
+        bring_tree_to_aims(n, first, substep, bodies, joints)
         find_gap_errors(n, substep, bodies, joints)
-        note_tree_rates(n, bodies, joints)
-        if not choose_rows(n, substep, bodies, joints):
+        note_led_tree(n, substep, bodies, joints)
+        if k + 1 == MOST_CHOICES or not choose_rows(n, substep, bodies, joints):
             return
         hang_tree(n, substep, bodies, joints)
-        return_tree_to_rates(n, substep, bodies, joints)
-        bring_tree_to_aims(n, substep, bodies, joints)
 
 
-def note_tree_rates(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Note the rates of all rows of a tree."""
+def choose_by_slopes_of_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Choose which rows of a tree hold as if its arms did not turn, as `choose_by_slopes`.
+
+    Return the sum of the squares of their errors at first, m^2/s^2.
+    """
+    first = lead_tree(n, substep, bodies, joints)
+    for _ in range(MOST_TRIALS):
+        most = energy_asked_of_tree(n, substep, bodies, joints)
+        answer_tree(n, substep, most, bodies, joints)
+        lead_tree(n, substep, bodies, joints)
+        if not choose_rows(n, substep, bodies, joints):
+            return first
+        hang_tree(n, substep, bodies, joints)
+        lead_tree(n, substep, bodies, joints)
+    choose_one_by_one_of_tree(n, substep, bodies, joints)
+    return first
+
+
+def choose_one_by_one_of_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Choose the same as `choose_one_by_one`."""
+    keep_within(n, substep, bodies, joints)
+    for _ in range(MOST_STEPS):
+        hang_tree(n, substep, bodies, joints)
+        lead_tree(n, substep, bodies, joints)
+        solve_hinges(n, bodies, joints)
+        share, which = nearest_bound(n, substep, joints)
+        if which >= 0:
+            take_solution_back(n, 1.0 - share, bodies, joints)
+            change_row(which, substep * share_of_loads(n, joints), bodies, joints)
+        else:
+            lead_tree(n, substep, bodies, joints)
+            if not hold_rows(n, substep, bodies, joints):
+                return
+
+
+def begin_led_tree(n: int, joints: Joints) -> None:
+    """Note that without their rates the rows of a tree, just written, stay where they are."""
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         row = joints.hinges[m]
-        row[tb.H_NOTED], row[tb.H_NOTED + 1] = rates_of_hinge(m, bodies, joints)
+        row[tb.H_LED], row[tb.H_LED + 1] = row[tb.H_GAP], row[tb.H_GAP + 1]
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
-        for r in range(joints.joints[j, tb.J_ROWS]):
-            joints.numbers[j, tb.J_RESIDUAL + r] = rate_of_row(j, r, bodies, joints)
+        begin_led_joint(j, joints)
 
 
-def return_tree_to_rates(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
-    """Let the rows of a tree that hold have the rates again that were noted."""
+def note_led_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Note where a substep leads the rows of a tree, whose errors were just written."""
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         row = joints.hinges[m]
         rate_x, rate_y = rates_of_hinge(m, bodies, joints)
-        begin_errors(row, rate_x - row[tb.H_NOTED], rate_y - row[tb.H_NOTED + 1])
+        gap_x = row_value_ahead(row[tb.H_AIM], row[tb.H_ERROR], substep)
+        gap_y = row_value_ahead(row[tb.H_AIM + 1], row[tb.H_ERROR + 1], substep)
+        row[tb.H_LED] = row_value_ahead(gap_x, rate_x, -substep)
+        row[tb.H_LED + 1] = row_value_ahead(gap_y, rate_y, -substep)
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
-        for r in range(joints.joints[j, tb.J_ROWS]):
-            rate = rate_of_row(j, r, bodies, joints)
-            joints.numbers[j, tb.J_ERROR + r] = rate - joints.numbers[j, tb.J_RESIDUAL + r]
-    answer_tree(n, substep, energy_asked_of_tree(n, substep, bodies, joints), bodies, joints)
+        note_led_joint(j, substep, bodies, joints)
+
+
+def lead_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Write the errors of the rows of a tree, whose arms do not turn in a substep, s.
+
+    Return the sum of the squares of those that are firm, m^2/s^2.
+    """
+    first, last = joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1
+    size = 0.0
+    if joints.members[first, tb.JOINED_HINGE] < 0:
+        begin_errors(joints.hinges[first], 0.0, 0.0)
+        first += 1
+    for m in range(first, last):
+        row = joints.hinges[m]
+        rate_x, rate_y = rates_of_hinge(m, bodies, joints)
+        gap_x = row_value_ahead(row[tb.H_LED], rate_x, substep)
+        gap_y = row_value_ahead(row[tb.H_LED + 1], rate_y, substep)
+        error_x = row_error(gap_x, row[tb.H_AIM], substep)
+        error_y = row_error(gap_y, row[tb.H_AIM + 1], substep)
+        begin_errors(row, error_x, error_y)
+        size += error_x * error_x + error_y * error_y
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
+        lead_joint(j, substep, bodies, joints)
+        size += firm_errors(j, joints)
+    return size

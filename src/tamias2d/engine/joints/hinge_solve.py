@@ -35,10 +35,8 @@ from tamias2d.engine.joints.yielding import (
     REMOVED_BY_JOINTS,
     energy_asked,
     gain_of_node,
-    has_motor,
     let_yield,
     may_yield,
-    slight_rates,
     yields,
 )
 from tamias2d.engine.tables import Bodies, Joints
@@ -84,28 +82,26 @@ def aim_tree(n: int, length: float, substep: float, joints: Joints) -> None:
         aim_joint(j, length, way, joints)
 
 
-def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+def bring_tree_to_aims(
+    n: int, first: float, substep: float, bodies: Bodies, joints: Joints
+) -> None:
     """Change the velocities of a tree so that a substep, s, brings its hinges where they are to be.
 
     Arms turn meanwhile; where that matters, it is done again, and with the arms of the end where
-    errors do not become much less.
+    errors do not become much less. Their size was so much at first, m^2/s^2, if that is known.
     """
-    choosing = joints.mechanisms[n, tb.M_CHOOSING] == 1  # trial impulses may go anywhere
-    first, before, most, turned = 0.0, inf, 0.0, False
+    before, most, turned = inf, 0.0, False
     root = joints.sparse[n, tb.I_NODE] + 1
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_gap_errors(n, substep, bodies, joints)
         if k == 0:
-            first, most = size, energy_asked_of_tree(n, substep, bodies, joints)
+            first, most = max(first, size), energy_asked_of_tree(n, substep, bodies, joints)
         if turned and not size < before:
-            take_solution_back(n, bodies, joints)
+            take_solution_back(n, 1.0, bodies, joints)  # no solution is near
             return
         if size <= SOLVED_RATE * SOLVED_RATE * first:
             return
-        if choosing and not size < before:
-            reject_in_tree(n, k == 1, size, substep, bodies, joints)
-            return
-        turned = not choosing and size > SLOWLY * before
+        turned = size > SLOWLY * before
         if turned:
             turn_tree(n, substep, bodies, joints)
         before = size
@@ -118,36 +114,20 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
             return
 
 
-def reject_in_tree(
-    n: int, first: bool, size: float, substep: float, bodies: Bodies, joints: Joints
-) -> None:
-    """Take back a solution after which the errors of a tree, whose size is m^2/s^2, are no less.
-
-    After the first one its rows yield. What parts none in a substep, s, by what is told, stays.
-    """
-    slight = slight_rates(n, first_besides(n, joints), substep, joints)
-    if has_motor(n, joints) or not size > slight:
-        return
-    take_solution_back(n, bodies, joints)
-    if first and not yields(n, joints):
-        let_yield(n, joints)
-        hang_tree(n, substep, bodies, joints)
-        find_gap_errors(n, substep, bodies, joints)
-        solve_hinges(n, bodies, joints)
-
-
-def take_solution_back(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Take the last solution from the motion of a tree: no solution is near."""
+def take_solution_back(n: int, share: float, bodies: Bodies, joints: Joints) -> None:
+    """Take a share of the last solution from the motion of a tree."""
     first, last = joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1
     for m in range(first, last):
         row = joints.hinges[m]
-        push_through(m, first, (-row[tb.H_IMPULSE], -row[tb.H_IMPULSE + 1]), bodies, joints)
+        back = (-share * row[tb.H_IMPULSE], -share * row[tb.H_IMPULSE + 1])
+        push_through(m, first, back, bodies, joints)
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
         if is_law(j, joints):
-            turn_by_law(j, -joints.numbers[j, tb.J_IMPULSE], bodies, joints)
+            turn_by_law(j, -share * joints.numbers[j, tb.J_IMPULSE], bodies, joints)
             continue
         for r in range(joints.joints[j, tb.J_ROWS]):
-            apply_joint_impulse(j, r, -joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
+            back_by = -share * joints.numbers[j, tb.J_IMPULSE + r]
+            apply_joint_impulse(j, r, back_by, bodies, joints)
 
 
 def answer_tree(n: int, ahead: float, most: float, bodies: Bodies, joints: Joints) -> float:
@@ -157,7 +137,7 @@ def answer_tree(n: int, ahead: float, most: float, bodies: Bodies, joints: Joint
     """
     largest = solve_hinges(n, bodies, joints)
     if most < inf and not yields(n, joints) and not gain_of_tree(n, joints) <= most:
-        take_solution_back(n, bodies, joints)
+        take_solution_back(n, 1.0, bodies, joints)
         let_yield(n, joints)
         hang_tree(n, ahead, bodies, joints)
         for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
@@ -228,13 +208,19 @@ def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> f
         size += error_x * error_x + error_y * error_y
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
         if is_law(j, joints):
-            error = error_of_law(j, substep, bodies, joints)
-            size += error * error if joints.numbers[j, tb.J_FIRMNESS] > 0.0 else 0.0
-            continue
-        errors_of_joint(j, substep, bodies, joints)
-        for r in range(joints.joints[j, tb.J_ROWS]):
-            if joints.numbers[j, tb.J_FIRMNESS + r] > 0.0:
-                size += joints.numbers[j, tb.J_ERROR + r] * joints.numbers[j, tb.J_ERROR + r]
+            error_of_law(j, substep, bodies, joints)
+        else:
+            errors_of_joint(j, substep, bodies, joints)
+        size += firm_errors(j, joints)
+    return size
+
+
+def firm_errors(j: int, joints: Joints) -> float:
+    """Return the sum of the squares of the errors of the firm rows of a joint, m^2/s^2."""
+    numbers, size = joints.numbers[j], 0.0
+    for r in range(joints.joints[j, tb.J_ROWS]):
+        if numbers[tb.J_FIRMNESS + r] > 0.0:
+            size += numbers[tb.J_ERROR + r] * numbers[tb.J_ERROR + r]
     return size
 
 

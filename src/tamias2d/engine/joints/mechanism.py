@@ -4,6 +4,7 @@ That is a tree of hinges, a net of hinges, or any other system of rows.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.choices import MOST_CHOICES, keep_positions
 from tamias2d.engine.joints.governed import let_go_of_rows
 from tamias2d.engine.joints.hinge_laws import keep_tree_positions
 from tamias2d.engine.joints.hinge_net import bring_net_to_aims, fit_net, linearise_net, store_links
@@ -11,9 +12,7 @@ from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
 from tamias2d.engine.joints.hinge_tree import hang_tree, linearise_tree, store_hinge_impulses
 from tamias2d.engine.joints.linearise import factor_mechanism, linearise
 from tamias2d.engine.joints.solve import (
-    MOST_CHOICES,
     aim_joints,
-    keep_positions,
     keep_velocities,
 )
 from tamias2d.engine.tables import Bodies, Joints

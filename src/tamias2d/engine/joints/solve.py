@@ -10,7 +10,6 @@ from math import inf
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.cholesky import substitute
-from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
 from tamias2d.engine.joints.linearise import (
@@ -25,7 +24,6 @@ from tamias2d.engine.joints.yielding import (
     REMOVED_YIELDING,
     energy_asked,
     gain_of_node,
-    has_motor,
     let_yield,
     may_yield,
     yields,
@@ -45,7 +43,6 @@ from tamias2d.generated.joint_step import (
 
 MOST_ITERATIONS_OF_JOINTS = 12  # two to three are usual
 SLOWLY = 0.1  # by which share errors become less: else rows are found anew
-MOST_CHOICES = 4  # of the limits that hold, and of the motors that give the most
 SOLVED_RATE = 1e-7  # of the largest error of the first iteration: as good as solved
 
 
@@ -80,49 +77,13 @@ def aim_joint(j: int, length: float, way: float, joints: Joints) -> None:
         numbers[tb.J_GIVEN + r] = -numbers[tb.J_LEFT] if law == tb.SPRING else 0.0
 
 
-def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
-    """Change the velocities of a mechanism so that a substep, s, leads to what its rows aim at.
-
-    Again, they have changed little. Limits push only, and motors give no more than they can.
-    """
-    if joints.mechanisms[n, tb.M_GOVERNED] == 1 and not again:
-        factor_mechanism(n, substep, bodies, joints)
-    bring_to_aims(n, again, substep, bodies, joints)
-    for _ in range(MOST_CHOICES if joints.mechanisms[n, tb.M_CHOOSING] == 1 else 0):
-        find_position_errors(n, substep, bodies, joints)
-        note_rates(n, bodies, joints)
-        if not choose_rows(n, substep, bodies, joints):
-            return
-        factor_mechanism(n, substep, bodies, joints)
-        return_to_rates(n, substep, bodies, joints)
-        bring_to_aims(n, True, substep, bodies, joints)
-
-
-def note_rates(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Note the rates of all rows of a mechanism."""
-    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        for r in range(joints.joints[j, tb.J_ROWS]):
-            joints.numbers[j, tb.J_RESIDUAL + r] = rate_of_row(j, r, bodies, joints)
-
-
-def return_to_rates(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
-    """Let the rows that hold have the rates again that they had before some changed their state.
-
-    Else what changed would tear the joints, and positions would be looked for far away.
-    """
-    start_impulses(n, 0.0, joints)
-    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        for r in range(joints.joints[j, tb.J_ROWS]):
-            rate = rate_of_row(j, r, bodies, joints)
-            joints.numbers[j, tb.J_ERROR + r] = rate - joints.numbers[j, tb.J_RESIDUAL + r]
-    most = energy_asked_of_rows(n, substep, bodies, joints)
-    solve_joint_errors(n, substep, most, bodies, joints)
-
-
-def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
+def bring_to_aims(
+    n: int, again: bool, first: float, substep: float, bodies: Bodies, joints: Joints
+) -> None:
     """Change the velocities of a mechanism so that a substep brings its rows where they are to be.
 
-    A mesh is solved once only: what is left of its rows is made up for in the next substep.
+    The size of errors was so much at first, J, if that is known. A mesh is solved once only: what
+    is left of its rows is made up for in the next substep.
     """
     if joints.mechanisms[n, tb.M_MESHED] == 1:
         find_position_errors(n, substep, bodies, joints)
@@ -132,44 +93,23 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         if not again:
             keep_impulses(n, share, joints)
         return
-    choosing = joints.mechanisms[n, tb.M_CHOOSING] == 1  # trial impulses may go anywhere
-    first, before, most, turned = 0.0, inf, 0.0, False
+    before, most, turned = inf, 0.0, False
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_position_errors(n, substep, bodies, joints)
         if k == 0:
-            first, most = size, energy_asked_of_rows(n, substep, bodies, joints)
+            first, most = max(first, size), energy_asked_of_rows(n, substep, bodies, joints)
         if turned and not size < before:
-            take_impulses_back(n, bodies, joints)
+            take_impulses_back(n, 1.0, bodies, joints)  # no solution is near
             return
         if size <= SOLVED_RATE * SOLVED_RATE * first:
             return
-        if choosing and not size < before:
-            reject_impulses(n, k == 1, most, substep, bodies, joints)
-            return
-        turned = not choosing and size > SLOWLY * before
+        turned = size > SLOWLY * before
         if turned:
             turn_rows(n, substep, bodies, joints)
         solve_joint_errors(n, substep, most, bodies, joints)
         if yields(n, joints):
             return
         before = size
-
-
-def reject_impulses(
-    n: int, first: bool, most: float, substep: float, bodies: Bodies, joints: Joints
-) -> None:
-    """Take back a solution after which errors ask for more than an energy, J, as they did at first.
-
-    After the first one the rows of the mechanism yield.
-    """
-    if has_motor(n, joints) or most >= energy_asked_of_rows(n, substep, bodies, joints):
-        return
-    take_impulses_back(n, bodies, joints)
-    if first and not yields(n, joints):
-        let_yield(n, joints)
-        factor_mechanism(n, substep, bodies, joints)
-        find_position_errors(n, substep, bodies, joints)
-        solve_joint_errors(n, substep, most, bodies, joints)
 
 
 def energy_asked_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
@@ -180,11 +120,12 @@ def energy_asked_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints)
     return energy_asked(n, first, 0.0, substep, bodies, joints)
 
 
-def take_impulses_back(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Take the impulses of the last solution from a mechanism: no solution is near."""
+def take_impulses_back(n: int, share: float, bodies: Bodies, joints: Joints) -> None:
+    """Take a share of the impulses of the last solution from a mechanism."""
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         for r in range(joints.joints[j, tb.J_ROWS]):
-            apply_joint_impulse(j, r, -joints.numbers[j, tb.J_IMPULSE + r], bodies, joints)
+            back = -share * joints.numbers[j, tb.J_IMPULSE + r]
+            apply_joint_impulse(j, r, back, bodies, joints)
 
 
 def turn_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:

@@ -60,14 +60,6 @@ def is_firm(j: int, joints: Joints) -> bool:
     return firm > 0.0
 
 
-def has_motor(n: int, joints: Joints) -> bool:
-    """Return whether a mechanism has a motor: what its impulse is tried with may go anywhere."""
-    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        if joints.joints[j, tb.J_LAW] == tb.MOTOR:
-            return True
-    return False
-
-
 def let_yield(n: int, joints: Joints) -> None:
     """Let the rows of a mechanism yield from now on."""
     mass = mass_of_mechanism(n, joints)
