@@ -2301,13 +2301,21 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1433,
     ),
+    "drive_work": Symbol(
+        "drive_work",
+        "J",
+        "the most that a motor gives with its impulse",
+        tex="W_{\\mathrm{d}}",
+        file="srs/symbols.md",
+        line=1437,
+    ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
         "m",
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1437,
+        line=1441,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2315,7 +2323,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1441,
+        line=1445,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2324,7 +2332,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1445,
+        line=1449,
     ),
     "slope": Symbol(
         "slope",
@@ -2333,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1450,
+        line=1454,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2342,7 +2350,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1455,
+        line=1459,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2351,7 +2359,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1460,
+        line=1464,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2360,7 +2368,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1465,
+        line=1469,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2368,7 +2376,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1470,
+        line=1474,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2376,7 +2384,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1474,
+        line=1478,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2384,7 +2392,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1478,
+        line=1482,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2393,7 +2401,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1482,
+        line=1486,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2401,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1487,
+        line=1491,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2409,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1491,
+        line=1495,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2417,7 +2425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1495,
+        line=1499,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2425,7 +2433,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1499,
+        line=1503,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2433,7 +2441,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1503,
+        line=1507,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2441,7 +2449,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1507,
+        line=1511,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2449,7 +2457,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1511,
+        line=1515,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2457,7 +2465,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1515,
+        line=1519,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2466,7 +2474,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1519,
+        line=1523,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2475,7 +2483,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1524,
+        line=1528,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2484,7 +2492,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1529,
+        line=1533,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2493,7 +2501,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1534,
+        line=1538,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2501,7 +2509,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1539,
+        line=1543,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2510,7 +2518,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1543,
+        line=1547,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2518,7 +2526,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1548,
+        line=1552,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2526,7 +2534,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1552,
+        line=1556,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2535,7 +2543,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1556,
+        line=1560,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2544,7 +2552,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1561,
+        line=1565,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2552,7 +2560,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1566,
+        line=1570,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2561,7 +2569,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1570,
+        line=1574,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2569,7 +2577,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1575,
+        line=1579,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2577,7 +2585,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1579,
+        line=1583,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2586,7 +2594,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1583,
+        line=1587,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2595,7 +2603,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1588,
+        line=1592,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2604,7 +2612,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1593,
+        line=1597,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2613,7 +2621,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1598,
+        line=1602,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2622,7 +2630,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1603,
+        line=1607,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2631,7 +2639,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1608,
+        line=1612,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2640,7 +2648,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1613,
+        line=1617,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2649,7 +2657,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1618,
+        line=1622,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2658,7 +2666,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1623,
+        line=1627,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2666,7 +2674,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1628,
+        line=1632,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2675,7 +2683,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1632,
+        line=1636,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2684,7 +2692,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1637,
+        line=1641,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2693,7 +2701,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1642,
+        line=1646,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2701,7 +2709,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1647,
+        line=1651,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2710,7 +2718,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1651,
+        line=1655,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2718,7 +2726,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1656,
+        line=1660,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2726,7 +2734,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1660,
+        line=1664,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2735,7 +2743,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1664,
+        line=1668,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2744,7 +2752,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1669,
+        line=1673,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2753,7 +2761,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1674,
+        line=1678,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2761,7 +2769,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1679,
+        line=1683,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2769,7 +2777,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1683,
+        line=1687,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2777,7 +2785,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1687,
+        line=1691,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2786,7 +2794,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1691,
+        line=1695,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2795,7 +2803,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1696,
+        line=1700,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2804,7 +2812,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1701,
+        line=1705,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2813,7 +2821,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1706,
+        line=1710,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2822,7 +2830,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1711,
+        line=1715,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2831,7 +2839,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1716,
+        line=1720,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2840,7 +2848,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1721,
+        line=1725,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2849,7 +2857,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1726,
+        line=1730,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2857,7 +2865,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1731,
+        line=1735,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2866,7 +2874,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1735,
+        line=1739,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2874,7 +2882,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1740,
+        line=1744,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2883,7 +2891,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1744,
+        line=1748,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2892,7 +2900,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1749,
+        line=1753,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2901,7 +2909,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1754,
+        line=1758,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2910,7 +2918,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1759,
+        line=1763,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2919,7 +2927,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1764,
+        line=1768,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2927,7 +2935,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1769,
+        line=1773,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2936,7 +2944,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1773,
+        line=1777,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2945,7 +2953,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1778,
+        line=1782,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2954,7 +2962,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1783,
+        line=1787,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2963,7 +2971,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1788,
+        line=1792,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2971,7 +2979,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1793,
+        line=1797,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2979,7 +2987,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1797,
+        line=1801,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2988,7 +2996,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1801,
+        line=1805,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2997,7 +3005,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1806,
+        line=1810,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3006,7 +3014,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1811,
+        line=1815,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3015,7 +3023,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1816,
+        line=1820,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3024,7 +3032,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1821,
+        line=1825,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3033,7 +3041,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1826,
+        line=1830,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3042,7 +3050,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1831,
+        line=1835,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3051,7 +3059,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1836,
+        line=1840,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3060,7 +3068,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1841,
+        line=1845,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3068,7 +3076,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1846,
+        line=1850,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3076,7 +3084,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1850,
+        line=1854,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3085,7 +3093,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1854,
+        line=1858,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3093,7 +3101,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1859,
+        line=1863,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3101,7 +3109,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1863,
+        line=1867,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3110,7 +3118,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1867,
+        line=1871,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3119,7 +3127,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1872,
+        line=1876,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3128,7 +3136,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1877,
+        line=1881,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3136,7 +3144,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1882,
+        line=1886,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3145,7 +3153,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1886,
+        line=1890,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3153,7 +3161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1891,
+        line=1895,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3162,7 +3170,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1895,
+        line=1899,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3170,7 +3178,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1900,
+        line=1904,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3179,7 +3187,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1904,
+        line=1908,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3187,7 +3195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1909,
+        line=1913,
     ),
     "change": Symbol(
         "change",
@@ -3196,7 +3204,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1913,
+        line=1917,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3205,7 +3213,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1918,
+        line=1922,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3214,7 +3222,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1923,
+        line=1927,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3222,7 +3230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1928,
+        line=1932,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3231,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1932,
+        line=1936,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3239,7 +3247,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1937,
+        line=1941,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3247,7 +3255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1941,
+        line=1945,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3255,7 +3263,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1945,
+        line=1949,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3264,7 +3272,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1949,
+        line=1953,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3272,7 +3280,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1954,
+        line=1958,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3281,6 +3289,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1958,
+        line=1962,
     ),
 }

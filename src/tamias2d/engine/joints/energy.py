@@ -12,7 +12,11 @@ Cost: a visit to each body and spring, and two more where there is too much.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.island_charge import may_get_any, support_mechanism
+from tamias2d.engine.joints.island_charge import (
+    may_get_any,
+    support_mechanism,
+    work_of_motors,
+)
 from tamias2d.engine.joints.opening import note_drive
 from tamias2d.engine.joints.yielding import energy_driven, mass_of_mechanism, yields
 from tamias2d.engine.solver.energy import mass_and_inertia
@@ -78,7 +82,8 @@ def bound_mechanism(
         share = way_kept(start, given, reserve)
         keep_part_of_way(first, last, share, base, control.progress[tb.PART_TIME], bodies, joints)
         given *= share
-    balance = mechanism_energy_balance(start, given, numbers[tb.J_ENERGY], sprung, reserve)
+    worked = given + work_of_motors(n, joints)
+    balance = mechanism_energy_balance(start, worked, numbers[tb.J_ENERGY], sprung, reserve)
     most = max(balance, 0.0)
     now = damp_to(n, now, most, base, bodies, joints, row)
     energy[tb.TOTAL_ENERGY_START] += energy_regained(now, start, given)

@@ -10,7 +10,7 @@ from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.solver.support import SUPPORTED_BY_MORE, SUPPORTED_BY_ONE, support_island
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.island_energy import kinetic_energy_most, lift_work
-from tamias2d.generated.joint_step import kept_way
+from tamias2d.generated.joint_step import drive_work, kept_way
 from tamias2d.state import Array
 
 
@@ -39,7 +39,7 @@ def is_likely(n: int, row: Array, joints: Joints) -> bool:
     carries it.
     """
     carried = joints.mechanisms[n, tb.M_CARRIED] == 1
-    powered = joints.mechanisms[n, tb.M_DRIVEN] == 1
+    powered = joints.mechanisms[n, tb.M_DRIVEN] + joints.mechanisms[n, tb.M_TURNED_BY_MOTOR] > 0
     held = carried and row[tb.SUPPORT] == SUPPORTED_BY_MORE and not powered
     driven = carried or powered or may_get_any(n, row, joints)
     free = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
@@ -55,14 +55,21 @@ def may_get_any(n: int, row: Array, joints: Joints) -> bool:
 
 
 def is_moved(n: int, row: Array, joints: Joints) -> bool:
-    """Return whether what ties a mechanism turns, changes with time, or was moved by hand.
-
-    A motor that does not stand still turns it, too.
-    """
+    """Return whether what ties a mechanism turns, changes with time, or was moved by hand."""
     turns = (row[tb.SUPPORT] == SUPPORTED_BY_ONE) & (row[tb.REFERENCE + 2] != 0.0)
     pulled = joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_PULLED] > 0.0
-    timed = joints.mechanisms[n, tb.M_TIMED] + joints.mechanisms[n, tb.M_TURNED_BY_MOTOR]
-    return bool(turns | pulled | (timed > 0))
+    return bool(turns | pulled | (joints.mechanisms[n, tb.M_TIMED] == 1))
+
+
+def work_of_motors(n: int, joints: Joints) -> float:
+    """Return the most that the motors of a mechanism have given in a part, J."""
+    given = 0.0
+    if joints.mechanisms[n, tb.M_TURNED_BY_MOTOR] == 0:
+        return given
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.joints[j, tb.J_LAW] == tb.MOTOR:
+            given += drive_work(joints.numbers[j, tb.J_PULL], joints.laws[j, tb.LAW_RATE])
+    return given
 
 
 def charge_joined(
@@ -90,6 +97,9 @@ def charge_joined(
             row[tb.DRIVEN_ENERGY] = max(row[tb.DRIVEN_ENERGY], likely)
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
+        row[tb.WORK] += work_of_motors(n, joints)
+    for n in range(joints.counts[tb.MECHANISMS]):
+        row = islands.energy[root_of_mechanism(n, islands, joints)]
         charge_for_mechanism(n, row, joints)
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
@@ -114,18 +124,19 @@ def charge_for_mechanism(n: int, row: Array, joints: Joints) -> None:
 
     What is likely for one of its mechanisms is so for all of the island, unless another gives any.
     """
-    free = joints.mechanisms[n, tb.M_STATUS] == tb.FREE_OF_CONTACTS
-    powered = joints.mechanisms[n, tb.M_DRIVEN] == 1
+    turned = joints.mechanisms[n, tb.M_TURNED_BY_MOTOR] == 1
+    status, powered = joints.mechanisms[n, tb.M_STATUS], joints.mechanisms[n, tb.M_DRIVEN] == 1
+    free = status == tb.FREE_OF_CONTACTS or (turned and status != tb.IN_CONTACT)
     if row[tb.DRIVEN_ENERGY] > 0.0:
         most = row[tb.ENERGY_START] + max(row[tb.WORK], 0.0)
         row[tb.ENERGY_START], row[tb.WORK] = max(most, row[tb.DRIVEN_ENERGY]), 0.0
-        if not is_likely(n, row, joints) and (powered or is_moved(n, row, joints)):
+        if not is_likely(n, row, joints) and (powered or turned or is_moved(n, row, joints)):
             row[tb.WORK] = UNLIMITED
     elif free or powered or may_get_any(n, row, joints):
         row[tb.WORK] = UNLIMITED
     elif row[tb.WORK] < 0.0:
         least = kept_way(row[tb.ENERGY_START], row[tb.LIFT_WORK], row[tb.WORK])
-        row[tb.KEPT_WAY] = least if rests_on_ground(row) else 1.0
+        row[tb.KEPT_WAY] = least if rests_on_ground(row) and not turned else 1.0
         row[tb.ENERGY_START] = kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK])
         row[tb.WORK] = 0.0
 

@@ -71,7 +71,7 @@ class JointRow(NamedTuple):
     @property
     def driven(self) -> bool:
         """Whether it may give energy."""
-        return self.turned or self.law == SPRING or self.timed
+        return self.law == SPRING or self.timed
 
     @property
     def turned(self) -> bool:

@@ -118,7 +118,7 @@ def set_law(store: Store, place: int, kind: str, at: float, numbers: LawNumbers)
     law, mechanism = joints.joints[own, tb.J_LAW], joints.mechanisms[n]
     turned = ((law == tb.MOTOR) & (joints.laws[own, tb.LAW_RATE] != 0.0)).any()
     mechanism[tb.M_TURNED_BY_MOTOR] = turned
-    mechanism[tb.M_DRIVEN] = turned or mechanism[tb.M_TIMED] or (law == tb.SPRING).any()
+    mechanism[tb.M_DRIVEN] = mechanism[tb.M_TIMED] or (law == tb.SPRING).any()
     mechanism[tb.M_BOUNCING] = (joints.laws[own, tb.LAW_RESTITUTION] > 0.0).any()
     _forget_written(n, joints)
 
