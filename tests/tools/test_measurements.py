@@ -254,7 +254,7 @@ def test_specialisation(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_jointed() -> None:
-    found = jointed.measure(seconds=1, side=3, ragdolls=1, heap=1, random=2)
+    found = jointed.measure(seconds=1, side=3, ragdolls=1, heap=1, random=2, limited=2)
     assert len(found["rows"]) == 4 * 8  # ours twice, Box2D, Pymunk
     heads, rows = table(jointed, found)
     assert {len(row) for row in rows} == {len(heads)}

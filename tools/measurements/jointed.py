@@ -3,7 +3,8 @@
 The programs step the same scene in turns, 60 steps each: a net, a heavy ball on a chain, a slack
 bridge, chains, and ragdolls that fall side by side or on a heap. Our own engine takes a step in
 each of the numbers of substeps that are asked for; Box2D takes four. Times are those of the
-processor. Random mechanisms follow, of our own engine alone.
+processor. Random mechanisms follow, of our own engine alone: of all kinds of joints, and with
+limits and motors.
 """
 
 import argparse
@@ -11,6 +12,7 @@ import math
 import time
 import warnings
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -20,6 +22,7 @@ from tamias2d.scene import Joint, Scene
 from tamias2d.simulator import Simulator
 from tools.measurements.columns import Columns, table_of
 from tools.measurements.mechanisms.faults import Energy, apart
+from tools.measurements.mechanisms.limited_mechanism import limited_mechanism
 from tools.measurements.mechanisms.programs import JointedBox2D, JointedChipmunk, Own, rates_of
 from tools.measurements.mechanisms.random_mechanism import random_mechanism
 from tools.measurements.mechanisms.scenes import (
@@ -50,6 +53,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--heap", type=int, default=4, help="ragdolls that fall on each other")
     parser.add_argument("--spun", type=int, default=600, help="bodies around a driven bar")
     parser.add_argument("--random", type=int, default=500, help="random mechanisms")
+    parser.add_argument("--limited", type=int, default=200, help="more with limits, and motors")
     parser.add_argument("--seed", type=int, default=1_000_000, help="of the first of them")
 
 
@@ -61,6 +65,7 @@ def measure(
     heap: int = 4,
     spun: int = 600,
     random: int = 500,
+    limited: int = 200,
     seed: int = 1_000_000,
 ) -> dict[str, Any]:
     """Return a row for each scene and program, and what became of random mechanisms."""
@@ -80,7 +85,16 @@ def measure(
         rows += found
         for cells in table_of(COLUMNS, found)[1]:
             TOLD.print("  ".join(cells), highlight=False)
-    return {"rows": rows, "mechanisms": _mechanisms(random, seed, seconds)}
+    kinds: dict[str, tuple[int, Callable[[int], Scene]]] = {
+        "of all kinds": (random, random_mechanism),
+        "with limits": (limited, partial(limited_mechanism, motors=False)),
+        "with limits and motors": (limited, partial(limited_mechanism, motors=True)),
+    }
+    mechanisms = {
+        name: _mechanisms(range(seed, seed + count), made, seconds)
+        for name, (count, made) in kinds.items()
+    }
+    return {"rows": rows, "mechanisms": mechanisms}
 
 
 COLUMNS: Columns = {
@@ -96,14 +110,18 @@ COLUMNS: Columns = {
 
 def notes(found: dict[str, Any]) -> list[str]:
     """Return what the columns mean, and what became of random mechanisms."""
-    of = found["mechanisms"]
-    return [
-        "gain: the most that energy rose in a step, of all that gravity gave or motion had",
-        f"{of['count']} random mechanisms, seeds from {of['first']}: {of['apart']} were ever more "
-        f"than {_APART:g} of their reach apart, {of['untold']} of them without a warning; "
-        f"{of['risen']} had ever more than 1e-9 more energy than at first, "
-        f"at most {of['gain']:.1e}",
-    ]
+    lines = ["gain: the most that energy rose in a step, of all that gravity gave or motion had"]
+    for name, of in found["mechanisms"].items():
+        line = (
+            f"{of['count']} mechanisms {name}, seeds from {of['first']}: {of['apart']} were ever "
+            f"more than {_APART:g} of their reach apart, {of['untold']} of them without a warning, "
+            f"at most {of['most']:.1e}"
+        )
+        if not name.endswith("motors"):
+            line += f"; {of['risen']} had ever more than 1e-9 more energy than at first, "
+            line += f"at most {of['gain']:.1e}"
+        lines.append(line)
+    return lines
 
 
 def _race(name: str, scene: Scene, seconds: int, substeps: Sequence[int]) -> list[dict[str, Any]]:
@@ -149,12 +167,12 @@ def _size(joint: Joint) -> float:
     return max(*lengths, length if isinstance(length, float) else 0.0)
 
 
-def _mechanisms(count: int, first: int, seconds: int) -> dict[str, Any]:
+def _mechanisms(seeds: range, made: Callable[[int], Scene], seconds: int) -> dict[str, Any]:
     """Follow random mechanisms; return how many came apart or gained energy."""
     parted = untold = risen = 0
-    gain = 0.0
-    for seed in range(first, first + count):
-        scene = random_mechanism(seed)
+    gain = farthest = 0.0
+    for seed in seeds:
+        scene = made(seed)
         seen = Energy(scene)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", StepWarning)
@@ -171,12 +189,13 @@ def _mechanisms(count: int, first: int, seconds: int) -> dict[str, Any]:
         parted += most > _APART
         untold += most > _APART and not sim.warnings
         risen += seen.above > 1e-9
-        gain = max(gain, seen.above)
+        gain, farthest = max(gain, seen.above), max(farthest, most)
     return {
-        "count": count,
-        "first": first,
+        "count": len(seeds),
+        "first": seeds.start,
         "apart": parted,
         "untold": untold,
+        "most": farthest,
         "risen": risen,
         "gain": gain,
     }

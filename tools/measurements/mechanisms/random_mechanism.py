@@ -35,7 +35,7 @@ def _tie(
     axis = (math.cos(angle := rng.uniform(-3, 3)), math.sin(angle))
     kinds = (Revolute(), Revolute(), Revolute(), Weld(), Prismatic(axis=axis), Groove(axis=axis))
     kind: Any = rng.choice((*kinds, Distance()))
-    own = _local(scene, second, at)
+    own = local(scene, second, at)
     turn = scene.bodies[second].orientation
     turn -= 0.0 if first is None else scene.bodies[first].orientation
     if isinstance(kind, Distance):
@@ -47,10 +47,11 @@ def _tie(
     if first is None:
         scene.add_joint(kind, at, second, other_anchor=own)
     else:
-        scene.add_joint(kind, first, second, anchor=_local(scene, first, at), other_anchor=own)
+        scene.add_joint(kind, first, second, anchor=local(scene, first, at), other_anchor=own)
 
 
-def _local(scene: Scene, k: int, at: tuple[float, float]) -> tuple[float, float]:
+def local(scene: Scene, k: int, at: tuple[float, float]) -> tuple[float, float]:
+    """Return where a place is in the axes of a body, m."""
     body = scene.bodies[k]
     x, y = at[0] - body.position[0], at[1] - body.position[1]
     c, s = math.cos(body.orientation), math.sin(body.orientation)

@@ -15,6 +15,7 @@ from tamias2d.engine.joints.governed import (
     choose_rows,
     hold_rows,
     keep_within,
+    lets_go,
     nearest_bound,
     share_of_loads,
 )
@@ -70,15 +71,17 @@ def choose_by_slopes(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
     their errors at first, J.
     """
     first = lead(n, substep, bodies, joints)
+    most = energy_asked_of_rows(n, substep, bodies, joints)
     for _ in range(MOST_TRIALS):
-        most = energy_asked_of_rows(n, substep, bodies, joints)
         start_impulses(n, 0.0, joints)
         solve_joint_errors(n, substep, most, bodies, joints)
         lead(n, substep, bodies, joints)
+        torn = lets_go(n, substep, joints)
         if not choose_rows(n, substep, bodies, joints):
             return first
         factor_mechanism(n, substep, bodies, joints)
         lead(n, substep, bodies, joints)
+        most = inf if torn else energy_asked_of_rows(n, substep, bodies, joints)
     choose_one_by_one(n, substep, bodies, joints)
     return first
 

@@ -69,6 +69,15 @@ def choose_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
     return changed
 
 
+def lets_go(n: int, substep: float, joints: Joints) -> bool:
+    """Return whether a row of a mechanism is to be let go: what it gave then tears the others."""
+    time = substep * share_of_loads(n, joints)
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(j, time, joints):
+            return True
+    return False
+
+
 def hold_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
     """Let limits hold that would be passed, and motors that would be too fast, as `choose_rows`."""
     changed = False

@@ -3,6 +3,8 @@
 Cost: for each choice that changes, two visits more to each body, and a solution.
 """
 
+from math import inf
+
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.choices import (
     MOST_CHOICES,
@@ -17,6 +19,7 @@ from tamias2d.engine.joints.governed import (
     choose_rows,
     hold_rows,
     keep_within,
+    lets_go,
     nearest_bound,
     share_of_loads,
 )
@@ -66,14 +69,16 @@ def choose_by_slopes_of_tree(n: int, substep: float, bodies: Bodies, joints: Joi
     Return the sum of the squares of their errors at first, m^2/s^2.
     """
     first = lead_tree(n, substep, bodies, joints)
+    most = energy_asked_of_tree(n, substep, bodies, joints)
     for _ in range(MOST_TRIALS):
-        most = energy_asked_of_tree(n, substep, bodies, joints)
         answer_tree(n, substep, most, bodies, joints)
         lead_tree(n, substep, bodies, joints)
+        torn = lets_go(n, substep, joints)
         if not choose_rows(n, substep, bodies, joints):
             return first
         hang_tree(n, substep, bodies, joints)
         lead_tree(n, substep, bodies, joints)
+        most = inf if torn else energy_asked_of_tree(n, substep, bodies, joints)
     choose_one_by_one_of_tree(n, substep, bodies, joints)
     return first
 

@@ -97,11 +97,14 @@ def energy_asked(
     """Return the most energy, J, that the errors of a mechanism are likely to give it.
 
     Those of its joints from a first one on are looked at; the squares of others add up to so much,
-    m^2/s^2.
+    m^2/s^2. A limit that bounces may give any.
     """
     sprung = 0.0
     for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
+        limit = ends[tb.J_LAW] == tb.LOWER_LIMIT or ends[tb.J_LAW] == tb.UPPER_LIMIT
+        if limit and joints.laws[j, tb.LAW_RATE] != 0.0:
+            return inf
         for r in range(ends[tb.J_ROWS]):
             firm, error = numbers[tb.J_FIRMNESS + r], numbers[tb.J_ERROR + r]
             if firm > 0.0 and ends[tb.J_LAW] >= tb.MOTOR:  # a motor may ask for any as it starts
