@@ -20,6 +20,36 @@ def test_limit_stops_and_bears_the_weight() -> None:
     assert sim.reactions.torque[0, 1] == pytest.approx(G * math.cos(0.5), rel=1e-6)
 
 
+@pytest.mark.parametrize("side", [-1, 1])
+def test_limit_that_pushed_in_the_step_is_told(side: int) -> None:
+    """Only then: before it is reached, and after it was left, none is."""
+    sim = plain(governed(limits=Limits(lower=-0.5, upper=0.5, restitution=0.0)))
+    sim.angular_velocity[0], sim.velocity[0] = 6.0 * side, (0.0, 6.0 * side)
+    sim.step(2)
+    assert sim.reactions.limit.tolist() == [0]
+    sim.step(4)
+    assert sim.reactions.limit.tolist() == [side]
+    sim.angular_velocity[0], sim.velocity[0] = -3.0 * side, (0.0, -3.0 * side)
+    sim.step(2)
+    assert sim.reactions.limit.tolist() == [0]
+
+
+def test_limits_that_were_tried_and_let_go_are_not_told() -> None:
+    """At rest each link of a chain leans on the limit to which it hangs down, and on no other."""
+    scene = Scene(gravity=(0.0, -G))
+    stops = Limits(lower=-0.1, upper=0.1, restitution=0.0)
+    for k in range(6):
+        scene.add_body(None, mass=1.0, inertia=0.1, position=(k + 0.5, 0.0))
+        place, anchor = ((0.0, 0.0), (0.0, 0.0)) if k == 0 else (k - 1, (0.5, 0.0))
+        scene.add_joint(
+            t2.Revolute(limits=stops), place, k, anchor=anchor, other_anchor=(-0.5, 0.0)
+        )
+    sim = plain(scene)
+    sim.step(240)
+    assert sim.reactions.limit.tolist() == [-1] * 6
+    assert np.diff(sim.orientation) == pytest.approx(-0.1, abs=1e-4)
+
+
 def test_limit_never_pulls() -> None:
     scene = governed(limits=Limits(lower=0.0, restitution=0.0))
     sim = plain(scene)

@@ -1,15 +1,18 @@
-"""How fast motors of joints drive, and what they put in (GD22)."""
+"""How fast motors drive and what they put in (GD22), and which limits joints reach (GD21)."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from tamias2d.engine import tables as tb
 from tamias2d.scene.joints import Joint
-from tamias2d.simulator.joint_rows import joint_rows, laws_of
+from tamias2d.simulator.joint_rows import rows_by_law
 from tamias2d.spec.constraint import ENDS
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
+
+_NOTHING = 1e-9  # of the largest impulse: rounding of what was tried and let go
+_SIDES = {tb.LOWER_LIMIT: -1, tb.UPPER_LIMIT: 1}
 
 
 def drives_of(
@@ -22,7 +25,10 @@ def drives_of(
     and velocities (n, 3).
     """
     speed, power = np.zeros(len(joints)), np.zeros(len(joints))
-    for r, k, driven in _motors(joints):
+    for r, k, law, freedom, value in rows_by_law(joints):
+        if law != tb.MOTOR:
+            continue
+        driven = joints[k].measured(freedom, value)
         values = _values(driven, pose, velocity)
         (speed[k],) = driven.functions.rate(values)
         slopes = _slopes(driven, values)
@@ -32,17 +38,17 @@ def drives_of(
     return speed, power
 
 
-def _motors(joints: Sequence[Joint]) -> Iterator[tuple[int, int, Joint]]:
-    """Yield for each motor its row, the number of its joint, and the joint of what it drives."""
-    r = 0
-    for k, joint in enumerate(joints):
-        governed = () if joint.equations else joint.freedoms
-        laws = [(freedom, *law) for freedom in governed for law in laws_of(freedom)]
-        r += len(joint_rows(joint)) - len(laws)
-        for freedom, law, value, _ in laws:
-            if law == tb.MOTOR:
-                yield r, k, joint.measured(freedom, value)
-            r += 1
+def limits_reached(joints: Sequence[Joint], impulses: Array) -> IntArray:
+    """Return which limits (j,) pushed in a step: -1 for the lower, 1 for the upper one, else 0.
+
+    The impulses (r, 3, 3) are those of all rows.
+    """
+    reached, sizes = np.zeros(len(joints), dtype=np.int64), np.abs(impulses).max(axis=(1, 2))
+    least = _NOTHING * sizes.max(initial=0.0)
+    for r, k, law, _, _ in rows_by_law(joints):
+        if law in _SIDES and sizes[r] > least:
+            reached[k] = _SIDES[law]
+    return reached
 
 
 def _values(joint: Joint, pose: Array, velocity: Array) -> dict[str, Any]:

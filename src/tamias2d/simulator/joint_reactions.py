@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from tamias2d.read_only import read_only
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.springs import arm
-from tamias2d.simulator.joint_drives import drives_of
+from tamias2d.simulator.joint_drives import drives_of, limits_reached
 from tamias2d.simulator.joint_rows import joint_rows
 from tamias2d.simulator.joint_separations import separations
 from tamias2d.simulator.told_only import REMEDIES
 from tamias2d.spec.constraint import ENDS
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,6 +43,8 @@ class Reactions:
     """(j,), of what a motor drives, now, rad/s or m/s; zero for joints without one"""
     power: Array
     """(j,), what a motor gave on average over the step, times its speed now, W"""
+    limit: IntArray
+    """(j,), -1 where the lower limit pushed in the step, 1 where the upper one did, else 0"""
 
     def index(self, name: str) -> int:
         """Return the place of a joint; raise `ValueError` if there is none of that name."""
@@ -108,6 +110,7 @@ def reactions_of(
         "angular_separation": angles,
         "speed": speed,
         "power": power,
+        "limit": limits_reached(joints, of_rows),
     }
     return Reactions(
         names=tuple(joint.name for joint in joints),

@@ -1,7 +1,7 @@
 """Joints as rows for the engine (TM7), and what steps do not know of joints (R13)."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, cast
 
 from tamias2d.engine import tables as tb
@@ -54,6 +54,21 @@ def laws_of(freedom: Freedom) -> Iterable[tuple[int, float, LawNumbers]]:
     if spring:
         numbers = (0.0, 0.0, spring.stiffness, spring.damping, 0.0)
         yield tb.SPRING, cast(float, spring.rest), numbers
+
+
+def rows_by_law(joints: Sequence[Joint]) -> Iterator[tuple[int, int, int, Freedom, float]]:
+    """Yield for each row of a law its place among all rows, the number of its joint, and the law.
+
+    Its freedom and the value at which it is measured come last.
+    """
+    r = 0
+    for k, joint in enumerate(joints):
+        freedoms = () if joint.equations else joint.freedoms
+        laws = [(freedom, *law) for freedom in freedoms for law in laws_of(freedom)]
+        r += len(joint_rows(joint)) - len(laws)
+        for freedom, law, value, _ in laws:
+            yield r, k, law, freedom, value
+            r += 1
 
 
 def _row(
