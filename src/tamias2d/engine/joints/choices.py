@@ -14,10 +14,9 @@ from tamias2d.engine.joints.governed import (
     change_row,
     choose_rows,
     hold_rows,
-    keep_within,
-    lets_go,
+    let_go_of_rows,
     nearest_bound,
-    share_of_loads,
+    time_of_loads,
 )
 from tamias2d.engine.joints.linearise import factor_mechanism
 from tamias2d.engine.joints.solve import (
@@ -51,6 +50,7 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
         bring_to_aims(n, again, 0.0, substep, bodies, joints)
     if joints.mechanisms[n, tb.M_CHOOSING] == 0:
         return
+    time = time_of_loads(n, substep, joints)
     if not again:
         begin_led(n, joints)
     for k in range(MOST_CHOICES):
@@ -59,7 +59,7 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
             bring_to_aims(n, True, first, substep, bodies, joints)
         find_position_errors(n, substep, bodies, joints)
         note_led(n, substep, bodies, joints)
-        if k + 1 == MOST_CHOICES or not choose_rows(n, substep, bodies, joints):
+        if k + 1 == MOST_CHOICES or not choose_rows(n, time, bodies, joints)[0]:
             return
         factor_mechanism(n, substep, bodies, joints)
 
@@ -70,14 +70,14 @@ def choose_by_slopes(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
     All that are to change do at once, a few times; then they do one by one. Return a measure of
     their errors at first, J.
     """
-    first = lead(n, substep, bodies, joints)
+    first, time = lead(n, substep, bodies, joints), time_of_loads(n, substep, joints)
     most = energy_asked_of_rows(n, substep, bodies, joints)
     for _ in range(MOST_TRIALS):
         start_impulses(n, 0.0, joints)
         solve_joint_errors(n, substep, most, bodies, joints)
         lead(n, substep, bodies, joints)
-        torn = lets_go(n, substep, joints)
-        if not choose_rows(n, substep, bodies, joints):
+        changed, torn = choose_rows(n, time, bodies, joints)
+        if not changed:
             return first
         factor_mechanism(n, substep, bodies, joints)
         lead(n, substep, bodies, joints)
@@ -88,19 +88,20 @@ def choose_by_slopes(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
 
 def choose_one_by_one(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Choose the same, by solutions that end where a row has given what it can."""
-    keep_within(n, substep, bodies, joints)
+    time = time_of_loads(n, substep, joints)
+    let_go_of_rows(n, time, bodies, joints)
     for _ in range(MOST_STEPS):
         factor_mechanism(n, substep, bodies, joints)
         lead(n, substep, bodies, joints)
         start_impulses(n, 0.0, joints)
         solve_joint_errors(n, substep, inf, bodies, joints)
-        share, which = nearest_bound(n, substep, joints)
+        share, which = nearest_bound(n, time, joints)
         if which >= 0:
             take_impulses_back(n, 1.0 - share, bodies, joints)
-            change_row(which, substep * share_of_loads(n, joints), bodies, joints)
+            change_row(which, time, bodies, joints)
         else:
             lead(n, substep, bodies, joints)
-            if not hold_rows(n, substep, bodies, joints):
+            if not hold_rows(n, time, bodies, joints):
                 return
 
 

@@ -27,7 +27,7 @@ def begin_motors(n: int, substep: float, bodies: Bodies, joints: Joints) -> None
     """Let the motors of a mechanism that gave the most that they can do so again, to begin with."""
     if joints.mechanisms[n, tb.M_GOVERNED] == 0:
         return
-    time = substep * share_of_loads(n, joints)
+    time = time_of_loads(n, substep, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         state = joints.joints[j, tb.J_STATE]
         if joints.joints[j, tb.J_LAW] == tb.MOTOR and state != tb.HOLDS:
@@ -50,38 +50,29 @@ def give_the_most(j: int, time: float, bodies: Bodies, joints: Joints) -> None:
     apply_joint_impulse(j, 0, most if forwards else -most, bodies, joints)
 
 
-def share_of_loads(n: int, joints: Joints) -> float:
-    """Return for which share of a substep loads act on a mechanism as it begins."""
-    return HALF if joints.mechanisms[n, tb.M_HALF] == 1 else 1.0
+def time_of_loads(n: int, substep: float, joints: Joints) -> float:
+    """Return for how long loads act on a mechanism as a substep, s, begins, s."""
+    return substep * (HALF if joints.mechanisms[n, tb.M_HALF] == 1 else 1.0)
 
 
-def choose_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
-    """Choose which limits and motors of a mechanism hold; return whether that changes any.
+def choose_rows(n: int, time: float, bodies: Bodies, joints: Joints) -> tuple[bool, bool]:
+    """Choose which limits hold, and which motors, in a time, s.
 
+    Return whether that changes any, and whether one was let go: what it gave tears the others then.
     Values and errors of the rows are those to which the substep leads.
     """
-    changed = False
-    time = substep * share_of_loads(n, joints)
+    changed = torn = False
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         if is_to_change(j, time, joints):
+            torn = torn or joints.joints[j, tb.J_STATE] == tb.HOLDS
             change_row(j, time, bodies, joints)
             changed = True
-    return changed
+    return changed, torn
 
 
-def lets_go(n: int, substep: float, joints: Joints) -> bool:
-    """Return whether a row of a mechanism is to be let go: what it gave then tears the others."""
-    time = substep * share_of_loads(n, joints)
-    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(j, time, joints):
-            return True
-    return False
-
-
-def hold_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
+def hold_rows(n: int, time: float, bodies: Bodies, joints: Joints) -> bool:
     """Let limits hold that would be passed, and motors that would be too fast, as `choose_rows`."""
     changed = False
-    time = substep * share_of_loads(n, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         if joints.joints[j, tb.J_STATE] != tb.HOLDS and is_to_change(j, time, joints):
             change_row(j, time, bodies, joints)
@@ -89,20 +80,32 @@ def hold_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
     return changed
 
 
-def keep_within(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
-    """Let go of the rows of a mechanism that hold with more than they can give."""
-    time = substep * share_of_loads(n, joints)
+def let_go_of_rows(n: int, time: float, bodies: Bodies, joints: Joints) -> bool:
+    """Let go of limits that pull, and of motors that give more than they can in a time, s.
+
+    Return whether there are any.
+    """
+    changed = False
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(j, time, joints):
             change_row(j, time, bodies, joints)
+            changed = True
+    return changed
 
 
-def nearest_bound(n: int, substep: float, joints: Joints) -> tuple[float, int]:
-    """Return the share of the last solution after which a row has given what it can, and its joint.
+def time_at_end(n: int, substep: float, joints: Joints) -> float:
+    """Return the time, s, that motors have left as the velocities of a mechanism fit its rows.
 
-    That is all of it, and -1, if none gives more.
+    Where nothing touches it that is half a substep, s, and else what is left of the last one.
     """
-    time = substep * share_of_loads(n, joints)
+    return substep * (HALF if joints.mechanisms[n, tb.M_STATUS] != tb.IN_CONTACT else 1.0)
+
+
+def nearest_bound(n: int, time: float, joints: Joints) -> tuple[float, int]:
+    """Return the share of the last solution after which a row has given what it can in a time, s.
+
+    Its joint comes with it; that is all of the solution, and -1, if none gives more.
+    """
     nearest, which = 1.0, -1
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(j, time, joints):
@@ -121,21 +124,6 @@ def bound_of(j: int, given: float, time: float, joints: Joints) -> float:
         return 0.0
     most = row_impulse_most(joints.laws[j, tb.LAW_MOST], time)
     return most if given > 0.0 else -most
-
-
-def let_go_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
-    """Let go of limits that pull, and of motors that give too much, as velocities fit their rows.
-
-    Return whether there are any. Where nothing touches the mechanism motors have half a substep, s,
-    left, and else what is left of the last one.
-    """
-    alone, changed = joints.mechanisms[n, tb.M_STATUS] != tb.IN_CONTACT, False
-    time = HALF * substep if alone else substep
-    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(j, time, joints):
-            change_row(j, time, bodies, joints)
-            changed = True
-    return changed
 
 
 def is_to_change(j: int, time: float, joints: Joints) -> bool:

@@ -18,10 +18,9 @@ from tamias2d.engine.joints.governed import (
     change_row,
     choose_rows,
     hold_rows,
-    keep_within,
-    lets_go,
+    let_go_of_rows,
     nearest_bound,
-    share_of_loads,
+    time_of_loads,
 )
 from tamias2d.engine.joints.hinge_solve import (
     answer_tree,
@@ -51,6 +50,7 @@ def keep_tree_positions(
     if joints.mechanisms[n, tb.M_CHOOSING] == 0:
         bring_tree_to_aims(n, 0.0, substep, bodies, joints)
         return
+    time = time_of_loads(n, substep, joints)
     if not again:
         begin_led_tree(n, joints)
     for k in range(MOST_CHOICES):
@@ -58,7 +58,7 @@ def keep_tree_positions(
         bring_tree_to_aims(n, first, substep, bodies, joints)
         find_gap_errors(n, substep, bodies, joints)
         note_led_tree(n, substep, bodies, joints)
-        if k + 1 == MOST_CHOICES or not choose_rows(n, substep, bodies, joints):
+        if k + 1 == MOST_CHOICES or not choose_rows(n, time, bodies, joints)[0]:
             return
         hang_tree(n, substep, bodies, joints)
 
@@ -68,13 +68,13 @@ def choose_by_slopes_of_tree(n: int, substep: float, bodies: Bodies, joints: Joi
 
     Return the sum of the squares of their errors at first, m^2/s^2.
     """
-    first = lead_tree(n, substep, bodies, joints)
+    first, time = lead_tree(n, substep, bodies, joints), time_of_loads(n, substep, joints)
     most = energy_asked_of_tree(n, substep, bodies, joints)
     for _ in range(MOST_TRIALS):
         answer_tree(n, substep, most, bodies, joints)
         lead_tree(n, substep, bodies, joints)
-        torn = lets_go(n, substep, joints)
-        if not choose_rows(n, substep, bodies, joints):
+        changed, torn = choose_rows(n, time, bodies, joints)
+        if not changed:
             return first
         hang_tree(n, substep, bodies, joints)
         lead_tree(n, substep, bodies, joints)
@@ -85,18 +85,19 @@ def choose_by_slopes_of_tree(n: int, substep: float, bodies: Bodies, joints: Joi
 
 def choose_one_by_one_of_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Choose the same as `choose_one_by_one`."""
-    keep_within(n, substep, bodies, joints)
+    time = time_of_loads(n, substep, joints)
+    let_go_of_rows(n, time, bodies, joints)
     for _ in range(MOST_STEPS):
         hang_tree(n, substep, bodies, joints)
         lead_tree(n, substep, bodies, joints)
         solve_hinges(n, bodies, joints)
-        share, which = nearest_bound(n, substep, joints)
+        share, which = nearest_bound(n, time, joints)
         if which >= 0:
             take_solution_back(n, 1.0 - share, bodies, joints)
-            change_row(which, substep * share_of_loads(n, joints), bodies, joints)
+            change_row(which, time, bodies, joints)
         else:
             lead_tree(n, substep, bodies, joints)
-            if not hold_rows(n, substep, bodies, joints):
+            if not hold_rows(n, time, bodies, joints):
                 return
 
 

@@ -5,7 +5,7 @@ That is a tree of hinges, a net of hinges, or any other system of rows.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.choices import MOST_CHOICES, keep_positions
-from tamias2d.engine.joints.governed import let_go_of_rows
+from tamias2d.engine.joints.governed import let_go_of_rows, time_at_end
 from tamias2d.engine.joints.hinge_laws import keep_tree_positions
 from tamias2d.engine.joints.hinge_net import bring_net_to_aims, fit_net, linearise_net, store_links
 from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
@@ -62,7 +62,7 @@ def fit(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> 
     """
     take_rates(n, warm, substep, bodies, joints)
     for _ in range(MOST_CHOICES if joints.mechanisms[n, tb.M_CHOOSING] == 1 else 0):
-        if not let_go_of_rows(n, substep, bodies, joints):
+        if not let_go_of_rows(n, time_at_end(n, substep, joints), bodies, joints):
             return
         take_rates(n, warm, substep, bodies, joints)
 
