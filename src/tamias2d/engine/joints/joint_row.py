@@ -70,7 +70,7 @@ class JointRow(NamedTuple):
 
     @property
     def driven(self) -> bool:
-        """Whether it may give energy."""
+        """Whether it may give energy that no step counts where contacts act."""
         return self.law == SPRING or self.timed
 
     @property
