@@ -944,7 +944,7 @@ J_TURNED = _joint_numbers()  # 1 if its first row turned too far in a substep, u
 J_GAINED = _joint_numbers()  # 1 if J_GAIN was in a part, until it is asked
 J_IMPULSE = _joint_numbers(3)  # N s, of each row by the last solution
 J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
-J_LED = _joint_numbers(3)  # m or rad, to which a substep leads each row, less the way of its rate
+J_OFFSET = _joint_numbers(3)  # m or rad, to which a substep leads each row, less its rate's way
 J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients
 J_TRIED = _joint_numbers(3)  # N s, residual over the matrix, about
 
@@ -985,7 +985,7 @@ H_FIRM = _hinges()  # kg m^2, of laws that govern its angle
 H_SHARE = _hinges()  # of the turning of the body above that these pass on
 H_LAW = _hinges()  # N m s, that these ask for
 H_OWED = _hinges(3)  # N s, N s, N m s
-H_LED = _hinges(2)  # m, to which a substep leads it, less the way of the rate at which it parts
+H_OFFSET = _hinges(2)  # m, to which a substep leads it, less the way of the rate at which it parts
 H_CHANGE = _hinges(3)  # m/s, m/s, rad/s
 H_IMPULSE = _hinges(2)  # N s, through the hinge by the last solution
 H_GIVEN = _hinges(2)  # N s, through the hinge since rows were written

@@ -44,7 +44,7 @@ class Reactions:
     power: Array
     """(j,), what a motor gave on average over the step, times its speed now, W"""
     limit: IntArray
-    """(j,), -1 where the lower limit pushed in the step, 1 where the upper one did, else 0"""
+    """(j,), -1 where the lower limit pushed in the step, 1 where the upper one did, or 0 (GD21)"""
 
     def index(self, name: str) -> int:
         """Return the place of a joint; raise `ValueError` if there is none of that name."""

@@ -5,6 +5,7 @@ that mean nothing. So rows are chosen as if their slopes did not change, and bod
 what was chosen.
 
 Cost: for each choice that changes, a visit to each row, a factorization and a solution.
+Source: block principal pivoting, Judice and Pires (1994); one by one, a primal active set.
 """
 
 from math import inf
@@ -52,13 +53,13 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
         return
     time = time_of_loads(n, substep, joints)
     if not again:
-        begin_led(n, joints)
+        begin_offsets(n, joints)
     for k in range(MOST_CHOICES):
         if k > 0 or not meshed:
             first = choose_by_slopes(n, substep, bodies, joints)
             bring_to_aims(n, True, first, substep, bodies, joints)
         find_position_errors(n, substep, bodies, joints)
-        note_led(n, substep, bodies, joints)
+        note_offsets(n, substep, bodies, joints)
         if k + 1 == MOST_CHOICES or not choose_rows(n, time, bodies, joints)[0]:
             return
         factor_mechanism(n, substep, bodies, joints)
@@ -70,17 +71,17 @@ def choose_by_slopes(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
     All that are to change do at once, a few times; then they do one by one. Return a measure of
     their errors at first, J.
     """
-    first, time = lead(n, substep, bodies, joints), time_of_loads(n, substep, joints)
+    first, time = predict(n, substep, bodies, joints), time_of_loads(n, substep, joints)
     most = energy_asked_of_rows(n, substep, bodies, joints)
     for _ in range(MOST_TRIALS):
         start_impulses(n, 0.0, joints)
         solve_joint_errors(n, substep, most, bodies, joints)
-        lead(n, substep, bodies, joints)
+        predict(n, substep, bodies, joints)
         changed, torn = choose_rows(n, time, bodies, joints)
         if not changed:
             return first
         factor_mechanism(n, substep, bodies, joints)
-        lead(n, substep, bodies, joints)
+        predict(n, substep, bodies, joints)
         most = inf if torn else energy_asked_of_rows(n, substep, bodies, joints)
     choose_one_by_one(n, substep, bodies, joints)
     return first
@@ -92,7 +93,7 @@ def choose_one_by_one(n: int, substep: float, bodies: Bodies, joints: Joints) ->
     let_go_of_rows(n, time, bodies, joints)
     for _ in range(MOST_STEPS):
         factor_mechanism(n, substep, bodies, joints)
-        lead(n, substep, bodies, joints)
+        predict(n, substep, bodies, joints)
         start_impulses(n, 0.0, joints)
         solve_joint_errors(n, substep, inf, bodies, joints)
         share, which = nearest_bound(n, time, joints)
@@ -100,47 +101,47 @@ def choose_one_by_one(n: int, substep: float, bodies: Bodies, joints: Joints) ->
             take_impulses_back(n, 1.0 - share, bodies, joints)
             change_row(which, time, bodies, joints)
         else:
-            lead(n, substep, bodies, joints)
+            predict(n, substep, bodies, joints)
             if not hold_rows(n, time, bodies, joints):
                 return
 
 
-def begin_led(n: int, joints: Joints) -> None:
+def begin_offsets(n: int, joints: Joints) -> None:
     """Note that without their rates the rows of a mechanism, just written, stay where they are."""
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        begin_led_joint(j, joints)
+        begin_offsets_of_joint(j, joints)
 
 
-def begin_led_joint(j: int, joints: Joints) -> None:
+def begin_offsets_of_joint(j: int, joints: Joints) -> None:
     """Note the values of the rows of a joint where bodies are."""
     numbers = joints.numbers[j]
     for r in range(joints.joints[j, tb.J_ROWS]):
-        numbers[tb.J_LED + r] = numbers[tb.J_ROW + ROW * r]
+        numbers[tb.J_OFFSET + r] = numbers[tb.J_ROW + ROW * r]
 
 
-def note_led(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+def note_offsets(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Note where a substep leads the rows of a mechanism, whose values were just written."""
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        note_led_joint(j, substep, bodies, joints)
+        note_offsets_of_joint(j, substep, bodies, joints)
 
 
-def note_led_joint(j: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+def note_offsets_of_joint(j: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Note where a substep, s, would lead the rows of a joint without their rates, and these."""
     numbers = joints.numbers[j]
     for r in range(joints.joints[j, tb.J_ROWS]):
         rate = rate_of_row(j, r, bodies, joints)
         numbers[tb.J_RESIDUAL + r] = rate
-        numbers[tb.J_LED + r] = row_value_ahead(numbers[tb.J_ROW + ROW * r], rate, -substep)
+        numbers[tb.J_OFFSET + r] = row_value_ahead(numbers[tb.J_ROW + ROW * r], rate, -substep)
 
 
-def lead(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+def predict(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
     """Write the errors of the rows of a mechanism, whose slopes do not change in a substep, s.
 
     Return a measure of them, J.
     """
     size = 0.0
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        lead_joint(j, substep, bodies, joints)
+        predict_joint(j, substep, bodies, joints)
         numbers = joints.numbers[j]
         for r in range(joints.joints[j, tb.J_ROWS]):
             error = numbers[tb.J_ERROR + r]
@@ -148,11 +149,11 @@ def lead(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
     return size
 
 
-def lead_joint(j: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+def predict_joint(j: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Write the values to which a substep, s, leads the rows of a joint, their rates and errors."""
     numbers = joints.numbers[j]
     for r in range(joints.joints[j, tb.J_ROWS]):
         rate = rate_of_row(j, r, bodies, joints)
         numbers[tb.J_RESIDUAL + r] = rate
-        numbers[tb.J_ROW + ROW * r] = row_value_ahead(numbers[tb.J_LED + r], rate, substep)
+        numbers[tb.J_ROW + ROW * r] = row_value_ahead(numbers[tb.J_OFFSET + r], rate, substep)
         numbers[tb.J_ERROR + r] = error_of_row(j, r, substep, bodies, joints)

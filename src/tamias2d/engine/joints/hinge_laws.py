@@ -10,9 +10,9 @@ from tamias2d.engine.joints.choices import (
     MOST_CHOICES,
     MOST_STEPS,
     MOST_TRIALS,
-    begin_led_joint,
-    lead_joint,
-    note_led_joint,
+    begin_offsets_of_joint,
+    note_offsets_of_joint,
+    predict_joint,
 )
 from tamias2d.engine.joints.governed import (
     change_row,
@@ -52,12 +52,12 @@ def keep_tree_positions(
         return
     time = time_of_loads(n, substep, joints)
     if not again:
-        begin_led_tree(n, joints)
+        begin_offsets_of_tree(n, joints)
     for k in range(MOST_CHOICES):
         first = choose_by_slopes_of_tree(n, substep, bodies, joints)
         bring_tree_to_aims(n, first, substep, bodies, joints)
         find_gap_errors(n, substep, bodies, joints)
-        note_led_tree(n, substep, bodies, joints)
+        note_offsets_of_tree(n, substep, bodies, joints)
         if k + 1 == MOST_CHOICES or not choose_rows(n, time, bodies, joints)[0]:
             return
         hang_tree(n, substep, bodies, joints)
@@ -68,16 +68,16 @@ def choose_by_slopes_of_tree(n: int, substep: float, bodies: Bodies, joints: Joi
 
     Return the sum of the squares of their errors at first, m^2/s^2.
     """
-    first, time = lead_tree(n, substep, bodies, joints), time_of_loads(n, substep, joints)
+    first, time = predict_tree(n, substep, bodies, joints), time_of_loads(n, substep, joints)
     most = energy_asked_of_tree(n, substep, bodies, joints)
     for _ in range(MOST_TRIALS):
         answer_tree(n, substep, most, bodies, joints)
-        lead_tree(n, substep, bodies, joints)
+        predict_tree(n, substep, bodies, joints)
         changed, torn = choose_rows(n, time, bodies, joints)
         if not changed:
             return first
         hang_tree(n, substep, bodies, joints)
-        lead_tree(n, substep, bodies, joints)
+        predict_tree(n, substep, bodies, joints)
         most = inf if torn else energy_asked_of_tree(n, substep, bodies, joints)
     choose_one_by_one_of_tree(n, substep, bodies, joints)
     return first
@@ -89,41 +89,41 @@ def choose_one_by_one_of_tree(n: int, substep: float, bodies: Bodies, joints: Jo
     let_go_of_rows(n, time, bodies, joints)
     for _ in range(MOST_STEPS):
         hang_tree(n, substep, bodies, joints)
-        lead_tree(n, substep, bodies, joints)
+        predict_tree(n, substep, bodies, joints)
         solve_hinges(n, bodies, joints)
         share, which = nearest_bound(n, time, joints)
         if which >= 0:
             take_solution_back(n, 1.0 - share, bodies, joints)
             change_row(which, time, bodies, joints)
         else:
-            lead_tree(n, substep, bodies, joints)
+            predict_tree(n, substep, bodies, joints)
             if not hold_rows(n, time, bodies, joints):
                 return
 
 
-def begin_led_tree(n: int, joints: Joints) -> None:
+def begin_offsets_of_tree(n: int, joints: Joints) -> None:
     """Note that without their rates the rows of a tree, just written, stay where they are."""
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         row = joints.hinges[m]
-        row[tb.H_LED], row[tb.H_LED + 1] = row[tb.H_GAP], row[tb.H_GAP + 1]
+        row[tb.H_OFFSET], row[tb.H_OFFSET + 1] = row[tb.H_GAP], row[tb.H_GAP + 1]
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
-        begin_led_joint(j, joints)
+        begin_offsets_of_joint(j, joints)
 
 
-def note_led_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+def note_offsets_of_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Note where a substep leads the rows of a tree, whose errors were just written."""
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         row = joints.hinges[m]
         rate_x, rate_y = rates_of_hinge(m, bodies, joints)
         gap_x = row_value_ahead(row[tb.H_AIM], row[tb.H_ERROR], substep)
         gap_y = row_value_ahead(row[tb.H_AIM + 1], row[tb.H_ERROR + 1], substep)
-        row[tb.H_LED] = row_value_ahead(gap_x, rate_x, -substep)
-        row[tb.H_LED + 1] = row_value_ahead(gap_y, rate_y, -substep)
+        row[tb.H_OFFSET] = row_value_ahead(gap_x, rate_x, -substep)
+        row[tb.H_OFFSET + 1] = row_value_ahead(gap_y, rate_y, -substep)
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
-        note_led_joint(j, substep, bodies, joints)
+        note_offsets_of_joint(j, substep, bodies, joints)
 
 
-def lead_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+def predict_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
     """Write the errors of the rows of a tree, whose arms do not turn in a substep, s.
 
     Return the sum of the squares of those that are firm, m^2/s^2.
@@ -136,13 +136,13 @@ def lead_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
     for m in range(first, last):
         row = joints.hinges[m]
         rate_x, rate_y = rates_of_hinge(m, bodies, joints)
-        gap_x = row_value_ahead(row[tb.H_LED], rate_x, substep)
-        gap_y = row_value_ahead(row[tb.H_LED + 1], rate_y, substep)
+        gap_x = row_value_ahead(row[tb.H_OFFSET], rate_x, substep)
+        gap_y = row_value_ahead(row[tb.H_OFFSET + 1], rate_y, substep)
         error_x = row_error(gap_x, row[tb.H_AIM], substep)
         error_y = row_error(gap_y, row[tb.H_AIM + 1], substep)
         begin_errors(row, error_x, error_y)
         size += error_x * error_x + error_y * error_y
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
-        lead_joint(j, substep, bodies, joints)
+        predict_joint(j, substep, bodies, joints)
         size += firm_errors(j, joints)
     return size
