@@ -16,6 +16,7 @@ from tamias2d.study import asked, companion, tolerance as tolerance_module, unwe
 from tamias2d.study.companion import limit_beside
 from tamias2d.study.error import history_error
 from tamias2d.study.offers import holding
+from tamias2d.study.path_error import has_error_equation
 from tamias2d.study.pilot import Pilot
 from tamias2d.study.refusal import ToleranceError, refusal
 from tamias2d.work_limit import WORK_LIMIT
@@ -99,7 +100,8 @@ def test_a_companion_is_returned_where_only_that_meets_it(
 
 
 @pytest.mark.parametrize(
-    ("name", "tolerance"), [("springs 0", 1e-6), ("orbit 1", 1e-8), ("bounces 3", 1e-6)]
+    ("name", "tolerance"),
+    [("springs 0", 1e-6), ("orbit 1", 1e-8), ("bounces 3", 1e-6), ("mechanism 5", 1e-8)],
 )
 def test_the_error_beside_a_run_certifies_it(name: str, tolerance: float, tmp_path: Path) -> None:
     """Its certificate can be made again, by one more run."""
@@ -113,6 +115,23 @@ def test_the_error_beside_a_run_certifies_it(name: str, tolerance: float, tmp_pa
     assert run.certificate.bound < 10 * history_error(run, exact)
     run.save(tmp_path / "run.npz")
     assert check(tmp_path / "run.npz").identical
+
+
+def test_the_error_beside_what_stands_still_gives_no_run_up() -> None:
+    """Rounding is all that moves there: it says nothing of how far off the run will be."""
+    scene = t2.catalogue.load("windmill")
+    run = t2.simulate(scene, duration=scene.duration, tolerance=1e-4)
+    assert run.certificate is not None
+    assert run.certificate.how.endswith("and the equation of its error")
+    assert "try" not in run.notes[0]
+
+
+@pytest.mark.parametrize("name", ["walker", "ball-and-chain"])
+def test_joints_that_switch_have_no_equation_of_the_error(name: str) -> None:
+    scene = t2.catalogue.load(name)
+    smooth = not any(joint.switches for joint in scene.joints)
+    assert has_error_equation(scene, t2.Dop853(1e-6), 1.0) == smooth == (name != "walker")
+    assert not has_error_equation(scene, t2.Dop853(1e-11), 1.0)
 
 
 @pytest.mark.parametrize(

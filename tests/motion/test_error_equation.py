@@ -35,6 +35,34 @@ def test_it_is_the_distance_from_a_far_tighter_run(
     assert away / 2 < said < (8 if name == "quadratic-drag" else 2) * away
 
 
+@pytest.mark.parametrize(
+    ("name", "method"),
+    [
+        *(
+            (name, method)
+            for name in ("andrews", "pendulum-a01", "slider-crank")
+            for method in METHODS
+        ),
+        ("pendulum-a01", t2.Dop853(1e-10)),
+    ],
+    ids=str,
+)
+def test_it_is_the_distance_of_mechanisms_too(
+    name: str, method: t2.Dop853 | t2.DormandPrince5
+) -> None:
+    """Within an eighth; of the last only because exact motion returns to its joints (GD18)."""
+    scene = t2.catalogue.load(name)
+    assert scene.duration is not None
+    times = np.linspace(0.0, scene.duration, 1001)
+    asked = {"duration": scene.duration, "times": times}
+    run, error = solve_with_error(scene, method=method, **asked)  # type: ignore[arg-type]
+    exact = t2.simulate(scene, method=t2.Reference(1e-13), **asked)  # type: ignore[arg-type]
+    moved = np.abs(run.position - exact.position).max()
+    away = max(moved, np.abs(run.orientation - exact.orientation).max())
+    assert error is not None
+    assert away / 1.125 < error.max() < 1.125 * away
+
+
 def test_the_run_is_that_without_it() -> None:
     method = t2.Dop853(1e-6)
     run, _ = solve_with_error(oscillator(), duration=1.0, method=method)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tamias2d.scene import Box, Compound, Disc, HalfPlane, Part, Scene
+from tools.measurements.mechanisms.random_mechanism import random_mechanism
 
 SEED = 577215  # nothing was tuned on these; 1618, 2718 and 31415 showed what had to be mended
 _EACH = 6
@@ -13,9 +14,9 @@ _G = (0.0, -9.81)
 
 
 def scenes(seed: int = SEED) -> Iterator[Scene]:
-    """Yield throws through air, springs, orbits and bouncing discs, six of each."""
+    """Yield throws through air, springs, orbits, bouncing discs and mechanisms, six of each."""
     random = np.random.default_rng(seed)
-    for make in (_throw, _springs, _orbit, _bounces):
+    for make in (_throw, _springs, _orbit, _bounces, _mechanism):
         for k in range(_EACH):
             yield make(random, k)
 
@@ -79,6 +80,12 @@ def _bounces(random: np.random.Generator, k: int) -> Scene:
     for normal, offset in walls:
         scene.add_static(HalfPlane(normal=normal, offset=offset), restitution=0.95)
     return scene
+
+
+def _mechanism(random: np.random.Generator, k: int) -> Scene:
+    """Bodies in a tree of joints, with loops: they may be rigid, or turn over chaotically."""
+    seed, duration = int(random.integers(2**31)), float(random.uniform(1.0, 3.0))
+    return random_mechanism(seed, name=f"mechanism {k}", duration=duration)
 
 
 def stepped_scenes(seed: int = SEED) -> Iterator[Scene]:

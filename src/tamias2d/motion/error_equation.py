@@ -5,11 +5,13 @@ e, begins with nothing and solves e'' = f(P + e, P' + e') - P'' (Skeel, Thirteen
 global error, Numerische Mathematik 48, 1986, section 7, after Zadunaisky). Few digits of e are
 wanted, so that an explicit scheme of low order does; but over a step the defect nearly cancels,
 which takes a quadrature of a higher order than the steps have: Lobatto's.
+
+Joints hold exact motion too: as steps do, P + e returns to them after each (GD18).
 """
 
 from collections.abc import Callable, Sequence
 from functools import cache
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -18,12 +20,15 @@ from tamias2d.errors import SimulationError
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.marching import Error, Rule
 from tamias2d.motion.memoised_field import MemoisedField
-from tamias2d.motion.polynomial import derivative
+from tamias2d.motion.polynomial import DenseStep, derivative
 from tamias2d.motion.step_batch import StepBatch
 from tamias2d.state import Array
 
 _AT_ONCE, _SHARE = 4, 4
 """So many steps, or this share of those before, are taken before somebody may have seen enough."""
+
+Fitted: TypeAlias = Callable[[float, Array, Array], tuple[Array, Array]]
+"""Moves coordinates and rates (n, 3) at a time in s to where joints hold; raises `JointError`."""
 
 Watch: TypeAlias = Callable[[float, Array, Array], None]
 """Hears of the time reached, s, and of the largest errors and extents (n, 3) so far, m and rad."""
@@ -62,32 +67,46 @@ class ErrorEquation:
         most = min(most, max(_AT_ONCE, self._taken // _SHARE))
         steps = self._steps.batch(field, start, limit, position, velocity, most=most)
         self._taken += len(steps.times) - 1
+        self._go_on(field, _Path(steps.times, steps.knots[:, :2], steps.coefficients), None)
+        return steps
+
+    def follow(self, field: MemoisedField, step: DenseStep, fitted: Fitted) -> None:
+        """Integrate the error over a step that was taken, and that ends where joints hold."""
+        states = np.stack([np.stack(step.first), np.stack(step.last)])
+        path = _Path([step.start, step.end], states, step.coefficients[:, None])
+        self._go_on(field, path, fitted)
+
+    def _go_on(self, field: MemoisedField, path: "_Path", fitted: Fitted | None) -> None:
+        """Integrate the error over some steps, unless something hides it, and tell who watches."""
         if self.largest is not None:
-            self.largest = self._followed(field, steps)
+            self.largest = self._followed(field, path, fitted)
         if self._steps.missed:
             self.largest = None
         if self.largest is not None:
-            self._watch(steps.end, self.largest, self._high - self._low)
-        return steps
+            self._watch(path.times[-1], self.largest, self._high - self._low)
 
-    def _followed(self, field: MemoisedField, steps: StepBatch) -> Array | None:
+    def _followed(self, field: MemoisedField, path: "_Path", fitted: Fitted | None) -> Array | None:
         """Return the largest errors up to the end of some steps, whose errors are integrated."""
-        first = steps.times[0], steps.knots[0, 0], steps.knots[0, 1]
+        first, last = (path.times[0], *path.states[0]), (path.times[-1], *path.states[-1])
         beside = field.beside()
-        if self._error is None:
-            still = np.zeros_like(first[1])
-            self._error = Error(np.stack((still, still, beside(*first))), still.copy())
-            self._low = self._high = first[1]
-        elif self._end is None or not _same(self._end, first):
+        try:
+            if self._error is None:
+                still = np.zeros_like(first[1])
+                self._error = Error(np.stack((still, still, beside(*first))), still.copy())
+                self._low = self._high = first[1]
+            elif self._end is None or not _same(self._end, first):
+                return None
+            self._low = np.minimum(self._low, path.states[:, 0].min(axis=0))
+            self._high = np.maximum(self._high, path.states[:, 0].max(axis=0))
+            self._end = last
+            nodes = along(path.coefficients, np.diff(path.times) / 2, self._rule.nodes)
+            if not self._integrated(beside, path.times, nodes, self._error):
+                return None
+            if fitted is not None:
+                _return_to_joints(self._error, last, fitted)
+        except SimulationError:
             return None
-        self._low = np.minimum(self._low, steps.knots[:, 0].min(axis=0))
-        self._high = np.maximum(self._high, steps.knots[:, 0].max(axis=0))
-        self._end = steps.end, *steps.last
-        paths = along(steps, self._rule.nodes)
-        if not self._integrated(beside, steps.times, paths, self._error):
-            return None
-        good = np.isfinite(self._error.state).all()
-        return self._error.largest if good else None
+        return self._error.largest if np.isfinite(self._error.state).all() else None
 
     def _integrated(
         self, field: MemoisedField, times: Sequence[float], paths: Array, error: Error
@@ -100,12 +119,28 @@ class ErrorEquation:
                 nodes = self._sweeps * (len(rule.nodes) - 1)
                 field.tally.force_evaluations += nodes * (len(times) - 1)
                 return done
-        try:
-            for time, end, path in zip(times[:-1], times[1:], paths, strict=True):
-                follow_step(field, rule, self._sweeps, time, end - time, path, error)
-        except SimulationError:
-            return False
+        for time, end, path in zip(times[:-1], times[1:], paths, strict=True):
+            follow_step(field, rule, self._sweeps, time, end - time, path, error)
         return True
+
+
+class _Path(NamedTuple):
+    """Some steps, as what lies between them needs them."""
+
+    times: Sequence[float]
+    """(k + 1,), s"""
+    states: Array
+    """(k + 1, 2, n, 3): coordinates and rates at these times"""
+    coefficients: Array
+    """(m, k, n, 3), as those of a `StepBatch`"""
+
+
+def _return_to_joints(error: Error, end: tuple[float, Array, Array], fitted: Fitted) -> None:
+    """Move the exact motion at the end of a step to where the joints hold it."""
+    time, position, velocity = end
+    ahead, rate = error.state[:2]
+    place, speed = fitted(time, position + ahead, velocity + rate)
+    error.state[:2] = place - position, speed - velocity
 
 
 def follow_step(
@@ -170,10 +205,12 @@ def lobatto(count: int) -> Rule:
     return Rule(nodes, early, whole)
 
 
-def along(steps: StepBatch, nodes: Array) -> Array:
-    """Return coordinates, rates and accelerations (k, 3, m, n, 3) at the nodes of k steps."""
-    powers = steps.coefficients
-    half = steps.half[:, None, None]
+def along(powers: Array, half: Array, nodes: Array) -> Array:
+    """Return coordinates, rates and accelerations (k, 3, m, n, 3) at the nodes of k steps.
+
+    Of each half the length is given (k,), s, and the coefficients of its path (j, k, n, 3).
+    """
+    half = half[:, None, None]
     x = (2 * nodes - 1).reshape(-1, 1, 1, 1)
     found = np.empty((3, len(nodes), *powers.shape[1:]))
     for order in range(3):

@@ -1,6 +1,7 @@
 """Motion by integration: the steps of an integrator as paths of bodies."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import Protocol, TypeAlias
 
 import numpy as np
@@ -350,7 +351,12 @@ class IntegratedMotion:
         step = self._integrator.step(field, start, end, position, velocity)
         self._note_missed(field, (step.start, step.end), step.states)
         found = self._loads.mechanisms(field.bodies)
-        return moved_end(step, *fitted(found, step.end, *step.last)) if found else step
+        if not found:
+            return step
+        step = moved_end(step, *fitted(found, step.end, *step.last))
+        if isinstance(self._batching, ErrorEquation):
+            self._batching.follow(field, step, partial(fitted, found))
+        return step
 
     def _begun_joints(
         self,

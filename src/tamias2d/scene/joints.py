@@ -82,6 +82,16 @@ class Joint:
         return bool(self.freedoms) or self.breaks
 
     @property
+    def switches(self) -> bool:
+        """Whether what it exerts changes at instants: at limits, as a motor slips, as it breaks."""
+        return self.breaks or self.limited or any(each.motor for each in self.freedoms)
+
+    @property
+    def limited(self) -> bool:
+        """Whether it limits a freedom, as the teeth of a ratchet do."""
+        return any(each.limits or each.pitch for each in self.freedoms)
+
+    @property
     def breaks(self) -> bool:
         """Whether it bears no more than something."""
         return self.break_force is not None or self.break_torque is not None

@@ -89,7 +89,7 @@ def certify_tighter(run: Run, looser: Run) -> Run:
 
 def certify_as(run: Run, told: Certificate) -> Run:
     """Return a run with a certificate that was made as another one tells, of all ways there are."""
-    if told.how.endswith(HOW) and has_error_equation(run.scene, run.method):
+    if told.how.endswith(HOW) and has_error_equation(run.scene, run.method, run.duration):
         return certify_with_error(run, error_beside(run))
     usual, method = certify(run), run.method
     if usual.certificate is None or usual.certificate.how == told.how:
@@ -182,7 +182,7 @@ def _way(run: Run) -> Way:
         raise NoBoundError("the scheme of 2018 is inconsistent: no step makes its error small")
     if method.fixed_step:
         return step_doubling
-    if has_error_equation(run.scene, method):
+    if has_error_equation(run.scene, method, run.duration):
         return _by_error_equation
     if isinstance(method, Dop853 | DormandPrince5) and method.halved:
         return lambda run, _: of_halves(run, whole_beside(run), [])

@@ -50,9 +50,14 @@ def scale(run: Run) -> float:
 
     Where nothing moves but by rounding, it is the size of the largest body, and of particles 1 m.
     """
-    size, far = float(radii(run.scene).max(initial=0.0)), way(run.scene, run)
     moving = [body.dynamic for body in run.scene.bodies]
     place = float(np.abs(run.position[:, moving]).max(initial=0.0))
+    return scale_of(run.scene, way(run.scene, run), place)
+
+
+def scale_of(scene: Scene, far: float, place: float) -> float:
+    """Return the scale of a motion that goes so far, m, through places as large as one, m."""
+    size = float(radii(scene).max(initial=0.0))
     return far if far > max(_STILL * size, _ROUNDING * place) else size or 1.0
 
 

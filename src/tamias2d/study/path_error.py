@@ -9,15 +9,17 @@ from tamias2d.motion.error_equation import Watch
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity, kinked, only_slowed
+from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve import StoppedError, solve_with_error
 from tamias2d.state import Array
 from tamias2d.study.bound import Bound, NoBoundError, Way, rounding
 from tamias2d.study.companion import limit_beside
-from tamias2d.study.error import radii, scale
+from tamias2d.study.error import radii, scale, scale_of
 
 HOW = "and the equation of its error"
-TIGHTEST = 1e-12
-"""Of the tolerances of a method whose steps err by more than the equation is rounded."""
+_TIGHTEST, _JOINTED = 1e-12, 1e-10
+"""Of the tolerances of a method whose steps err by more than the equation is rounded; the same with
+joints, where chaotic motion lets the rounding of their rows grow."""
 _SURE, _TRUSTED = 1.3, 2.0  # times the error that was integrated: a small one, and a larger one
 _SMALL = 1e-4  # of the scale: up to there more than the small one is believed
 _SLOWED, _TINY = (1.5, 3.0), 1e-6
@@ -29,14 +31,25 @@ _GROWTH = 1.5  # power of the time with which errors grow: from 1 to 2
 _FAR = 1e-3  # of the scale: as that is exceeded, steps are too few to say much of their error
 
 
-def has_error_equation(scene: Scene, method: Method) -> bool:
-    """Whether the error of a run solves an equation that is smooth but at impacts."""
-    return (
-        isinstance(method, Dop853 | DormandPrince5)
-        and not method.halved
-        and method.rtol >= TIGHTEST
-        and not (scene.joints or kinked(scene))
+def has_error_equation(scene: Scene, method: Method, duration: float) -> bool:
+    """Whether the error of a run solves an equation that is smooth but at impacts.
+
+    Joints are known as long as they do nothing at instants, and nothing meets.
+    """
+    if not isinstance(method, Dop853 | DormandPrince5) or method.halved:
+        return False
+    if method.rtol < tightest(scene) or kinked(scene):
+        return False
+    if not scene.joints:
+        return True
+    return not (
+        any(joint.switches for joint in scene.joints) or pairs_that_can_meet(scene, duration)
     )
+
+
+def tightest(scene: Scene) -> float:
+    """Return the smallest tolerance of a method at which the equation still tells its error."""
+    return _JOINTED if scene.joints else _TIGHTEST
 
 
 def error_beside(run: Run) -> Array | None:
@@ -78,12 +91,14 @@ def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
     Errors grow at least with the time, where nothing that feels a velocity damps them.
     """
     grows = not felt_velocity(scene)
+    places = [max(map(abs, body.position)) for body in scene.bodies if body.dynamic]
+    place = max(places, default=0.0)
 
     def watch(time: float, error: Array, extent: Array) -> None:
         if not _EARLY * duration <= time < duration:
             return
-        way = _farthest(extent, scene)
-        share = _trusted(scene, error, way) / way if way else 0.0
+        far = scale_of(scene, _farthest(extent, scene), place)
+        share = _trusted(scene, error, far) / far
         left = duration / time if grows else 1.0
         if share * left > tolerance:
             raise HopelessError(share * left**_GROWTH)

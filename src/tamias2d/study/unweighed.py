@@ -23,7 +23,7 @@ from tamias2d.study.certify import (
     certify_with_error,
 )
 from tamias2d.study.embedded import looser_than
-from tamias2d.study.path_error import TIGHTEST, HopelessError, has_error_equation, hopeless
+from tamias2d.study.path_error import HopelessError, has_error_equation, hopeless, tightest
 from tamias2d.study.pilot import Estimate
 
 Adaptive: TypeAlias = Dop853 | DormandPrince5
@@ -41,7 +41,7 @@ _ORDER_8, _IMPACTS = 3e-8, 1e-8
 meet, and where steps are short for impacts."""
 _FREE, _SPRUNG, _FELT = 0.05, 0.3, 0.7
 """The same of steps whose error is integrated: where no velocity is felt, and errors grow with the
-square of the time, where springs hold them back, and where a velocity is felt."""
+square of the time, where springs or joints hold them back, and where a velocity is felt."""
 _STRUCK = 0.2
 """The same where bodies meet and are only slowed."""
 _NEXT = 0.5  # of the tolerance is aimed at when that failed
@@ -64,7 +64,7 @@ def unweighed(asked: Asked) -> Run | None:
     meet = bool(pairs_that_can_meet(scene, asked.duration))
     slowed = only_slowed(scene)
     try:
-        if has_error_equation(scene, Dop853()):
+        if has_error_equation(scene, Dop853(), asked.duration):
             if meet:
                 return _through_impacts(asked, _first(asked, _STRUCK, _IMPACTS))
             if (run := _with_error(asked, _first(asked, _SLOWED, _LOOSE))) is not None:
@@ -92,26 +92,28 @@ def _first(asked: Asked, slowed_to: float, loose: float) -> Adaptive:
 
 def _aim(scene: Scene) -> float:
     """Return the tolerance of a method that is likely to do, over the one that was asked for."""
-    if felt_velocity(scene):
+    if felt_velocity(scene) and not scene.joints:
         return _FELT
-    return _SPRUNG if scene.springs else _FREE
+    return _SPRUNG if scene.springs or scene.joints else _FREE
 
 
 def _with_error(asked: Asked, method: Adaptive) -> Run | None:
     """Return a run beside which its error is integrated; None if some are not within it.
 
-    The method is the first to try.
+    Where it cannot be, runs are certified by tighter ones. The method is the first to try.
     """
     tolerance = asked.tolerance
     watch = hopeless(asked.scene, asked.duration, tolerance)
     for attempt in range(_BESIDE):
-        if method.rtol < TIGHTEST:
+        if method.rtol < tightest(asked.scene):
             return None
         try:
             run, error = asked.with_error(method, watch)
         except HopelessError as stopped:
             reached = stopped.share
         else:
+            if error is None:
+                return _tightened(asked, *certify_embedded(run))
             run = certify_with_error(run, error)
             if asked.is_met(run):
                 return _noted(run, tolerance, attempt)
@@ -128,7 +130,7 @@ def _through_impacts(asked: Asked, method: Adaptive) -> Run | None:
     """
     tolerance = asked.tolerance
     for attempt in range(_BESIDE):
-        if method.rtol < TIGHTEST:
+        if method.rtol < tightest(asked.scene):
             break
         run, error = asked.with_error(method)
         if error is None:

@@ -10,12 +10,14 @@ from tools.measurements.mechanisms.scenes import G
 LIMITS, EQUATIONS = "limits", "equations"
 
 
-def random_mechanism(seed: int, more: str | None = None) -> Scene:
+def random_mechanism(
+    seed: int, more: str | None = None, *, name: str = "", duration: float | None = None
+) -> Scene:
     """Two to eight bodies in a tree of joints of all kinds, with a loop now and then.
 
     There may be `more`: limits that bounce, or equations of one's own instead of some kinds.
     """
-    rng, scene = random.Random(seed), Scene(gravity=(0.0, -G))
+    rng, scene = random.Random(seed), Scene(gravity=(0.0, -G), name=name, duration=duration)
     for k in range(rng.randint(2, 8)):
         place, turn = (rng.uniform(-2, 2), rng.uniform(-2, 2)), rng.uniform(-3, 3)
         mass, inertia = 10 ** rng.uniform(-1, 1), 10 ** rng.uniform(-2, 0)
