@@ -169,6 +169,11 @@ class Engine(Store):
         return bool(counts[tb.JOINTS_APART] or counts[tb.JOINTS_TURNED] or counts[tb.JOINTS_GAINED])
 
     @property
+    def limit_changes(self) -> int:
+        """How often limits of joints were struck or left."""
+        return self.world.joints.counts.item(tb.LIMIT_CHANGES)  # asked for in each step
+
+    @property
     def limits(self) -> int:
         """How often something was found to tell, of the next two or of joints."""
         return self.world.control.counts.item(tb.LIMITS)  # asked for in each step

@@ -1,23 +1,26 @@
-"""What happens to joints as a step ends: some break (GD23), and ratchets click (GD21).
+"""What happens to joints in a step: some break (GD23), limits are struck, ratchets click (GD21).
 
 The reaction of a step is its mean, and impulses count in it: they have a length here. Those of
-rigid bodies, which have none, break nothing.
+rigid bodies, which have none, break nothing. A limit is struck where it pushes after a part of a
+step in which it did not, and left where it does not after one in which it did.
 """
 
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
 
 from tamias2d.engine import tables as tb
 from tamias2d.generated.constraints import CONSTRAINTS
-from tamias2d.motion.joint_events import BREAKS, CLICKS, JointEvent
+from tamias2d.motion.joint_events import BREAKS, CLICKS, LEAVES, STRIKES, JointEvent
 from tamias2d.scene.freedoms import last_tooth
 from tamias2d.scene.joints import Joint
 from tamias2d.simulator.joint_layout import JointLayout
 from tamias2d.simulator.joint_reactions import Held, forces_and_torques
+from tamias2d.simulator.joint_rows import rows_by_law
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
 
@@ -66,6 +69,35 @@ class JointWatch:
             _, torque = forces_and_torques(self._held, twisting, pose, time_step)
             over[self._twisted] |= np.abs(torque[:, 0]) > self._torque_most[self._twisted]
         return [joint for joint, too_much in zip(self._breaking, over, strict=True) if too_much]
+
+
+class LimitEvents:
+    """Tells which limits were struck and left, each the last time that it was."""
+
+    def __init__(self, layout: JointLayout) -> None:
+        """Take joints where the engine has them now."""
+        self._layout = layout
+        self._limits = [
+            (r, layout.joints[k], law == tb.UPPER_LIMIT, freedom)
+            for r, k, law, freedom, _ in rows_by_law(layout.joints)
+            if law in (tb.LOWER_LIMIT, tb.UPPER_LIMIT)
+        ]
+
+    def after(self, steps: int, time_step: float) -> list[JointEvent[str]]:
+        """Return the events after so many steps of so many s, in the order of their times."""
+        found: list[tuple[float, bool, JointEvent[str]]] = []
+        for r, joint, upper, freedom in self._limits:
+            numbers = self._layout.numbers[self._layout.places[r]]
+            struck, left = float(numbers[tb.J_STRUCK_AT]), float(numbers[tb.J_LEFT_AT])
+            pushes, of = bool(numbers[tb.J_PUSHED] > 0.0), joint.freedoms.index(freedom)
+            if struck > steps:
+                what, size = STRIKES + upper, float(numbers[tb.J_STRIKE])
+                event = JointEvent(struck * time_step, joint.name, of, what, size)
+                found.append((struck, pushes, event))
+            if left > steps:
+                event = JointEvent(left * time_step, joint.name, of, LEAVES + upper)
+                found.append((left, not pushes, event))
+        return [event for *_, event in sorted(found, key=itemgetter(0, 1))]
 
 
 def _most(borne: list[float | None]) -> Array:

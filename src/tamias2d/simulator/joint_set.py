@@ -23,6 +23,7 @@ from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, Vector, shown
 from tamias2d.simulator.joint_events import (
     JointWatch,
+    LimitEvents,
     on_tooth,
     tooth_of,
     tooth_reached,
@@ -59,6 +60,7 @@ class JointSet:
         refuse_unknown(self._joints.values())
         self._layout: JointLayout | None = None
         self._watch: JointWatch | None = None  # where something may happen to them
+        self._limits: LimitEvents
         self._saved = kept  # until a step is taken, or they change
         self._restored = kept is not None
         self.new = bool(self._joints)
@@ -209,6 +211,7 @@ class JointSet:
         self._layout = JointLayout(engine, joints, self._saved, restored=self._restored)
         watched = any(joint.breaks or joint.pitch for joint in joints)
         self._watch = JointWatch(self._layout) if watched else None
+        self._limits = LimitEvents(self._layout)
         self.new = self._restored = False
 
     @property
@@ -216,6 +219,10 @@ class JointSet:
         """Where the engine has them, since it was told of them last."""
         assert self._layout is not None
         return self._layout
+
+    def limit_events(self, steps: int, time_step: float) -> list[JointEvent[str]]:
+        """Return which limits were struck and left after so many steps of so many s."""
+        return self._limits.after(steps, time_step)
 
     @property
     def watched(self) -> bool:

@@ -49,6 +49,7 @@ class Stepping(Views):
         "_jointed",
         "_joints",
         "_left",
+        "_limit_changes",
         "_limits",
         "_names",
         "_pushed",
@@ -79,7 +80,8 @@ class Stepping(Views):
         """Forget what was asked for and told so far."""
         self._varying: VaryingLoads | None = None
         self._warned: dict[str, str] = {}
-        self._happened: tuple[JointEvent[str], ...] = ()
+        self._happened: list[JointEvent[str]] = []
+        self._limit_changes = 0  # of joints, of which was told
         self._limits = 0  # of which was told
         self._left = self._engine.pose.copy()  # where the last step left bodies
         self._pushed: Array | None = None  # loads for the next step only
@@ -104,7 +106,7 @@ class Stepping(Views):
         if not self._lock.acquire(False):
             raise busy("step")
         try:
-            self._happened = ()
+            self._happened = []
             nothing_happens = False  # to joints, in the rest of this call
             while count:
                 if self._unsettled:
@@ -130,7 +132,7 @@ class Stepping(Views):
 
     def _advance(self, count: int) -> None:
         """Take some steps, or raise `RuleError`."""
-        engine, step = self._engine, self._time_step
+        engine, step, before = self._engine, self._time_step, self._engine.steps
         placed = self._placed_by_hand() if self._jointed else ()
         untouched = self._sleeps and self._untouched
         if (invalid := engine.step(count, untouched=untouched)) is not None:
@@ -148,6 +150,9 @@ class Stepping(Views):
                 self._tell(too_long_for_joints(self._joints.layout, placed, self.time, step))
         if self._jointed:
             self._left = engine.pose.copy()
+            if (changes := engine.limit_changes) != self._limit_changes:
+                self._limit_changes = changes
+                self._happened += self._joints.limit_events(before, step)
         if self._scene is None or SPRINGS in self._warned:
             return
         if (row := engine.lossy_springs) >= 0:
@@ -216,7 +221,7 @@ class Stepping(Views):
         """Take over what the step did to joints; what was held by one that broke wakes."""
         engine = self._engine
         found, freed = self._joints.look(engine.pose, self.time, self._time_step)
-        self._happened = (*self._happened, *found)
+        self._happened += found
         if freed:
             engine.wake(np.array(sorted(freed), dtype=np.int64))
         self._unsettled |= self._joints.new
@@ -252,11 +257,12 @@ class Stepping(Views):
 
     @property
     def joint_events(self) -> tuple[JointEvent[str], ...]:
-        """What happened to joints in the last call of `step`: some broke (GD23), ratchets clicked.
+        """What happened to joints in the last call of `step`.
 
-        A joint that broke is gone.
+        Some broke (GD23), and are gone; ratchets clicked; limits were struck, with an impulse, and
+        left, of which each is told as it was the last time in that call (GD21).
         """
-        return self._happened
+        return tuple(self._happened)
 
     @property
     def warnings(self) -> tuple[str, ...]:

@@ -20,15 +20,16 @@ HOW = "and the equation of its error"
 _TIGHTEST, _JOINTED = 1e-12, 1e-10
 """Of the tolerances of a method whose steps err by more than the equation is rounded; the same with
 joints, where chaotic motion lets the rounding of their rows grow."""
-_SURE, _TRUSTED = 1.3, 2.0  # times the error that was integrated: a small one, and a larger one
+_SURE, _TRUSTED = 1.5, 2.3  # times the error that was integrated: a small one, and a larger one
 _SMALL = 1e-4  # of the scale: up to there more than the small one is believed
 _SLOWED, _TINY = (1.5, 3.0), 1e-6
 """The same where bodies are only slowed: of an error that is larger than this share of the scale,
 and of the smallest. Rates within a step are known badly, and steps of high order feel that most."""
-_FEW = 24  # steps between which the quadrature errs: a small error may be luck
+_FEW, _LUCKY = 24, 10.0
+"""So few steps may err by chance by so many times less than they would by their tolerance."""
 _EARLY = 0.05  # of the run: before, its length says little
 _GROWTH = 1.5  # power of the time with which errors grow: from 1 to 2
-_FAR = 1e-3  # of the scale: as that is exceeded, steps are too few to say much of their error
+_FAR = 0.01  # of the scale: as that is exceeded, steps are too few to say much of their error
 
 
 def has_error_equation(scene: Scene, method: Method, duration: float) -> bool:
@@ -70,7 +71,8 @@ def of_error(error: Array | None) -> Way:
         value = _trusted(run.scene, error, scale(run))
         flights = 1 + len(run.impacts)
         if run.cost and run.cost.steps < _FEW * flights and not only_slowed(run.scene):
-            value = max(value, run.method.rtol * scale(run))  # type: ignore[attr-defined]
+            usual = run.method.rtol * scale(run)  # type: ignore[attr-defined]
+            value = max(value, min(usual, _LUCKY * _farthest(error, run.scene)))
         return Bound("embedded", value + rounding(run), f"{run.method} {HOW}")
 
     return way

@@ -5,6 +5,8 @@ from tamias2d.engine.tables import Joints, World
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
+LET_GO = 1e-9  # of the largest impulse of a mechanism: smaller ones were tried and let go
+
 
 def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
     """Begin to add up the impulses of a part; those of a mesh count for a substep of this one."""
@@ -31,6 +33,8 @@ def keep_joint_impulses(world: World) -> None:
             keep_of_mechanism(n, substeps, joints)
             for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
                 keep_of_joint(kept, time, joints.numbers[j], joints)
+            if joints.mechanisms[n, tb.M_GOVERNED] != 0:
+                note_limit_changes(n, world.control.counts[tb.STEPS_TAKEN] + 1, joints)
     if found_to_tell(joints) > known:
         world.control.counts[tb.LIMITS] += 1
 
@@ -60,6 +64,32 @@ def keep_of_joint(kept: float, time: float, numbers: Array, joints: Joints) -> N
             joints.counts[tb.JOINTS_APART] = 1
     if numbers[tb.J_TURNED] > 0.0:
         joints.counts[tb.JOINTS_TURNED] = 1
+
+
+def note_limit_changes(n: int, step: int, joints: Joints) -> None:
+    """Note which limits of a mechanism are struck in a part of a step, and which are left."""
+    first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
+    largest = 0.0
+    for j in range(first, last):
+        for k in range(tb.J_PULL, tb.J_PULL + 3):
+            largest = max(largest, abs(joints.numbers[j, k]))
+    for j in range(first, last):
+        law = joints.joints[j, tb.J_LAW]
+        if law == tb.LOWER_LIMIT or law == tb.UPPER_LIMIT:
+            impulse = abs(joints.numbers[j, tb.J_PULL])
+            note_limit_change(impulse if impulse > LET_GO * largest else 0.0, step, j, joints)
+
+
+def note_limit_change(impulse: float, step: int, j: int, joints: Joints) -> None:
+    """Note whether a limit is struck or left that pushes with an impulse in a part of a step."""
+    numbers = joints.numbers[j]
+    before, numbers[tb.J_PUSHED] = numbers[tb.J_PUSHED], impulse
+    if impulse > 0.0 and before == 0.0:
+        numbers[tb.J_STRUCK_AT], numbers[tb.J_STRIKE] = step, impulse
+        joints.counts[tb.LIMIT_CHANGES] += 1
+    if impulse == 0.0 and before > 0.0:
+        numbers[tb.J_LEFT_AT] = step
+        joints.counts[tb.LIMIT_CHANGES] += 1
 
 
 def found_to_tell(joints: Joints) -> int:
