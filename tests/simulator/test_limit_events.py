@@ -111,3 +111,13 @@ def test_what_happened_in_parts_of_one_step_ends_with_what_is(pushes: bool) -> N
     words = [event.words for event in LimitEvents(layout).after(200, STEP)]
     said = [f"{word} its lower limit" for word in ("leaves", "strikes")]
     assert words == (said if pushes else said[::-1])
+
+
+def test_as_many_events_after_a_joint_was_added_are_told() -> None:
+    sim = t2.Simulator(door(0.4), time_step=STEP)
+    sim.step(130)
+    assert len(sim.joint_events) == 2
+    other = sim.add(None, mass=1.0, inertia=1.0, position=(9.0, 0.0))
+    sim.add_joint(t2.Weld(), other, (9.0, 0.0), name="held")
+    sim.step(130)
+    assert len(sim.joint_events) == 2

@@ -180,6 +180,7 @@ class Stepping(Views):
         self._jointed = len(self._joints) > 0
         if self._joints.new:
             self._joints.settle(self._engine)
+            self._limit_changes = self._engine.limit_changes
             self._tell(too_stiff_for_steps(self._joints, self._engine, self._time_step))
         self._varying = None
         if self._scene is not None:

@@ -34,7 +34,7 @@ SMALLEST = 1e-14
 _HALVED, _ORDERLY = 6.0, 1e-5
 """Times the tolerance is that of order 8 whose halved steps are tried first; at most so large is it
 that most scenes show the order of the scheme."""
-_PLAIN, _SLOWED = 0.3, 10.0
+_PLAIN, _SLOWED = 0.3, 3.0
 """The same of whole steps; where bodies are only slowed, and errors decay with their speed."""
 _ORDER_8, _IMPACTS = 3e-8, 1e-8
 """Below these tolerances order 8 is cheaper than order 5 where bodies are only slowed: where none
@@ -45,8 +45,10 @@ square of the time, where springs or joints hold them back, and where a velocity
 _STRUCK = 0.2
 """The same where bodies meet and are only slowed."""
 _NEXT = 0.5  # of the tolerance is aimed at when that failed
-_LOOSE = 1e-3
+_LOOSE = 1e-5
 """From it on order 5 is cheaper where bodies are only slowed and their error is integrated."""
+_COARSE, _JOINED = 1e-3, 0.1
+"""From it on order 5 is cheaper where joints hold, too, at so many times the tolerance."""
 _HALVES = 3e-6
 """Below it halved steps are cheaper than a run at a tighter tolerance."""
 _LOOSEST = 0.3
@@ -82,12 +84,14 @@ def _first(asked: Asked, slowed_to: float, loose: float) -> Adaptive:
     """Return the method that is tried first with its error beside it.
 
     Where bodies are only slowed its tolerance is so many times that of the run, and from a loose
-    one on it is of order 5.
+    one on it is of order 5, as it is where joints hold.
     """
-    slowed = only_slowed(asked.scene)
-    rtol = _own(asked.tolerance * (slowed_to if slowed else _aim(asked.scene)))
-    order_5 = slowed and asked.tolerance >= loose
-    return DormandPrince5(rtol=rtol) if order_5 else Dop853(rtol=rtol)
+    scene, tolerance = asked.scene, asked.tolerance
+    if scene.joints and tolerance >= _COARSE:
+        return DormandPrince5(rtol=_own(_JOINED * tolerance))
+    slowed = only_slowed(scene)
+    rtol = _own(tolerance * (slowed_to if slowed else _aim(scene)))
+    return DormandPrince5(rtol=rtol) if slowed and tolerance >= loose else Dop853(rtol=rtol)
 
 
 def _aim(scene: Scene) -> float:
