@@ -27,6 +27,9 @@ def cart(world: int = 0, random: object = None) -> t2.Scene:  # noqa: ARG001
     scene.add_joint(drive, "box", "left", name="engine")
     ball = t2.Disc(radius=0.2)
     scene.add_body(ball, mass=1.0, position=(0.0, 5.0), name="ball", **SURFACE)
+    prop = t2.Distance(limits=limits(0.3, 0.6), spring=spring(1e3, 20.0))
+    scene.add_body(t2.Disc(radius=0.1), mass=2.0, position=(4.0, 0.6), name="load", **SURFACE)
+    scene.add_joint(prop, (4.0, 1.0), "load", name="prop")
     pull = t2.Target(spring=t2.JointSpring(stiffness=500.0, damping=30.0))
     scene.add_joint(pull, (0.0, 5.0), "ball", name="hook")
     return scene
@@ -46,6 +49,7 @@ def check(together: t2.Simulators, alone: list[t2.Simulator]) -> None:
 
 SPEEDS = np.array([-3.0, 0.0, 2.0, 5.0])
 MOST = np.array([5.0, 60.0, 1e3, 40.0])
+SHORTEST = np.array([0.3, 0.33, 0.36, 0.39])
 PLACES = np.array([(0.0, 5.0), (0.5, 4.0), (-1.0, 5.5), (0.0, 5.0)])
 FORCES = np.arange(24.0).reshape(WORLDS, 3, 2) - 9.0
 THREE = ["ball", "box", "left"]
@@ -53,6 +57,14 @@ THREE = ["ball", "box", "left"]
 
 def motor(speed: Any, maximum: Any = None) -> t2.Motor:
     return t2.Motor(speed=speed, maximum=maximum)
+
+
+def limits(lower: Any = None, upper: Any = None) -> t2.Limits:
+    return t2.Limits(restitution=0.0, lower=lower, upper=upper)
+
+
+def spring(stiffness: Any, damping: Any = 0.0, rest: Any = None) -> t2.JointSpring:
+    return t2.JointSpring(stiffness=stiffness, damping=damping, rest=rest)
 
 
 DRIVES: dict[str, tuple[Drive, Drive]] = {
@@ -71,6 +83,30 @@ DRIVES: dict[str, tuple[Drive, Drive]] = {
     "motors off": (
         lambda sims, _: sims.set_motor("engine", None),
         lambda sim, _: sim.set_motor("engine", None),
+    ),
+    "limits": (
+        lambda sims, _: sims.set_limits("prop", lower=SHORTEST, upper=0.55, restitution=0.0),
+        lambda sim, w: sim.set_limits("prop", limits(lower=SHORTEST[w], upper=0.55)),
+    ),
+    "one limit": (
+        lambda sims, _: sims.set_limits("prop", upper=0.41, restitution=np.zeros(WORLDS)),
+        lambda sim, _: sim.set_limits("prop", limits(upper=0.41)),
+    ),
+    "limits off": (
+        lambda sims, _: sims.set_limits("prop", restitution=0.0),
+        lambda sim, _: sim.set_limits("prop", None),
+    ),
+    "springs": (
+        lambda sims, _: sims.set_spring("prop", 10 * MOST, damping=9, rest=SHORTEST),
+        lambda sim, w: sim.set_spring("prop", spring(10 * MOST[w], 9.0, SHORTEST[w])),
+    ),
+    "one spring": (
+        lambda sims, _: sims.set_spring("prop", 2e3),
+        lambda sim, _: sim.set_spring("prop", spring(2e3)),
+    ),
+    "springs off": (
+        lambda sims, _: sims.set_spring("prop", None),
+        lambda sim, _: sim.set_spring("prop", None),
     ),
     "targets": (
         lambda sims, _: sims.set_target("hook", PLACES),
@@ -118,12 +154,14 @@ def test_worlds_are_driven_as_each_alone(name: str) -> None:
     assert together.world(2).digest() == alone[2].digest()
 
 
-def test_a_reset_brings_the_motors_and_targets_of_the_start_back() -> None:
+def test_a_reset_brings_the_drives_of_the_start_back() -> None:
     together, alone = both()
     together.step(20)
     first = together.world(3).digest()
     together.set_motor("engine", SPEEDS)
     together.set_target("hook", PLACES + 1.0)
+    together.set_limits("prop", upper=0.5, restitution=1.0)
+    together.set_spring("prop", 10.0)
     together.apply_force("ball", (9.0, 9.0))
     together.step(5)
     together.reset()
@@ -164,6 +202,21 @@ BAD: list[tuple[Callable[[t2.Simulators], object], str]] = [
     (lambda s: s.set_motor("engine", "fast"), "speed of the worlds: found 'fast'"),
     (lambda s: s.set_motor("engine", [0, 0, 0, np.nan]), "world 3: speed of motor of joint 'eng"),
     (lambda s: s.set_motor("engine", 1.0, maximum=[9, 0, 9, 9]), r"world 1: maximum 0 N\*m of mot"),
+    (
+        lambda s: s.set_limits("hook", upper=1.0, restitution=0.0),
+        r"world 0: joint 'hook' \(target\): it has no limits",
+    ),
+    (lambda s: s.set_limits("prop", upper=1.0, restitution=[0, 0, 2, 0]), "world 2: restitution"),
+    (
+        lambda s: s.set_limits("prop", lower=[0.1, 0.9, 0, 0], upper=0.8, restitution=0.0),
+        "world 1: limits? of joint 'prop'",
+    ),
+    (
+        lambda s: s.set_spring("engine", 1.0),
+        r"world 0: joint 'engine' \(rotary\): it has no spring",
+    ),
+    (lambda s: s.set_spring("prop", [1, 1, 1, -1]), "world 3: stiffness"),
+    (lambda s: s.set_spring("prop", 1.0, rest="long"), "rest of the worlds: found 'long'"),
     (lambda s: s.set_target("engine", (0, 0)), r"world 0: joint 'engine' \(rotary\): it holds no"),
     (lambda s: s.set_target("hook", 3.0), r"point of the worlds: found an array of shape \(\)"),
     (lambda s: s.set_target("hook", [(0, 0)] * 3 + [(1e99, 0)]), r"world 3: point \(1e\+99,"),

@@ -1,17 +1,17 @@
-"""What acts on many worlds between steps: motors, targets, forces and impulses, world by world."""
+"""What acts on many worlds between steps, world by world: on their joints, or by a push."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 import numpy as np
 
 from tamias2d.errors import InputError
-from tamias2d.scene.freedoms import Motor
+from tamias2d.scene.freedoms import JointSpring, Limits, Motor
 from tamias2d.scene.rules import RuleError, label
 from tamias2d.simulator import Simulator
 from tamias2d.simulator.columns import as_array, judged, spread
 from tamias2d.simulator.exclusive import exclusive
-from tamias2d.simulator.joint_set import MOTOR
+from tamias2d.simulator.joint_set import LIMITS, MOTOR, SPRING
 from tamias2d.simulator.jointing import checked_target
 from tamias2d.simulator.selection import Bodies
 from tamias2d.simulator.views import Views
@@ -41,9 +41,70 @@ class Controls(Views):
             InputError: a world has no such joint, it has no motor, or a value breaks a rule (R4);
                 nothing is set then.
         """
-        motors = self._motors(speed, maximum)
+        speeds, most = self._per_world(speed, "speed"), self._per_world(maximum, "maximum")
+        motors = [
+            None if v is None else Motor(speed=v, maximum=m)
+            for v, m in zip(speeds, most, strict=True)
+        ]
         joints = self._each_world(lambda w, sim: sim._joints.governed(name, MOTOR, motors[w]))
         self._each_world(lambda w, sim: sim._govern_as(joints[w]))
+
+    @exclusive
+    def set_limits(
+        self, name: str, *, restitution: object, lower: object = None, upper: object = None
+    ) -> None:
+        """Give a joint other limits in all worlds; an end that is left out limits nothing (GD21).
+
+        `lower` and `upper`, m or rad, and `restitution` are one for all worlds, or arrays
+        (worlds,). It takes some 100 microseconds a world; what is moved past where a joint is
+        takes it along, as `Simulator.set_limits` says.
+
+        Raises:
+            InputError: a world has no such joint, it has no such limits, or a value breaks a rule
+                (R4); nothing is set then.
+
+        Warns:
+            StepWarning: a limit is moved too far past where the joint is.
+        """
+        values = [self._per_world(*each) for each in (
+            (restitution, "restitution"), (lower, "lower"), (upper, "upper"),
+        )]  # fmt: skip
+        limits = [
+            None if low is None and high is None else Limits(restitution=e, lower=low, upper=high)
+            for e, low, high in zip(*values, strict=True)
+        ]
+        for sim in self._sims:
+            if sim._joints.new:
+                sim._settle_between()
+        joints = self._each_world(lambda w, sim: sim._joints.governed(name, LIMITS, limits[w]))
+        self._each_world(lambda w, sim: sim._limit_as(joints[w]))
+
+    @exclusive
+    def set_spring(
+        self, name: str, stiffness: object, *, damping: object = 0.0, rest: object = None
+    ) -> None:
+        """Give a joint's spring other numbers in all worlds; None turns it off (DD64).
+
+        `stiffness`, N m/rad or N/m, `damping`, N m s/rad or kg/s, and `rest`, rad or m, are one for
+        all worlds, or arrays (worlds,); a rest that is left out is the one before. It takes some 50
+        microseconds a world.
+
+        Raises:
+            InputError: a world has no such joint, it has no spring, or a value breaks a rule (R4);
+                nothing is set then.
+
+        Warns:
+            StepWarning: it is too stiff for the time step.
+        """
+        values = [self._per_world(*each) for each in (
+            (stiffness, "stiffness"), (damping, "damping"), (rest, "rest"),
+        )]  # fmt: skip
+        springs = [
+            None if k is None else JointSpring(stiffness=k, damping=c, rest=at)
+            for k, c, at in zip(*values, strict=True)
+        ]
+        joints = self._each_world(lambda w, sim: sim._joints.governed(name, SPRING, springs[w]))
+        self._each_world(lambda w, sim: sim._spring_as(joints[w]))
 
     @exclusive
     def set_target(self, name: str, point: object) -> None:
@@ -87,17 +148,14 @@ class Controls(Views):
         pushes, places = self._pushes(bodies, at, impulse, "impulse", "impulse_vector", remedy)
         self._each_world(lambda w, sim: sim.apply_impulse(bodies, pushes[w], at=places[w]))
 
-    def _motors(self, speed: object, maximum: object) -> list[Motor | None]:
-        """Return the motor of each world."""
+    def _per_world(self, value: object, key: str) -> Sequence[float | None]:
+        """Return a number of each world; None of all, if there is none."""
         count = len(self._sims)
-        if speed is None:
+        if value is None:
             return [None] * count
         remedy = "Give numbers, one or one for each world."
-        speeds = spread(speed, "speed", _OF, remedy, (count,), "world").tolist()
-        if maximum is None:
-            return [Motor(speed=each) for each in speeds]
-        most = spread(maximum, "maximum", _OF, remedy, (count,), "world").tolist()
-        return [Motor(speed=v, maximum=m) for v, m in zip(speeds, most, strict=True)]
+        found: list[float] = spread(value, key, _OF, remedy, (count,), "world").tolist()
+        return found
 
     def _pushes(
         self, bodies: Bodies, at: object | None, value: object, key: str, symbol: str, remedy: str

@@ -12,7 +12,7 @@ from tamias2d.scene.rules import RuleError, Vector, VectorLike, vector
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.hand_placed import TAKEN_ALONG, beyond_limits
 from tamias2d.simulator.joint_reactions import Reactions
-from tamias2d.simulator.joint_set import LIMITS, MOTOR, SPRING, GovernedBy
+from tamias2d.simulator.joint_set import LIMITS, MOTOR, SPRING
 from tamias2d.simulator.standing_bodies import StandingBodies
 from tamias2d.simulator.step_warnings import held_beyond_limits, too_stiff_for_steps
 from tamias2d.simulator.stepping import Stepping
@@ -105,7 +105,7 @@ class Jointing(Stepping):
             InputError: there is no joint of that name, it has no motor, or a value breaks a rule
                 (R4).
         """
-        self._govern(name, MOTOR, motor)
+        self._govern_as(self._joints.governed(name, MOTOR, motor))
 
     @exclusive
     def set_limits(self, name: str, limits: Limits | None) -> None:
@@ -125,11 +125,7 @@ class Jointing(Stepping):
         """
         if self._joints.new:
             self._settle_between()
-        joint = self._govern(name, LIMITS, limits)
-        if joint is not None and any(beyond_limits([joint], self._engine, slight=0.0)):
-            told = list(held_beyond_limits([joint], self._engine, self.time, slight=TAKEN_ALONG))
-            self._joints.pull(joint, along=not told)
-            self._tell(told, _CALLER)
+        self._limit_as(self._joints.governed(name, LIMITS, limits))
 
     @exclusive
     def set_spring(self, name: str, spring: JointSpring | None) -> None:
@@ -145,14 +141,19 @@ class Jointing(Stepping):
         Warns:
             StepWarning: it is too stiff for the time step.
         """
-        joint = self._govern(name, SPRING, spring)
-        if joint is not None:
-            self._tell(too_stiff_for_steps([joint], self._engine, self._time_step), _CALLER)
+        self._spring_as(self._joints.governed(name, SPRING, spring))
 
-    def _govern(self, name: str, by: GovernedBy, given: object) -> Joint | None:
-        """Give a joint something that governs it; return the joint, None if it has that already."""
-        joint = self._joints.governed(name, by, given)
-        return joint if self._govern_as(joint) else None
+    def _limit_as(self, joint: Joint) -> None:
+        """Let a joint be limited as one that `JointSet.governed` returned."""
+        if self._govern_as(joint) and any(beyond_limits([joint], self._engine, slight=0.0)):
+            told = list(held_beyond_limits([joint], self._engine, self.time, slight=TAKEN_ALONG))
+            self._joints.pull(joint, along=not told)
+            self._tell(told, _CALLER)
+
+    def _spring_as(self, joint: Joint) -> None:
+        """Let a joint be held by a spring as one that `JointSet.governed` returned."""
+        if self._govern_as(joint):
+            self._tell(too_stiff_for_steps([joint], self._engine, self._time_step), _CALLER)
 
     def _govern_as(self, joint: Joint) -> bool:
         """Let a joint be governed as one that `JointSet.governed` returned."""
