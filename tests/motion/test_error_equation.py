@@ -188,3 +188,12 @@ def test_a_run_that_will_be_too_far_off_is_stopped() -> None:
     assert 0 < stopped.value.force_evaluations < run.cost.force_evaluations / 2
     assert stopped.value.share > 1e-7
     solve_with_error(oscillator(), **asked, watch=hopeless(oscillator(), 40.0, 0.1))  # type: ignore[arg-type]
+
+
+def test_a_run_is_given_up_with_what_its_error_grows_to() -> None:
+    """As the fourth power of the time, as it has; 1e-1 of the motion at its end."""
+    watch, extent = hopeless(oscillator(), 100.0, 1e-3), np.array([[1.0, 0.0, 0.0]])
+    with pytest.raises(HopelessError) as stopped:
+        for time in np.arange(1.0, 100.0):
+            watch(float(time), 1e-9 * time**4 * extent, extent)
+    assert 0.1 < stopped.value.share < 1.0

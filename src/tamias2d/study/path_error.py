@@ -1,6 +1,7 @@
 """Bounds of runs that choose their steps, from the equation of their error (R5)."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -28,7 +29,8 @@ and of the smallest. Rates within a step are known badly, and steps of high orde
 _FEW, _LUCKY = 24, 10.0
 """So few steps may err by chance by so many times less than they would by their tolerance."""
 _EARLY = 0.05  # of the run: before, its length says little
-_GROWTH = 1.5  # power of the time with which errors grow: from 1 to 2
+_GROWTH, _STEEPEST = 1.5, 8.0
+"""Power of the time with which errors grow, from 1 to 2, where nothing else is known; at most."""
 _FAR = 0.01  # of the scale: as that is exceeded, steps are too few to say much of their error
 
 
@@ -90,22 +92,35 @@ class HopelessError(StoppedError):
 def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
     """Return what stops a run, by `HopelessError`, that will not be within a tolerance.
 
-    Errors grow at least with the time, where nothing that feels a velocity damps them.
+    Errors grow at least with the time, where nothing that feels a velocity damps them. How far off
+    the run would be at its end is told by the power of the time with which they have grown.
     """
     grows = not felt_velocity(scene)
     places = [max(map(abs, body.position)) for body in scene.bodies if body.dynamic]
     place = max(places, default=0.0)
+    known: list[tuple[float, float]] = []
 
     def watch(time: float, error: Array, extent: Array) -> None:
-        if not _EARLY * duration <= time < duration:
-            return
         far = scale_of(scene, _farthest(extent, scene), place)
         share = _trusted(scene, error, far) / far
-        left = duration / time if grows else 1.0
-        if share * left > tolerance:
-            raise HopelessError(share * left**_GROWTH)
+        known.append((time, share))
+        if not _EARLY * duration <= time < duration:
+            return
+        left = duration / time
+        if share * (left if grows else 1.0) > tolerance:
+            raise HopelessError(share * left ** _power(known, _GROWTH if grows else 0.0))
 
     return watch
+
+
+def _power(known: Sequence[tuple[float, float]], least: float) -> float:
+    """Return the power of the time with which an error has grown since half of it, s."""
+    time, share = known[-1]
+    before = [each for each in known if each[0] <= time / 2]
+    if not before or not before[-1][1] > 0.0:
+        return least
+    earlier, then = before[-1]
+    return min(max(math.log(share / then) / math.log(time / earlier), least), _STEEPEST)
 
 
 def _trusted(scene: Scene, error: Array, length: float) -> float:

@@ -65,16 +65,19 @@ def unweighed(asked: Asked) -> Run | None:
     scene, tolerance = asked.scene, asked.tolerance
     meet = bool(pairs_that_can_meet(scene, asked.duration))
     slowed = only_slowed(scene)
+    needed = math.inf  # at most such a tolerance of whole steps, as tries have told
     try:
         if has_error_equation(scene, Dop853(), asked.duration):
             if meet:
                 return _through_impacts(asked, _first(asked, _STRUCK, _IMPACTS))
-            if (run := _with_error(asked, _first(asked, _SLOWED, _LOOSE))) is not None:
+            run, needed = _with_error(asked, _first(asked, _SLOWED, _LOOSE))
+            if run is not None:
                 return run
         if not (meet or slowed or scene.joints or kinked(scene)) and tolerance < _HALVES:
-            return _halved(asked, Dop853(rtol=_own(_HALVED * tolerance, _ORDERLY)))
+            rtol = min(_HALVED * tolerance, _HALVED / _PLAIN * needed)
+            return _halved(asked, Dop853(rtol=_own(rtol, _ORDERLY)))
         loose = tolerance >= (_IMPACTS if meet else _ORDER_8)
-        rtol = _own((_SLOWED if slowed and not meet else _PLAIN) * tolerance)
+        rtol = _own(min((_SLOWED if slowed and not meet else _PLAIN) * tolerance, needed))
         return _whole(asked, DormandPrince5(rtol=rtol) if slowed and loose else Dop853(rtol=rtol))
     except SimulationError:  # of a loose run; the plan refuses what cannot be
         return None
@@ -101,29 +104,32 @@ def _aim(scene: Scene) -> float:
     return _SPRUNG if scene.springs or scene.joints else _FREE
 
 
-def _with_error(asked: Asked, method: Adaptive) -> Run | None:
+def _with_error(asked: Asked, method: Adaptive) -> tuple[Run | None, float]:
     """Return a run beside which its error is integrated; None if some are not within it.
 
-    Where it cannot be, runs are certified by tighter ones. The method is the first to try.
+    Where it cannot be, runs are certified by tighter ones. The method is the first to try; returned
+    is also which tolerance of it would be needed, if any was tried.
     """
     tolerance = asked.tolerance
     watch = hopeless(asked.scene, asked.duration, tolerance)
+    needed = math.inf
     for attempt in range(_BESIDE):
         if method.rtol < tightest(asked.scene):
-            return None
+            break
         try:
             run, error = asked.with_error(method, watch)
         except HopelessError as stopped:
             reached = stopped.share
         else:
             if error is None:
-                return _tightened(asked, *certify_embedded(run))
+                return _tightened(asked, *certify_embedded(run)), needed
             run = certify_with_error(run, error)
             if asked.is_met(run):
-                return _noted(run, tolerance, attempt)
+                return _noted(run, tolerance, attempt), needed
             reached = reached_by(run.certificate)
-        method = _next(method, tolerance, reached)
-    return None
+        method = _next(method, tolerance, reached, tightest(asked.scene))
+        needed = method.rtol
+    return None, needed
 
 
 def _through_impacts(asked: Asked, method: Adaptive) -> Run | None:
@@ -142,8 +148,8 @@ def _through_impacts(asked: Asked, method: Adaptive) -> Run | None:
         run = certify_with_error(run, error)
         if asked.is_met(run):
             return _noted(run, tolerance, attempt)
-        method = _next(method, tolerance, reached_by(run.certificate))
-    return _whole(asked, replace(method, rtol=_own(_PLAIN * tolerance)))
+        method = _next(method, tolerance, reached_by(run.certificate), tightest(asked.scene))
+    return _whole(asked, replace(method, rtol=_own(min(_PLAIN * tolerance, method.rtol))))
 
 
 def _halved(asked: Asked, method: Adaptive) -> Run | None:
@@ -195,9 +201,15 @@ def again(attempt: int) -> str:
     return "" if attempt == 0 else f", at the {_NAMES[attempt - 1]} try"
 
 
-def _next(method: Adaptive, tolerance: float, reached: float) -> Adaptive:
-    """Return the method at the tolerance that a bound which was too large tells to try."""
-    return replace(method, rtol=_own(method.rtol * _NEXT * tolerance / min(reached, 1.0)))
+def _next(method: Adaptive, tolerance: float, reached: float, tightest: float) -> Adaptive:
+    """Return the method at the tolerance that a bound which was too large tells to try.
+
+    What is said of a run that was stopped is a guess: the tightest one is tried before none is.
+    """
+    rtol = method.rtol * _NEXT * tolerance / min(reached, 1.0)
+    if rtol < tightest < _NEXT * method.rtol:
+        rtol = tightest
+    return replace(method, rtol=_own(rtol))
 
 
 def _own(rtol: float, loosest: float = _LOOSEST) -> float:
