@@ -29,8 +29,8 @@ and of the smallest. Rates within a step are known badly, and steps of high orde
 _FEW, _LUCKY = 24, 10.0
 """So few steps may err by chance by so many times less than they would by their tolerance."""
 _EARLY = 0.05  # of the run: before, its length says little
-_GROWTH, _STEEPEST = 1.5, 8.0
-"""Power of the time with which errors grow, from 1 to 2, where nothing else is known; at most."""
+_GROWTH = 1.5  # power of the time with which errors grow, from 1 to 2, if nothing else is known
+_MOST = 30.0  # times more is an error guessed to grow: it may have jumped
 _FAR = 0.01  # of the scale: as that is exceeded, steps are too few to say much of their error
 
 
@@ -108,19 +108,20 @@ def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
             return
         left = duration / time
         if share * (left if grows else 1.0) > tolerance:
-            raise HopelessError(share * left ** _power(known, _GROWTH if grows else 0.0))
+            least = left**_GROWTH if grows else 1.0
+            raise HopelessError(share * max(min(left ** _power(known), _MOST), least))
 
     return watch
 
 
-def _power(known: Sequence[tuple[float, float]], least: float) -> float:
-    """Return the power of the time with which an error has grown since half of it, s."""
+def _power(known: Sequence[tuple[float, float]]) -> float:
+    """Return the power of the time with which an error has grown since half of it; 0 if none is."""
     time, share = known[-1]
     before = [each for each in known if each[0] <= time / 2]
     if not before or not before[-1][1] > 0.0:
-        return least
+        return 0.0
     earlier, then = before[-1]
-    return min(max(math.log(share / then) / math.log(time / earlier), least), _STEEPEST)
+    return math.log(share / then) / math.log(time / earlier)
 
 
 def _trusted(scene: Scene, error: Array, length: float) -> float:
