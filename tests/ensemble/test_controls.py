@@ -215,7 +215,12 @@ BAD: list[tuple[Callable[[t2.Simulators], object], str]] = [
         lambda s: s.set_spring("engine", 1.0),
         r"world 0: joint 'engine' \(rotary\): it has no spring",
     ),
+    (lambda s: s.set_limits("prop", upper=1.0, restitution=None), "world 0: restitution of limits"),
     (lambda s: s.set_spring("prop", [1, 1, 1, -1]), "world 3: stiffness"),
+    (
+        lambda s: s.set_spring("prop", 1.0, damping=None),
+        "world 0: damping of spring .*: found None",
+    ),
     (lambda s: s.set_spring("prop", 1.0, rest="long"), "rest of the worlds: found 'long'"),
     (lambda s: s.set_target("engine", (0, 0)), r"world 0: joint 'engine' \(rotary\): it holds no"),
     (lambda s: s.set_target("hook", 3.0), r"point of the worlds: found an array of shape \(\)"),

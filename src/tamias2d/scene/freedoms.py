@@ -5,7 +5,7 @@ Each is measured by a constraint of srs/models/joints.md (GD21, GD22, DD64, DD65
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import Literal, TypeAlias, TypeVar
 
 from tamias2d.scene.forms import within
@@ -271,10 +271,11 @@ def _checked(value: object, kind: type[_T], symbols: Mapping[str, str], what: st
     if not isinstance(value, kind):
         raise RuleError(f"{what}: found {shown(value)}: must be one (GD21). {remedy}", key)
     given = {name: getattr(value, name) for name in symbols}
+    optional = {field.name for field in fields(kind) if field.default is None}  # type: ignore[arg-type]
     with within(key):
         numbers = {
             name: number(at, symbols[name], what, remedy, at=(name,))
             for name, at in given.items()
-            if at is not None
+            if at is not None or name not in optional
         }
     return kind(**{**given, **numbers})

@@ -1,15 +1,15 @@
 """What happens to joints in a step: some break (GD23), limits are struck, ratchets click (GD21).
 
 The reaction of a step is its mean, and impulses count in it: they have a length here. Those of
-rigid bodies, which have none, break nothing. A limit is struck where it pushes after a part of a
-step in which it did not, and left where it does not after one in which it did.
+rigid bodies, which have none, break nothing. A limit is struck in a step in which it pushes after
+one in which it did not, and left in one in which it does not after one in which it did.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from operator import itemgetter
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -23,6 +23,9 @@ from tamias2d.simulator.joint_reactions import Held, forces_and_torques
 from tamias2d.simulator.joint_rows import rows_by_law
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
+
+_End: TypeAlias = tuple[str, int, bool]
+"""A joint, which of its freedoms, and whether the end is the upper one."""
 
 _IMPULSES = slice(tb.J_STEP_TOTAL, tb.J_STEP_TOTAL + 3)  # on A
 
@@ -74,29 +77,41 @@ class JointWatch:
 class LimitEvents:
     """Tells which limits were struck and left, each the last time that it was."""
 
-    def __init__(self, layout: JointLayout) -> None:
-        """Take joints where the engine has them now."""
+    def __init__(self, layout: JointLayout, pushed: Mapping[_End, float]) -> None:
+        """Take joints where the engine has them now; some of their limits have pushed so far."""
         self._layout = layout
-        self._limits = [
-            (r, layout.joints[k], law == tb.UPPER_LIMIT, freedom)
-            for r, k, law, freedom, _ in rows_by_law(layout.joints)
-            if law in (tb.LOWER_LIMIT, tb.UPPER_LIMIT)
-        ]
+        self._ends: dict[_End, int] = {}
+        for r, k, law, freedom, _ in rows_by_law(layout.joints):
+            if law in (tb.LOWER_LIMIT, tb.UPPER_LIMIT):
+                joint = layout.joints[k]
+                end = joint.name, joint.freedoms.index(freedom), law == tb.UPPER_LIMIT
+                self._ends[end] = int(layout.places[r])
+        for end, impulse in pushed.items():
+            if end in self._ends:
+                layout.numbers[self._ends[end], tb.J_PUSHED] = impulse
+
+    @property
+    def pushed(self) -> dict[_End, float]:
+        """What limits have given in the last step, N s or N m s."""
+        numbers = self._layout.numbers
+        return {end: float(numbers[place, tb.J_PUSHED]) for end, place in self._ends.items()}
 
     def after(self, steps: int, time_step: float) -> list[JointEvent[str]]:
-        """Return the events after so many steps of so many s, in the order of their times."""
-        found: list[tuple[float, bool, JointEvent[str]]] = []
-        for r, joint, upper, freedom in self._limits:
-            numbers = self._layout.numbers[self._layout.places[r]]
-            struck, left = float(numbers[tb.J_STRUCK_AT]), float(numbers[tb.J_LEFT_AT])
-            pushes, of = bool(numbers[tb.J_PUSHED] > 0.0), joint.freedoms.index(freedom)
+        """Return the events after so many steps of so many s, in the order of their times.
+
+        Where a step leaves one end and strikes the other, it leaves first.
+        """
+        found: list[tuple[float, int, JointEvent[str]]] = []
+        for (name, freedom, upper), place in self._ends.items():
+            columns = (tb.J_STRUCK_AT, tb.J_LEFT_AT, tb.J_STRIKE)
+            struck, left, impulse = self._layout.numbers[place, columns].tolist()
             if struck > steps:
-                what, size = STRIKES + upper, float(numbers[tb.J_STRIKE])
-                event = JointEvent(struck * time_step, joint.name, of, what, size)
-                found.append((struck, pushes, event))
+                what = STRIKES + upper
+                event = JointEvent(struck * time_step, name, freedom, what, impulse)
+                found.append((struck, 1, event))
             if left > steps:
-                event = JointEvent(left * time_step, joint.name, of, LEAVES + upper)
-                found.append((left, not pushes, event))
+                event = JointEvent(left * time_step, name, freedom, LEAVES + upper)
+                found.append((left, 0, event))
         return [event for *_, event in sorted(found, key=itemgetter(0, 1))]
 
 

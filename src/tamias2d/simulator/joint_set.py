@@ -60,7 +60,7 @@ class JointSet:
         refuse_unknown(self._joints.values())
         self._layout: JointLayout | None = None
         self._watch: JointWatch | None = None  # where something may happen to them
-        self._limits: LimitEvents
+        self._limits: LimitEvents | None = None
         self._saved = kept  # until a step is taken, or they change
         self._restored = kept is not None
         self.new = bool(self._joints)
@@ -208,10 +208,11 @@ class JointSet:
             if joint.pitch and not math.isfinite(tooth_of(joint)):
                 self._joints[joint.name] = on_tooth(joint, tooth_reached(joint, engine.pose))
         joints = list(self)
+        pushed = self._limits.pushed if self._limits else {}
         self._layout = JointLayout(engine, joints, self._saved, restored=self._restored)
         watched = any(joint.breaks or joint.pitch for joint in joints)
         self._watch = JointWatch(self._layout) if watched else None
-        self._limits = LimitEvents(self._layout)
+        self._limits = LimitEvents(self._layout, pushed)
         self.new = self._restored = False
 
     @property
@@ -222,7 +223,7 @@ class JointSet:
 
     def limit_events(self, steps: int, time_step: float) -> list[JointEvent[str]]:
         """Return which limits were struck and left after so many steps of so many s."""
-        return self._limits.after(steps, time_step)
+        return self._limits.after(steps, time_step) if self._limits else []
 
     @property
     def watched(self) -> bool:

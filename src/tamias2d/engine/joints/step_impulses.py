@@ -1,6 +1,7 @@
 """The impulses of joints over a part of a step and over all of it, and what is told of them."""
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.parts import is_last_part
 from tamias2d.engine.tables import Joints, World
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
@@ -34,7 +35,9 @@ def keep_joint_impulses(world: World) -> None:
             for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
                 keep_of_joint(kept, time, joints.numbers[j], joints)
             if joints.mechanisms[n, tb.M_GOVERNED] != 0:
-                note_limit_changes(n, world.control.counts[tb.STEPS_TAKEN] + 1, joints)
+                add_limit_impulses(n, kept, joints)
+                if is_last_part(world.control):
+                    note_limit_changes(n, world.control.counts[tb.STEPS_TAKEN] + 1, joints)
     if found_to_tell(joints) > known:
         world.control.counts[tb.LIMITS] += 1
 
@@ -66,30 +69,42 @@ def keep_of_joint(kept: float, time: float, numbers: Array, joints: Joints) -> N
         joints.counts[tb.JOINTS_TURNED] = 1
 
 
-def note_limit_changes(n: int, step: int, joints: Joints) -> None:
-    """Note which limits of a mechanism are struck in a part of a step, and which are left."""
+def add_limit_impulses(n: int, kept: float, joints: Joints) -> None:
+    """Add the impulses of the limits of a mechanism in a part to so much of those before."""
     first, last = joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]
     largest = 0.0
     for j in range(first, last):
         for k in range(tb.J_PULL, tb.J_PULL + 3):
             largest = max(largest, abs(joints.numbers[j, k]))
     for j in range(first, last):
-        law = joints.joints[j, tb.J_LAW]
-        if law == tb.LOWER_LIMIT or law == tb.UPPER_LIMIT:
-            impulse = abs(joints.numbers[j, tb.J_PULL])
-            note_limit_change(impulse if impulse > LET_GO * largest else 0.0, step, j, joints)
+        if is_limit(j, joints):
+            numbers = joints.numbers[j]
+            if kept == 0.0:
+                numbers[tb.J_PUSHED_BEFORE], numbers[tb.J_PUSHED] = numbers[tb.J_PUSHED], 0.0
+            impulse = abs(numbers[tb.J_PULL])
+            if impulse > LET_GO * largest:
+                numbers[tb.J_PUSHED] += impulse
 
 
-def note_limit_change(impulse: float, step: int, j: int, joints: Joints) -> None:
-    """Note whether a limit is struck or left that pushes with an impulse in a part of a step."""
-    numbers = joints.numbers[j]
-    before, numbers[tb.J_PUSHED] = numbers[tb.J_PUSHED], impulse
-    if impulse > 0.0 and before == 0.0:
-        numbers[tb.J_STRUCK_AT], numbers[tb.J_STRIKE] = step, impulse
-        joints.counts[tb.LIMIT_CHANGES] += 1
-    if impulse == 0.0 and before > 0.0:
-        numbers[tb.J_LEFT_AT] = step
-        joints.counts[tb.LIMIT_CHANGES] += 1
+def note_limit_changes(n: int, step: int, joints: Joints) -> None:
+    """Note which limits of a mechanism are struck or left as a step ends, by its number."""
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        if is_limit(j, joints):
+            numbers = joints.numbers[j]
+            before, now = numbers[tb.J_PUSHED_BEFORE], numbers[tb.J_PUSHED]
+            if now > 0.0 and before == 0.0:
+                numbers[tb.J_STRUCK_AT], numbers[tb.J_STRIKE] = step, now
+                joints.counts[tb.LIMIT_CHANGES] += 1
+            if now == 0.0 and before > 0.0:
+                numbers[tb.J_LEFT_AT] = step
+                joints.counts[tb.LIMIT_CHANGES] += 1
+
+
+@inlined
+def is_limit(j: int, joints: Joints) -> bool:
+    """Return whether a row limits a value."""
+    law = joints.joints[j, tb.J_LAW]
+    return (law == tb.LOWER_LIMIT) | (law == tb.UPPER_LIMIT)
 
 
 def found_to_tell(joints: Joints) -> int:
