@@ -18,7 +18,7 @@ from tamias2d.study.companion import limit_beside
 from tamias2d.study.error import radii, scale, scale_of
 
 HOW = "and the equation of its error"
-_TIGHTEST, _JOINTED = 1e-12, 1e-10
+_TIGHTEST, _JOINTED = 3e-12, 1e-10
 """Of the tolerances of a method whose steps err by more than the equation is rounded; the same with
 joints, where chaotic motion lets the rounding of their rows grow."""
 _SURE, _TRUSTED = 1.5, 2.3  # times the error that was integrated: a small one, and a larger one
