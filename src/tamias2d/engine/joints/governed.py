@@ -13,11 +13,16 @@ from tamias2d.state import Array
 HALF = 0.5  # of a substep: in the first one and after the last, where loads are kicks at both ends
 
 
+def is_limit(law: int) -> bool:
+    """Return whether a row with such a law limits a value."""
+    return law == tb.LOWER_LIMIT or law == tb.UPPER_LIMIT
+
+
 def begin_rows(n: int, joints: Joints) -> None:
     """Let the limits of a mechanism be free as a part of a step begins, and its motors hold."""
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         law = joints.joints[j, tb.J_LAW]
-        limits = (law == tb.LOWER_LIMIT) | (law == tb.UPPER_LIMIT)
+        limits = is_limit(law)
         joints.joints[j, tb.J_STATE] = tb.FREE_ROW if limits else tb.HOLDS
         if limits:
             joints.numbers[j, tb.J_STRUCK] = joints.laws[j, tb.LAW_RATE] = 0.0
@@ -139,7 +144,7 @@ def is_to_change(j: int, time: float, joints: Joints) -> bool:
             return bool(abs(given) > row_impulse_most(joints.laws[j, tb.LAW_MOST], time))
         sign = 1.0 if ends[tb.J_STATE] == tb.AT_MOST else -1.0
         return bool(sign * numbers[tb.J_ERROR] > 0.0)
-    if law != tb.LOWER_LIMIT and law != tb.UPPER_LIMIT:
+    if not is_limit(law):
         return False
     sign = 1.0 if law == tb.LOWER_LIMIT else -1.0
     if holds:

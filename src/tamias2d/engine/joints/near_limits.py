@@ -4,6 +4,7 @@ Cost: the rows of all limits of mechanisms that are awake, once in a part.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.governed import is_limit
 from tamias2d.engine.joints.placed_rows import write_slopes
 from tamias2d.engine.joints.solve import rate_of_row
 from tamias2d.engine.tables import Bodies, Joints
@@ -23,7 +24,7 @@ def is_near_limits(n: int, time: float, bodies: Bodies, joints: Joints) -> bool:
         law = joints.joints[j, tb.J_LAW]
         if law == tb.MOTOR and joints.mechanisms[n, tb.M_HINGED] == 0:
             return True
-        if law in (tb.LOWER_LIMIT, tb.UPPER_LIMIT) and is_near_limit(j, time, bodies, joints):
+        if is_limit(law) and is_near_limit(j, time, bodies, joints):
             return True
     return False
 

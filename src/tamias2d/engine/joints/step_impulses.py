@@ -1,6 +1,7 @@
 """The impulses of joints over a part of a step and over all of it, and what is told of them."""
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.governed import is_limit
 from tamias2d.engine.parts import is_last_part
 from tamias2d.engine.tables import Joints, World
 from tamias2d.kernels.assembled import inlined
@@ -77,7 +78,7 @@ def add_limit_impulses(n: int, kept: float, joints: Joints) -> None:
         for k in range(tb.J_PULL, tb.J_PULL + 3):
             largest = max(largest, abs(joints.numbers[j, k]))
     for j in range(first, last):
-        if is_limit(j, joints):
+        if is_limit(joints.joints[j, tb.J_LAW]):
             numbers = joints.numbers[j]
             if kept == 0.0:
                 numbers[tb.J_PUSHED_BEFORE], numbers[tb.J_PUSHED] = numbers[tb.J_PUSHED], 0.0
@@ -89,7 +90,7 @@ def add_limit_impulses(n: int, kept: float, joints: Joints) -> None:
 def note_limit_changes(n: int, step: int, joints: Joints) -> None:
     """Note which limits of a mechanism are struck or left as a step ends, by its number."""
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        if is_limit(j, joints):
+        if is_limit(joints.joints[j, tb.J_LAW]):
             numbers = joints.numbers[j]
             before, now = numbers[tb.J_PUSHED_BEFORE], numbers[tb.J_PUSHED]
             if now > 0.0 and before == 0.0:
@@ -98,13 +99,6 @@ def note_limit_changes(n: int, step: int, joints: Joints) -> None:
             if now == 0.0 and before > 0.0:
                 numbers[tb.J_LEFT_AT] = step
                 joints.counts[tb.LIMIT_CHANGES] += 1
-
-
-@inlined
-def is_limit(j: int, joints: Joints) -> bool:
-    """Return whether a row limits a value."""
-    law = joints.joints[j, tb.J_LAW]
-    return (law == tb.LOWER_LIMIT) | (law == tb.UPPER_LIMIT)
 
 
 def found_to_tell(joints: Joints) -> int:

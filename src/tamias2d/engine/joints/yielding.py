@@ -12,6 +12,7 @@ Source: Levenberg (1944); Nakamura and Hanafusa (1986), for mechanisms.
 from math import inf
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.governed import is_limit
 from tamias2d.engine.joints.hinge_tree import first_besides
 from tamias2d.engine.joints.linearise import apart_by_law, yield_of_row
 from tamias2d.engine.joints.opening import (
@@ -102,8 +103,7 @@ def energy_asked(
     sprung = 0.0
     for j in range(first, joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
-        limit = ends[tb.J_LAW] == tb.LOWER_LIMIT or ends[tb.J_LAW] == tb.UPPER_LIMIT
-        if limit and joints.laws[j, tb.LAW_RATE] != 0.0:
+        if is_limit(ends[tb.J_LAW]) and joints.laws[j, tb.LAW_RATE] != 0.0:
             return inf
         for r in range(ends[tb.J_ROWS]):
             firm, error = numbers[tb.J_FIRMNESS + r], numbers[tb.J_ERROR + r]
