@@ -122,6 +122,16 @@ def test_a_limit_that_is_leant_on_is_not_struck_as_other_joints_come_and_go() ->
     assert not told(sim, 2)
 
 
+def test_a_joint_that_is_added_anew_under_its_name_strikes() -> None:
+    sim = t2.Simulator(door(0.0), time_step=STEP)
+    sim.step(480)
+    sim.remove_joint("hinge")
+    hinge = t2.Revolute(limits=t2.Limits(lower=-1.0, restitution=0.0))
+    sim.add_joint(hinge, (0.0, 0.0), 0, other_anchor=(-1.0, 0.0), name="hinge")
+    ((_, joint, words, _),) = told(sim, 3)
+    assert (joint, words) == ("hinge", "strikes its lower limit")
+
+
 @pytest.mark.filterwarnings("ignore::tamias2d.errors.StepWarning")
 @pytest.mark.parametrize("height", [0.02, 0.05, 0.07])
 def test_a_step_in_parts_tells_its_whole_blow_once(height: float) -> None:

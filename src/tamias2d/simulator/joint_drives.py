@@ -11,7 +11,6 @@ from tamias2d.simulator.joint_rows import rows_by_law
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
-_NOTHING = 1e-9  # of the largest impulse: rounding of what was tried and let go
 _SIDES = {tb.LOWER_LIMIT: -1, tb.UPPER_LIMIT: 1}
 
 
@@ -38,15 +37,14 @@ def drives_of(
     return speed, power
 
 
-def limits_reached(joints: Sequence[Joint], impulses: Array) -> IntArray:
+def limits_reached(joints: Sequence[Joint], pushed: Array) -> IntArray:
     """Return which limits (j,) pushed in a step: -1 for the lower, 1 for the upper one, else 0.
 
-    The impulses (r, 3, 3) are those of all rows.
+    What each row gave as a limit is known (r,), N s or N m s.
     """
-    reached, sizes = np.zeros(len(joints), dtype=np.int64), np.abs(impulses).max(axis=(1, 2))
-    least = _NOTHING * sizes.max(initial=0.0)
+    reached = np.zeros(len(joints), dtype=np.int64)
     for r, k, law, _, _ in rows_by_law(joints):
-        if law in _SIDES and sizes[r] > least:
+        if law in _SIDES and pushed[r] > 0.0:
             reached[k] = _SIDES[law]
     return reached
 

@@ -90,6 +90,10 @@ class LimitEvents:
             if end in self._ends:
                 layout.numbers[self._ends[end], tb.J_PUSHED] = impulse
 
+    def forget(self, name: str) -> None:
+        """Forget the limits of a joint: another one has its name."""
+        self._ends = {end: place for end, place in self._ends.items() if end[0] != name}
+
     @property
     def pushed(self) -> dict[_End, float]:
         """What limits have given in the last step, N s or N m s."""

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine import tables as tb
 from tamias2d.read_only import read_only
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.springs import arm
@@ -110,7 +111,7 @@ def reactions_of(
         "angular_separation": angles,
         "speed": speed,
         "power": power,
-        "limit": limits_reached(joints, of_rows),
+        "limit": limits_reached(joints, totals[:, tb.J_PUSHED - tb.J_STEP_TOTAL]),
     }
     return Reactions(
         names=tuple(joint.name for joint in joints),

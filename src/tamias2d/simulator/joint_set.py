@@ -102,6 +102,8 @@ class JointSet:
         )
         refuse_unknown([joint])
         self._joints[name] = joint
+        if self._limits:
+            self._limits.forget(name)
         self._change()
         return joint
 
