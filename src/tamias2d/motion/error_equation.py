@@ -111,7 +111,11 @@ class ErrorEquation:
     def _integrated(
         self, field: MemoisedField, times: Sequence[float], paths: Array, error: Error
     ) -> bool:
-        """Integrate the error over some steps, at once if the field can; return whether it did."""
+        """Integrate the error over some steps, at once if the field can; return whether it did.
+
+        Raises:
+            SimulationError: a force has no value beside them.
+        """
         rule = self._rule
         if field.marching is not None:
             done = field.marching.follow(times, paths, rule, self._sweeps, error)

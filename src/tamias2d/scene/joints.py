@@ -78,7 +78,7 @@ class Joint:
 
     @property
     def governed(self) -> bool:
-        """Whether it does more than keep its constraint: what it exerts changes at instants."""
+        """Whether it does more than keep its constraint: it limits, drives, springs or breaks."""
         return bool(self.freedoms) or self.breaks
 
     @property

@@ -56,7 +56,7 @@ def scale(run: Run) -> float:
 
 
 def scale_of(scene: Scene, far: float, place: float) -> float:
-    """Return the scale of a motion that goes so far, m, through places as large as one, m."""
+    """Return the scale of a motion that goes `far`, m; its largest coordinate is `place`, m."""
     size = float(radii(scene).max(initial=0.0))
     return far if far > max(_STILL * size, _ROUNDING * place) else size or 1.0
 
