@@ -126,6 +126,21 @@ def test_the_error_beside_what_stands_still_gives_no_run_up() -> None:
     assert "try" not in run.notes[0]
 
 
+def test_chaos_is_refused_before_other_methods_are_weighed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """None of them can be certified, and what is offered instead holds."""
+    monkeypatch.setattr(tolerance_module, "located_plan", None)
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    for position in ((1.2, 0.0), (2.4, 0.1)):
+        scene.add_body(None, mass=1.0, position=position)
+    scene.add_spring(0, (0.0, 0.0), stiffness=60.0, rest_length=1.0)
+    scene.add_spring(0, 1, stiffness=60.0, rest_length=1.0)
+    with pytest.raises(t2.ToleranceError, match="a change of 1e-12 of the scale") as refused:
+        t2.simulate(scene, duration=200.0, tolerance=1e-6)
+    assert refused.value.until is not None
+    run = t2.simulate(scene, duration=refused.value.until, tolerance=1e-6)
+    assert "no other method was weighed" in run.notes[0]
+
+
 @pytest.mark.parametrize("name", ["walker", "ball-and-chain"])
 def test_joints_that_switch_have_no_equation_of_the_error(name: str) -> None:
     scene = t2.catalogue.load(name)

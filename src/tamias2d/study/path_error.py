@@ -83,10 +83,12 @@ def of_error(error: Array | None) -> Way:
 class HopelessError(StoppedError):
     """A run is farther off than was asked for, and has not ended."""
 
-    def __init__(self, share: float) -> None:
+    def __init__(self, share: float, time: float) -> None:
         super().__init__()
         self.share = share
         """What its bound would be at the end, of the scale."""
+        self.time = time
+        """Up to here it was within what was asked for, s."""
 
 
 def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
@@ -109,7 +111,7 @@ def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
         left = duration / time
         if share * (left if grows else 1.0) > tolerance:
             least = left**_GROWTH if grows else 1.0
-            raise HopelessError(share * max(min(left ** _power(known), _MOST), least))
+            raise HopelessError(share * max(min(left ** _power(known), _MOST), least), time)
 
     return watch
 

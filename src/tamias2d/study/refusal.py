@@ -3,6 +3,7 @@
 import math
 
 from tamias2d.errors import SimulationError
+from tamias2d.study.perturbed import LOST, MOVED
 
 LOOSEST = 0.1  # tolerance that can be asked for
 BOUND_LESS = "bound overlap and energy instead, for example by a quality of 0.01"
@@ -39,9 +40,23 @@ class ToleranceError(SimulationError):
 
     def offering(self, reachable: float | None, until: float | None) -> "ToleranceError":
         """Return the error with other offers."""
-        return ToleranceError(
+        return type(self)(
             self._found, reachable, until=until, otherwise=self._otherwise, of=self._of
         )
+
+
+class ChaosError(ToleranceError):
+    """Small changes grow so large before the end that no way certifies a run."""
+
+
+def chaotic(tolerance: float, lost_at: float) -> ChaosError:
+    """Return the error that tells when a change is lost, s."""
+    return ChaosError(
+        f"tolerance {tolerance:g}: no method meets it: a change of {MOVED:g} of the scale grows to "
+        f"{LOST:.0%} of it in {lost_at:.2g} s (R5).",
+        until=sooner(lost_at),
+        otherwise="run without a tolerance",
+    )
 
 
 def refusal(tolerance: float, reachable: float, *, until: float | None = None) -> ToleranceError:

@@ -6,16 +6,19 @@ from dataclasses import replace
 from tamias2d.certificate import Certificate
 from tamias2d.contact import steps_because
 from tamias2d.errors import SceneError, SimulationError
+from tamias2d.motion import Dop853
 from tamias2d.run import Run
 from tamias2d.scene import Scene
+from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve import Interrupted
 from tamias2d.state import Array
 from tamias2d.study.asked import Asked
 from tamias2d.study.certify import certify_by_companion, certify_steps
 from tamias2d.study.offers import holding
+from tamias2d.study.path_error import has_error_equation
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.recommend import located_plan, solved
-from tamias2d.study.refusal import ToleranceError, refusal, sooner
+from tamias2d.study.refusal import ChaosError, ToleranceError, refusal, sooner
 from tamias2d.study.stepped_plan import plan_steps, stepped_because
 from tamias2d.study.unweighed import SMALLEST, TRIES, again, reached_by, unweighed
 from tamias2d.work_limit import WORK_LIMIT
@@ -76,13 +79,19 @@ class _PastHorizonError(Exception):
 def _located(asked: Asked) -> Run:
     """Return a run whose impacts are located.
 
-    Where long steps have no bound, as near a close encounter, those for less may have one.
+    Where long steps have no bound, as near a close encounter, those for less may have one. Runs
+    beside which their error is integrated have told which steps are short enough.
     """
     refused: ToleranceError | None = None
-    aims = [share * asked.tolerance for share in _AIMS]
+    scene, duration = asked.scene, asked.duration
+    smooth = not pairs_that_can_meet(scene, duration)
+    told = smooth and has_error_equation(scene, Dop853(), duration)
+    aims = [share * asked.tolerance for share in (_AIMS[:1] if told else _AIMS)]
     for aim in (aims[0], *(aim for aim in aims[1:] if aim >= SMALLEST)):
         try:
             return _aimed(asked._replace(tolerance=aim))
+        except ChaosError:
+            raise
         except ToleranceError as fault:
             refused = refused or fault
         except _PastHorizonError as lost:

@@ -6,7 +6,7 @@ follow.
 
 import math
 from dataclasses import replace
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from tamias2d.certificate import Certificate
 from tamias2d.errors import SimulationError
@@ -25,6 +25,7 @@ from tamias2d.study.certify import (
 from tamias2d.study.embedded import looser_than
 from tamias2d.study.path_error import HopelessError, has_error_equation, hopeless, tightest
 from tamias2d.study.pilot import Estimate
+from tamias2d.study.refusal import ChaosError, chaotic, sooner
 
 Adaptive: TypeAlias = Dop853 | DormandPrince5
 
@@ -61,26 +62,42 @@ def unweighed(asked: Asked) -> Run | None:
     """Return an adaptive run within the tolerance; None if there is none after some tries.
 
     Pilot runs, which weigh other methods, cost several times what the cheapest of these saves.
+
+    Raises:
+        ChaosError: small changes grow too large for any method.
     """
     scene, tolerance = asked.scene, asked.tolerance
     meet = bool(pairs_that_can_meet(scene, asked.duration))
     slowed = only_slowed(scene)
-    needed = math.inf  # at most such a tolerance of whole steps, as tries have told
+    tried = _Tried()
     try:
         if has_error_equation(scene, Dop853(), asked.duration):
             if meet:
                 return _through_impacts(asked, _first(asked, _STRUCK, _IMPACTS))
-            run, needed = _with_error(asked, _first(asked, _SLOWED, _LOOSE))
-            if run is not None:
-                return run
+            tried = _with_error(asked, _first(asked, _SLOWED, _LOOSE))
+            if tried.run is not None:
+                return tried.run
         if not (meet or slowed or scene.joints or kinked(scene)) and tolerance < _HALVES:
-            rtol = min(_HALVED * tolerance, _HALVED / _PLAIN * needed)
+            rtol = min(_HALVED * tolerance, _HALVED / _PLAIN * tried.needed)
             return _halved(asked, Dop853(rtol=_own(rtol, _ORDERLY)))
         loose = tolerance >= (_IMPACTS if meet else _ORDER_8)
-        rtol = _own(min((_SLOWED if slowed and not meet else _PLAIN) * tolerance, needed))
+        rtol = _own(min((_SLOWED if slowed and not meet else _PLAIN) * tolerance, tried.needed))
         return _whole(asked, DormandPrince5(rtol=rtol) if slowed and loose else Dop853(rtol=rtol))
+    except ChaosError as chaos:
+        raise chaos.offering(None, min(chaos.until or math.inf, sooner(tried.left))) from None
     except SimulationError:  # of a loose run; the plan refuses what cannot be
         return None
+
+
+class _Tried(NamedTuple):
+    """What runs with the error beside them have told."""
+
+    run: Run | None = None
+    """One that is within the tolerance, if there is any."""
+    needed: float = math.inf
+    """At most such a tolerance of whole steps."""
+    left: float = math.inf
+    """When the last of those that were stopped left the tolerance, s."""
 
 
 def _first(asked: Asked, slowed_to: float, loose: float) -> Adaptive:
@@ -104,32 +121,31 @@ def _aim(scene: Scene) -> float:
     return _SPRUNG if scene.springs or scene.joints else _FREE
 
 
-def _with_error(asked: Asked, method: Adaptive) -> tuple[Run | None, float]:
-    """Return a run beside which its error is integrated; None if some are not within it.
+def _with_error(asked: Asked, method: Adaptive) -> _Tried:
+    """Try runs beside which their error is integrated; the method is the first to try.
 
-    Where it cannot be, runs are certified by tighter ones. The method is the first to try; returned
-    is also which tolerance of it would be needed, if any was tried.
+    Where it cannot be, runs are certified by tighter ones.
     """
     tolerance = asked.tolerance
     watch = hopeless(asked.scene, asked.duration, tolerance)
-    needed = math.inf
+    needed = left = math.inf
     for attempt in range(_BESIDE):
         if method.rtol < tightest(asked.scene):
             break
         try:
             run, error = asked.with_error(method, watch)
         except HopelessError as stopped:
-            reached = stopped.share
+            reached, left = stopped.share, stopped.time
         else:
             if error is None:
-                return _tightened(asked, *certify_embedded(run)), needed
+                return _Tried(_tightened(asked, *certify_embedded(run)), needed)
             run = certify_with_error(run, error)
             if asked.is_met(run):
-                return _noted(run, tolerance, attempt), needed
-            reached = reached_by(run.certificate)
+                return _Tried(_noted(run, tolerance, attempt))
+            reached, left = reached_by(run.certificate), math.inf
         method = _next(method, tolerance, reached, tightest(asked.scene))
         needed = method.rtol
-    return None, needed
+    return _Tried(None, needed, left)
 
 
 def _through_impacts(asked: Asked, method: Adaptive) -> Run | None:
@@ -173,12 +189,19 @@ def _tightened(asked: Asked, run: Run, tighter: Run | None) -> Run | None:
             run, tighter = certify_embedded(run)
         if asked.is_met(run):
             return _noted(run, asked.tolerance, attempt)
+        if (lost_at := _lost(run.certificate)) is not None:
+            raise chaotic(asked.tolerance, lost_at)
         if tighter is None or not reached_by(run.certificate) < math.inf:
             return None
         run = _believed(tighter, run)
         if asked.is_met(run):
             return _noted(run, asked.tolerance, attempt)
     return None
+
+
+def _lost(certificate: Certificate | None) -> float | None:
+    """Return when a small change is lost, s, if a certificate tells it."""
+    return certificate.predictability_horizon if certificate else None
 
 
 def _believed(run: Run, before: Run) -> Run:
