@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import Protocol, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -13,18 +13,15 @@ from tamias2d.motion.error_equation import ErrorEquation, Watch, rule_beside
 from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.halved import Halved, Halving
 from tamias2d.motion.joint_code import JointCodes
-from tamias2d.motion.joint_decision import begin
 from tamias2d.motion.joint_events import JointEvents, joint_events
-from tamias2d.motion.joint_instant import Now
-from tamias2d.motion.joint_search import JointSearch
+from tamias2d.motion.jointed_steps import Integrator, JointedSteps
 from tamias2d.motion.law_resolution import UNRESOLVED, LawResolution, States
-from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
 from tamias2d.motion.marching import Marching, Rule
 from tamias2d.motion.mechanisms import fitted
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
-from tamias2d.motion.polynomial import DenseStep, JoinedPath, moved_end
+from tamias2d.motion.polynomial import DenseStep, JoinedPath
 from tamias2d.motion.step_batch import BatchPath, StepBatch
 from tamias2d.motion.uniform import Uniform
 from tamias2d.path import Piece
@@ -37,23 +34,10 @@ _STILL: Acceleration = (0.0, 0.0, 0.0)
 _NEAR = 1e-3  # of a step: so close to its ends a path is as good as there
 _MOST = 64  # steps that are taken at once
 _LONGEST = 256  # of a scene in which nothing meets
-_REFINED = 6  # times that a step is taken anew to end at an event of a joint
 _SHARE = 2  # of the steps since the last impact are taken at once: what is beyond the next is lost
 
 
 _Batching: TypeAlias = FixedSteps | Adaptive | Halved | ErrorEquation
-
-
-class Integrator(Protocol):
-    """A scheme, with its choice of steps."""
-
-    best_at_ends: bool
-    """Whether velocities between the ends of a step are worse than at them."""
-
-    def step(
-        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
-    ) -> DenseStep:
-        """Step coordinates and rates (n, 3) from `start` towards `limit`, s, and not past it."""
 
 
 class IntegratedMotion:
@@ -324,90 +308,16 @@ class IntegratedMotion:
     def _dense_steps(
         self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
     ) -> Iterator[DenseStep]:
-        found = self._loads.mechanisms(field.bodies)
-        if found and start == 0:
-            position, velocity = fitted(found, start, position, velocity)
-        limited = [(own, one) for own, one in found if isinstance(one, LimitedMechanism)]
-        if limited:
-            velocity = self._begun_joints(limited, field, start, position, velocity)
-        while start < end:
-            step = self._one_step(field, start, end, position, velocity)
-            event = limited and self._joint_event(limited, field, step)
-            step = event or step
-            for own, one in limited:
-                one.grow(step.at((step.start + step.end) / 2)[0][own])
+        """Yield steps one by one, up to the first event of a joint."""
+        jointed = JointedSteps(self._loads, self._integrator, field)
+        for step in jointed.until(start, end, position, velocity):
+            self._note_missed(field, (step.start, step.end), step.states)
+            if jointed.mechanisms and isinstance(self._batching, ErrorEquation):
+                self._batching.follow(field, step, partial(fitted, jointed.mechanisms))
             self.tally.steps += 1
             if not isinstance(self._integrator, FixedSteps):
                 self.work.step(step.end)
             yield step
-            if event:
-                return  # what follows is another motion
-            start, (position, velocity) = step.end, step.last
-
-    def _one_step(
-        self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
-    ) -> DenseStep:
-        """Return a step that ends where the joints hold."""
-        step = self._integrator.step(field, start, end, position, velocity)
-        self._note_missed(field, (step.start, step.end), step.states)
-        found = self._loads.mechanisms(field.bodies)
-        if not found:
-            return step
-        step = moved_end(step, *fitted(found, step.end, *step.last))
-        if isinstance(self._batching, ErrorEquation):
-            self._batching.follow(field, step, partial(fitted, found))
-        return step
-
-    def _begun_joints(
-        self,
-        limited: Sequence[tuple[list[int], LimitedMechanism]],
-        field: MemoisedField,
-        start: float,
-        position: Array,
-        velocity: Array,
-    ) -> Array:
-        """Return the velocities with which joints begin what they do from here on."""
-        pull = self._loads.free_field(field.bodies)(start, position, velocity)
-        velocity = velocity.copy()
-        for own, mechanism in limited:
-            velocity[own] = begin(mechanism, Now(start, position[own], velocity[own], pull[own]))
-        field.forget()
-        return velocity
-
-    def _joint_event(
-        self,
-        limited: Sequence[tuple[list[int], LimitedMechanism]],
-        field: MemoisedField,
-        step: DenseStep,
-    ) -> DenseStep | None:
-        """Return a step that ends at the first event of a joint, if one is within the step.
-
-        It is taken anew up to the event, where the ends of steps are known better than their
-        middles, until the event is at its end.
-        """
-        free = self._loads.free_field(field.bodies)
-        found = [
-            (hit[0], k, hit[1])
-            for k, (own, one) in enumerate(limited)
-            if (hit := JointSearch(one, own, free, step).first())
-        ]
-        if not found:
-            return None
-        time, k, watch = min(found, key=lambda each: each[0])
-        own, mechanism = limited[k]
-        for _ in range(_REFINED):
-            if not step.start < time:
-                time = float(np.nextafter(step.start, np.inf))
-            shorter = self._one_step(field, step.start, time, *step.first)
-            if shorter.end < time:  # it is further off than a step may be here
-                return self._joint_event(limited, field, shorter) or shorter
-            later = JointSearch(mechanism, own, free, shorter).zero(watch)
-            beyond = not step.start < later <= step.end  # a step is too coarse to say more
-            if abs(later - time) <= 4 * np.spacing(time) or beyond:
-                break
-            time = later
-        mechanism.expect(watch.cause(shorter.end))
-        return shorter
 
     def _batches(
         self, field: MemoisedField, start: float, end: float, now: tuple[Array, Array], most: int

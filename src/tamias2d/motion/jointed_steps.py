@@ -1,0 +1,114 @@
+"""Steps of jointed bodies: they end where joints hold, and at what these do in an instant."""
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from tamias2d.motion.joint_decision import begin
+from tamias2d.motion.joint_instant import Now
+from tamias2d.motion.joint_search import JointSearch
+from tamias2d.motion.limited_mechanism import LimitedMechanism
+from tamias2d.motion.loads import Field, Loads
+from tamias2d.motion.mechanisms import fitted
+from tamias2d.motion.memoised_field import MemoisedField
+from tamias2d.motion.polynomial import DenseStep, moved_end
+from tamias2d.state import Array
+
+_REFINED = 6  # times that a step is taken anew to end at an event of a joint
+
+
+class Integrator(Protocol):
+    """A scheme, with its choice of steps."""
+
+    best_at_ends: bool
+    """Whether velocities between the ends of a step are worse than at them."""
+
+    def step(
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> DenseStep:
+        """Step coordinates and rates (n, 3) from `start` towards `limit`, s, and not past it."""
+
+
+class JointedSteps:
+    """Takes the steps of some bodies by an integrator; joints may hold them."""
+
+    def __init__(self, loads: Loads, integrator: Integrator, field: MemoisedField) -> None:
+        self._integrator = integrator
+        self._field = field
+        self._loads = loads
+        self.mechanisms = loads.mechanisms(field.bodies)
+        """Those that hold some, with the rows of the bodies in each."""
+        self._limited = [
+            (own, one) for own, one in self.mechanisms if isinstance(one, LimitedMechanism)
+        ]
+
+    def until(
+        self, start: float, end: float, position: Array, velocity: Array
+    ) -> Iterator[DenseStep]:
+        """Yield steps from a time to another, s, or to the first event of a joint."""
+        if self.mechanisms and start == 0:
+            position, velocity = fitted(self.mechanisms, start, position, velocity)
+        if self._limited:
+            velocity = self._begun(start, position, velocity)
+        while start < end:
+            step = self._step(start, end, position, velocity)
+            event = self._event(step)
+            step = event or step
+            for own, one in self._limited:
+                one.grow(step.at((step.start + step.end) / 2)[0][own])
+            yield step
+            if event:
+                return  # what follows is another motion
+            start, (position, velocity) = step.end, step.last
+
+    @cached_property
+    def _free(self) -> Field:
+        """Accelerations without what joints exert."""
+        return self._loads.free_field(self._field.bodies)
+
+    def _step(self, start: float, end: float, position: Array, velocity: Array) -> DenseStep:
+        """Return a step that ends where the joints hold."""
+        step = self._integrator.step(self._field, start, end, position, velocity)
+        if not self.mechanisms:
+            return step
+        return moved_end(step, *fitted(self.mechanisms, step.end, *step.last))
+
+    def _begun(self, start: float, position: Array, velocity: Array) -> Array:
+        """Return the velocities with which joints begin what they do from here on."""
+        pull = self._free(start, position, velocity)
+        velocity = velocity.copy()
+        for own, mechanism in self._limited:
+            velocity[own] = begin(mechanism, Now(start, position[own], velocity[own], pull[own]))
+        self._field.forget()
+        return velocity
+
+    def _event(self, step: DenseStep) -> DenseStep | None:
+        """Return a step that ends at the first event of a joint, if one is within the step.
+
+        It is taken anew up to the event, where the ends of steps are known better than their
+        middles, until the event is at its end.
+        """
+        found = [
+            (hit[0], k, hit[1])
+            for k, (own, one) in enumerate(self._limited)
+            if (hit := JointSearch(one, own, self._free, step).first())
+        ]
+        if not found:
+            return None
+        time, k, watch = min(found, key=lambda each: each[0])
+        own, mechanism = self._limited[k]
+        for _ in range(_REFINED):
+            if not step.start < time:
+                time = float(np.nextafter(step.start, np.inf))
+            shorter = self._step(step.start, time, *step.first)
+            if shorter.end < time:  # it is further off than a step may be here
+                return self._event(shorter) or shorter
+            later = JointSearch(mechanism, own, self._free, shorter).zero(watch)
+            beyond = not step.start < later <= step.end  # a step is too coarse to say more
+            if abs(later - time) <= 4 * np.spacing(time) or beyond:
+                break
+            time = later
+        mechanism.expect(watch.cause(shorter.end))
+        return shorter
