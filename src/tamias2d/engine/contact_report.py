@@ -74,6 +74,7 @@ def contact_report(store: Store) -> Touching:
     count = flags[:, tb.POINT_COUNT]
     split = store.world.control.counts[tb.FINEST] > 0
     normal, impulse = _impulses(found, count, split=split)
+    impulse[flags[:, tb.SENSES] == 1] = 0.0  # nothing is written there: a sensor pushes nothing
     pair, number = np.nonzero((impulse > 0.0) & now[:, None])
     pushed = _Points(pair, number, impulse[pair, number])
     unpushed = now.copy()

@@ -261,11 +261,16 @@ class LimitedMechanism:
         return bool(self._modes)
 
     def rewind(self, time: float) -> Cause | None:
-        """Forget what happens after a time in s; return what is expected to happen then."""
+        """Forget what happens after a time in s; return what is expected to happen then.
+
+        What was expected later was on a path that something else has ended before.
+        """
         while self._modes and self._modes[-1][0] > time:
             self._modes.pop()
         self._timeline.drop(self._own, time)
-        return self._cause if self._cause and self._cause.time == time else None
+        if self._cause and self._cause.time != time:
+            self._cause = None
+        return self._cause
 
     def enter(self, time: float, mode: Mode, strikes: Sequence[JointEvent[int]]) -> None:
         """Do what a mode says from a time in s on, after limits were struck."""

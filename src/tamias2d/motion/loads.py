@@ -9,7 +9,7 @@ from tamias2d.errors import SimulationError
 from tamias2d.generated import rotation, translation
 from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import Timeline
-from tamias2d.motion.mechanisms import Placed, mechanisms
+from tamias2d.motion.mechanisms import Mechanisms, Placed
 from tamias2d.motion.terms import Term, terms
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import groups, steady_load, varying_loads
@@ -28,16 +28,16 @@ class Loads:
 
     def __init__(self, scene: Scene, codes: JointCodes | None = None) -> None:
         self._scene = scene
-        self._codes = codes
         self.varying = varying_loads(scene)
         """Why the loads of a body vary, for each body whose loads do."""
         self.group_of = {body: group for group in groups(scene) for body in group}
         """The bodies that act on each other, for each body that moves."""
         self._steady = [self._steadily(k) for k in range(len(scene))]
         self._fields: dict[int, Field] = {}
-        self._mechanisms: dict[tuple[int, ...], list[Placed]] = {}
         self.timeline = Timeline()
         """What has happened in joints."""
+        self._mechanisms = Mechanisms(scene, self.timeline, codes)
+        self._among: dict[tuple[int, ...], list[Placed]] = {}
 
     def steady(self, body: int) -> Acceleration:
         """Return what gravity and all constant forces and torques give a body."""
@@ -77,14 +77,14 @@ class Loads:
         """Return the mechanisms among some bodies, each with the places of its own in `bodies`."""
         if not self._scene.joints:
             return []
-        if (key := tuple(bodies)) not in self._mechanisms:
-            self._mechanisms[key] = mechanisms(self._scene, bodies, self.timeline, self._codes)
-        return self._mechanisms[key]
+        if (key := tuple(bodies)) not in self._among:
+            self._among[key] = self._mechanisms.among(bodies)
+        return self._among[key]
 
     def take_codes(self, codes: JointCodes) -> None:
         """Let code that is made for mechanisms find their reactions from now on."""
-        self._codes = codes
-        self._mechanisms.clear()
+        self._mechanisms = Mechanisms(self._scene, self.timeline, codes)
+        self._among.clear()
         self._fields.clear()
 
     def struck(

@@ -17,37 +17,44 @@ Placed: TypeAlias = tuple[list[int], Mechanism | LimitedMechanism]
 """A mechanism, and the places of its bodies among others."""
 
 
-def mechanisms(
-    scene: Scene, bodies: Sequence[int], timeline: Timeline, codes: JointCodes | None = None
-) -> list[Placed]:
-    """Return the mechanisms among some bodies, each with the places of its own in `bodies`.
+class Mechanisms:
+    """The mechanisms of a scene, each made once: what it expects holds among whatever others."""
 
-    Their reactions are found by code that is made for them, if anything makes it.
-    """
-    place = {body: k for k, body in enumerate(bodies)}
-    chain = {body: {body} for body in bodies}
-    for joint in scene.joints:
-        held = [body for body in joint.bodies if body in chain]
-        joined = set().union(*(chain[body] for body in held)) if held else set()
-        chain.update(dict.fromkeys(joined, joined))
-    found: list[Placed] = []
-    for members in {id(group): group for group in chain.values()}.values():
-        joints = [joint for joint in scene.joints if members & set(joint.bodies)]
-        if joints:
-            own = sorted(members, key=place.__getitem__)
-            one = _mechanism(scene, joints, own, timeline)
-            if codes is not None:
-                one.take_code(codes)
-            found.append(([place[body] for body in own], one))
-    return found
+    def __init__(self, scene: Scene, timeline: Timeline, codes: JointCodes | None = None) -> None:
+        """Take the events of joints; code that is made for mechanisms may find their reactions."""
+        self._scene = scene
+        self._timeline = timeline
+        self._codes = codes
+        self._made: dict[tuple[int, ...], Mechanism | LimitedMechanism] = {}
 
+    def among(self, bodies: Sequence[int]) -> list[Placed]:
+        """Return those among some bodies, each with the places of its own in `bodies`."""
+        place = {body: k for k, body in enumerate(bodies)}
+        chain = {body: {body} for body in bodies}
+        for joint in self._scene.joints:
+            held = [body for body in joint.bodies if body in chain]
+            joined = set().union(*(chain[body] for body in held)) if held else set()
+            chain.update(dict.fromkeys(joined, joined))
+        found: list[Placed] = []
+        for members in {id(group): group for group in chain.values()}.values():
+            joints = [joint for joint in self._scene.joints if members & set(joint.bodies)]
+            if joints:
+                own = sorted(members, key=place.__getitem__)
+                found.append(([place[body] for body in own], self._of(joints, own)))
+        return found
 
-def _mechanism(
-    scene: Scene, joints: Sequence[Joint], bodies: Sequence[int], timeline: Timeline
-) -> Mechanism | LimitedMechanism:
-    if any(joint.governed for joint in joints):
-        return LimitedMechanism(scene, joints, bodies, timeline)
-    return Mechanism(scene, joints, bodies)
+    def _of(self, joints: Sequence[Joint], bodies: Sequence[int]) -> Mechanism | LimitedMechanism:
+        if (key := tuple(bodies)) not in self._made:
+            limited = any(joint.governed for joint in joints)
+            one = (
+                LimitedMechanism(self._scene, joints, bodies, self._timeline)
+                if limited
+                else Mechanism(self._scene, joints, bodies)
+            )
+            if self._codes is not None:
+                one.take_code(self._codes)
+            self._made[key] = one
+        return self._made[key]
 
 
 def fitted(
@@ -75,7 +82,7 @@ def fitted_history(
     if not scene.joints:
         return history
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
-    found = mechanisms(scene, moving, Timeline(list(events or ())), codes)
+    found = Mechanisms(scene, Timeline(list(events or ())), codes).among(moving)
     rows = [part.copy() for part in history]
     for k, time in enumerate(times.tolist()):
         q = np.column_stack((rows[0][k, moving], rows[1][k, moving]))
