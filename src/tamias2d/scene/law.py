@@ -16,6 +16,7 @@ from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, number, pair
 from tamias2d.spec.check import Type, expect
 from tamias2d.spec.expression import Binary, Call, Node, Power, names, parse, walk
+from tamias2d.spec.kinks import has_kinks
 from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.printed import law_function, shape_of
 from tamias2d.spec.symbols import SymbolTable, table_from
@@ -23,7 +24,6 @@ from tamias2d.spec.symbols import SymbolTable, table_from
 VARYING = ("time", "position", "velocity", "orientation", "angular_velocity")
 """What a law may use and what changes during a run; `mass` may stand in it too."""
 _NO_NUMBER = ("d", "integral", "sum")  # of the language, but they need more than an instant
-_KINKED = ("abs", "min", "max", "atan2")  # of the language, but not smooth
 _EVEN, _PEAKED = ("x", "y", "sin", "cos"), 4
 """What is called by laws that go on evenly; the power from which on what is called has peaks."""
 _NOTHING = dict.fromkeys((*VARYING, "mass"), math.nan) | dict.fromkeys(
@@ -56,8 +56,7 @@ class StateLaw:
     @cached_property
     def kinked(self) -> bool:
         """Whether the law has a derivative that jumps, or jumps itself, where it can change."""
-        called = {part.function for part in walk(self.node) if isinstance(part, Call)}
-        return self.varies and not called.isdisjoint(_KINKED)
+        return has_kinks(self.node, VARYING)
 
     @cached_property
     def brief(self) -> bool:
