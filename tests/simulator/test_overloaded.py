@@ -81,6 +81,41 @@ def test_what_holds_is_not_told_of(sim: object) -> None:
     assert np.abs(made.position - before).max() < 0.2 * size
 
 
+def frame(ratio: float, substeps: int = 4) -> t2.Simulator:
+    """A heavy disc above two light feet, three rods between them."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -9.81)), substeps=substeps)
+    sim.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **SURFACE)
+    disc = t2.Disc(radius=0.05)
+    left, right = sim.add(disc, mass=1.0, position=[(0.0, 0.05), (1.5, 0.05)], **SURFACE)
+    top = int(sim.add(disc, mass=ratio, position=(0.75, 1.2), **SURFACE))
+    for pair in ((int(left), int(right)), (int(left), top), (int(right), top)):
+        sim.add_joint(t2.Distance(), *pair)
+    return sim
+
+
+def borne(sim: t2.Simulator) -> float:
+    """Return what the floor bears in the mean of nine seconds, over the weight."""
+    sim.step(60)
+    told = []
+    for _ in range(540):
+        sim.step()
+        told.append(sim.contacts.impulse.sum())
+    return float(np.mean(told) / sim.time_step / (sim.mass[1:].sum() * 9.81))
+
+
+@pytest.mark.parametrize(("ratio", "substeps"), [(90.0, 4), (200.0, 16)])
+def test_what_joints_put_on_light_feet_is_borne(ratio: float, substeps: int) -> None:
+    sim = frame(ratio, substeps)
+    assert borne(sim) == pytest.approx(1.0, abs=1e-3)
+    assert sim.warnings == ()
+
+
+def test_what_hangs_too_heavily_on_light_feet_is_told() -> None:
+    sim = frame(200.0)
+    assert borne(sim) > 1.5  # overlaps heal with more than the weight, which the bound takes back
+    assert ["joined to masses so different" in text for text in sim.warnings] == [True]
+
+
 def test_a_run_notes_it() -> None:
     scene = t2.Scene(gravity=(0.0, -9.81))
     scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **SURFACE)

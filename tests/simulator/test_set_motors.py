@@ -236,3 +236,22 @@ def test_what_a_motor_puts_in_is_told() -> None:
     assert told.speed == pytest.approx([0.5, 1.0], rel=1e-9)  # 4 / 2 rad/s^2 for 0.5 s
     assert told.power == pytest.approx([10.0, 4.0], rel=1e-8)
     assert copy.deepcopy(sim).reactions.power == pytest.approx(told.power, rel=1e-12)
+
+
+@pytest.mark.parametrize("speed", [-0.05, 0.001, 0.03])
+def test_a_slow_motor_does_not_fall_asleep(speed: float) -> None:
+    sim = Simulator(Scene(gravity=(0.0, -9.81)), sleeping=True)
+    hand = sim.add(Box(width=1.0, height=0.1), mass=1.0, position=(0.0, 0.0), restitution=0.0)
+    sim.add_joint(Revolute(motor=Motor(speed=speed)), (0.0, 0.0), int(hand))
+    sim.step(1200)
+    assert sim.orientation[hand] == pytest.approx(20 * speed, rel=1e-9)
+
+
+def test_a_motor_that_gives_all_it_can_and_stands_falls_asleep() -> None:
+    sim = Simulator(Scene(gravity=(0.0, -9.81)), sleeping=True)
+    arm = sim.add(Box(width=1.0, height=0.1), mass=1.0, position=(0.5, 0.0), restitution=0.0)
+    stop = Limits(lower=0.0, upper=1.0, restitution=0.0)
+    weak = Revolute(motor=Motor(speed=1.0, maximum=1.0), limits=stop)
+    sim.add_joint(weak, (0.0, 0.0), int(arm), other_anchor=(-0.5, 0.0))
+    sim.step(120)
+    assert sim.asleep[arm]

@@ -168,6 +168,8 @@ def note_joined_support(islands: Islands, joints: Joints) -> None:
         timed = joints.mechanisms[n, tb.M_TIMED] == 1
         support = SUPPORTED_IN_MOTION if timed else SUPPORTED_AT_REST
         for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+            if motor_drives(j, joints):
+                support = SUPPORTED_IN_MOTION
             for end in range(tb.ENDS_OF_JOINT):
                 by = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
                 tied = joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED
@@ -176,6 +178,12 @@ def note_joined_support(islands: Islands, joints: Joints) -> None:
         for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
             links = islands.links[joints.members[m, tb.JOINED_SLOT]]
             links[tb.SUPPORT_KIND] = max(links[tb.SUPPORT_KIND], support)
+
+
+def motor_drives(j: int, joints: Joints) -> bool:
+    """Return whether a motor moves its joint, however slowly: it does not give all that it can."""
+    motor = joints.joints[j, tb.J_LAW] == tb.MOTOR and joints.laws[j, tb.LAW_RATE] != 0.0
+    return bool(motor and joints.joints[j, tb.J_STATE] == tb.HOLDS)
 
 
 def fall_asleep(control: Control, bodies: Bodies, islands: Islands) -> None:

@@ -44,9 +44,9 @@ def too_long_for_contacts(
         yield "overlap", text
     if (row := engine.outweighed) >= 0:
         text = (
-            f"{name_of(row)}, {when}: it touches masses so different from its own that "
-            f"{step} do not solve their contacts (GD12). Give a shorter step, more substeps or "
-            "masses less different."
+            f"{name_of(row)}, {when}: it touches or is joined to masses so different from its own "
+            f"that {step} do not solve what bears it (GD12, IM15). Give more substeps, a shorter "
+            "step or masses less different."
         )
         yield "masses", text
 

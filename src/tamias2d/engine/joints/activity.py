@@ -7,6 +7,8 @@ from tamias2d.engine.solver.slabs import list_all
 from tamias2d.engine.springs.substep import activate
 from tamias2d.engine.tables import Islands, Joints, World
 
+OUTWEIGHS = 25.0  # times its own mass, for each substep: what hangs on a body is too heavy for it
+
 
 def clear_of_joints(clear: bool, world: World) -> bool:
     """Return whether bodies that have no contacts may go ballistically: not with joints."""
@@ -82,6 +84,8 @@ def activate_joined(world: World) -> None:
             joints.mechanisms[n, tb.M_STATUS] = tb.IN_CONTACT if touched > 0 else alone
             awake += 1
             touched_ones += joints.mechanisms[n, tb.M_STATUS] != tb.FREE_OF_CONTACTS
+            if touched > 0:
+                note_outweighed(n, world)
     joints.counts[tb.MECHANISMS_AWAKE], joints.counts[tb.MECHANISMS_TOUCHED] = awake, touched_ones
     for n in range(joints.counts[tb.MECHANISMS]):
         if joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
@@ -91,6 +95,25 @@ def activate_joined(world: World) -> None:
                 )
     for m in range(joints.counts[tb.FIRST_KINEMATIC], len(joints.members) if awake > 0 else 0):
         activate(joints.members[m, tb.JOINED_SLOT], bodies, world.touching, world.constraints)
+
+
+def note_outweighed(n: int, world: World) -> None:
+    """Note a body that contacts touch, and on which too much hangs by joints for the substeps.
+
+    What it bears comes to it through the joints once in each of them.
+    """
+    control, bodies, joints = world.control, world.bodies, world.joints
+    first, last = joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1
+    total = 0.0
+    for m in range(first, last):
+        total += 1.0 / bodies.properties[joints.members[m, tb.JOINED_SLOT], tb.INVERSE_MASS]
+    most = OUTWEIGHS * control.counts[tb.PART_SUBSTEPS]
+    for m in range(first, last):
+        i = joints.members[m, tb.JOINED_SLOT]
+        heavy = total * bodies.properties[i, tb.INVERSE_MASS] > most
+        if heavy and bodies.moved[i] > 0 and control.counts[tb.OUTWEIGHED] == 0:
+            control.counts[tb.OUTWEIGHED] = i + 1
+            control.counts[tb.LIMITS] += 1
 
 
 def join_slabs(tree_count: int, world: World) -> None:
