@@ -1,6 +1,7 @@
 """What bounces come to, and contacts that last: oracle B6, and mechanics with known answers."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -218,3 +219,22 @@ def test_no_rest_is_told_that_begins_after_the_run():
         restitution=0.5, friction=0.0, name="disc",
     )  # fmt: skip
     assert rest_time(t2.simulate(scene, duration=1.0)) == 0.0  # its bounces would end at 2 s
+
+
+@pytest.mark.parametrize("pull", [1e-9, 1.0])
+def test_discs_that_attract_each_other_sink_apart_with_their_energy(pull: float) -> None:
+    """A third one between two, without friction; the potential of each pair is -G m m / d."""
+    scene = t2.Scene(gravity=(0.0, -G))
+    slippery: Any = {"friction": 0.0, "restitution": 0.0}
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **slippery)
+    for place in ((-0.55, 0.5), (0.55, 0.5), (0.0, 0.5 + math.sqrt(1 - 0.55**2))):
+        scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=place, **slippery)
+    scene.add_attraction(gravitational_constant=pull)
+    run = t2.simulate(scene, duration=0.3, times=np.linspace(0.0, 0.3, 7))
+    assert not isinstance(run.method, t2.Stepped)
+    place, speed = run.position[:, 1:], run.velocity[:, 1:]
+    energy = (speed**2).sum(axis=(1, 2)) / 2 + G * place[..., 1].sum(axis=1)
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        energy -= pull / np.hypot(*(place[:, i] - place[:, j]).T)
+    assert energy == pytest.approx(energy[0], rel=1e-11)
+    assert np.diff(place[:, 0, 0]).max() < 0  # they do part
