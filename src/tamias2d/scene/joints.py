@@ -121,7 +121,7 @@ class Joint:
             freedoms=(),
         )
 
-    @property
+    @cached_property
     def given(self) -> dict[str, float | Vector]:
         """The values of all parameters of its constraint, by symbol."""
         known = dict(self.parameters)

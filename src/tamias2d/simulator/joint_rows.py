@@ -65,7 +65,7 @@ def rows_by_law(joints: Sequence[Joint]) -> Iterator[tuple[int, int, int, Freedo
     for k, joint in enumerate(joints):
         freedoms = () if joint.equations else joint.freedoms
         laws = [(freedom, *law) for freedom in freedoms for law in laws_of(freedom)]
-        r += len(joint_rows(joint)) - len(laws)
+        r += len(joint.equations) if joint.equations else joint.rigid
         for freedom, law, value, _ in laws:
             yield r, k, law, freedom, value
             r += 1
@@ -76,7 +76,7 @@ def _row(
     law: int = tb.KEPT,
     numbers: LawNumbers = (0.0,) * 5,
 ) -> JointRow:
-    given = [joint.given[name] for name in joint.functions.parameters]
+    given = joint.given.values()
     parts = [x for value in given for x in (value if isinstance(value, tuple) else (value,))]
     apart = not joint.collide
     return JointRow(joint.model, joint.ends, tuple(map(float, parts)), apart, law, numbers)
