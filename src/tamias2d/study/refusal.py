@@ -49,11 +49,12 @@ class ChaosError(ToleranceError):
     """Small changes grow so large before the end that no way certifies a run."""
 
 
-def chaotic(tolerance: float, lost_at: float) -> ChaosError:
-    """Return the error that tells when a change is lost, s."""
+def chaotic(tolerance: float, lost_at: float, reached: float) -> ChaosError:
+    """Return the error that tells when a change is lost, s, and offers what was reached before."""
     return ChaosError(
         f"tolerance {tolerance:g}: no method meets it: a change of {MOVED:g} of the scale grows to "
         f"{LOST:.0%} of it in {lost_at:.2g} s (R5).",
+        rounded_up(reached) if _UP * reached < LOOSEST else None,
         until=sooner(lost_at),
         otherwise="run without a tolerance",
     )

@@ -84,7 +84,8 @@ def unweighed(asked: Asked) -> Run | None:
         rtol = _own(min((_SLOWED if slowed and not meet else _PLAIN) * tolerance, tried.needed))
         return _whole(asked, DormandPrince5(rtol=rtol) if slowed and loose else Dop853(rtol=rtol))
     except ChaosError as chaos:
-        raise chaos.offering(None, min(chaos.until or math.inf, sooner(tried.left))) from None
+        until = min(chaos.until or math.inf, sooner(tried.left))
+        raise chaos.offering(chaos.reachable, until) from None
     except SimulationError:  # of a loose run; the plan refuses what cannot be
         return None
 
@@ -184,13 +185,15 @@ def _whole(asked: Asked, method: Adaptive) -> Run | None:
 
 def _tightened(asked: Asked, run: Run, tighter: Run | None) -> Run | None:
     """Return a run, or else the one at a tighter tolerance behind it, which is the next to try."""
+    reached = math.inf
     for attempt in range(TRIES):
         if attempt:
             run, tighter = certify_embedded(run)
         if asked.is_met(run):
             return _noted(run, asked.tolerance, attempt)
         if (lost_at := _lost(run.certificate)) is not None:
-            raise chaotic(asked.tolerance, lost_at)
+            raise chaotic(asked.tolerance, lost_at, reached)
+        reached = min(reached, reached_by(run.certificate))
         if tighter is None or not reached_by(run.certificate) < math.inf:
             return None
         run = _believed(tighter, run)
