@@ -20,6 +20,7 @@ from tamias2d.spec.messages import Code, Diagnostic
 _FILE = re.compile(r"[a-z0-9_]+\.md")  # a module of code is named after it
 _ROLE = re.compile(r"\{srs\}`([^`]*)`")
 _PROSE_DIRECTIVES = ("note", "math")
+_TITLE = "a chapter begins with its title. Write '# ' and the title before all else"
 
 
 @dataclass
@@ -91,10 +92,9 @@ def read_chapter(path: Path, file: str) -> Chapter:
     """Read one chapter; faults are collected in it, none is raised."""
     chapter = Chapter(file)
     try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = f"{type(error).__name__}: must be readable UTF-8. Save the file so"
-        chapter.faults.append(Diagnostic(file, 1, 1, Code.UNREADABLE.code, reason))
+        text = _text(path, file)
+    except MarkupError as error:
+        chapter.faults.append(error.diagnostic)
         return chapter
     if not _FILE.fullmatch(path.name):
         reason = f"'{path.name}' is no name of a chapter: must be like 'friction.md'. Rename it"
@@ -108,9 +108,29 @@ def read_chapter(path: Path, file: str) -> Chapter:
         if token.type == "fence" and token.map:
             fenced.update(range(*token.map))
             _read_fence(chapter, token, lines)
+    if not chapter.title:
+        reason = f"found {'no title' if text.strip() else 'nothing'}: {_TITLE}"
+        chapter.faults.append(Diagnostic(file, 1, 1, Code.BAD_HEADING.code, reason))
     chapter.faults += lost(file, lines, tokens)
     chapter.roles = list(_roles(file, lines, fenced))
     return chapter
+
+
+def _text(path: Path, file: str) -> str:
+    """The text of a file, without the mark of byte order that some editors put before it."""
+    place = (1, 1)
+    try:
+        return path.read_bytes().decode().removeprefix("\ufeff")
+    except IsADirectoryError:
+        reason = "a directory: a chapter is a file. Rename it, without '.md'"
+    except OSError as error:
+        reason = f"{error.strerror}: must be a file that can be read. Correct it"
+    except UnicodeDecodeError as error:
+        before = error.object[: error.start].decode()
+        place = before.count("\n") + 1, len(before) - before.rfind("\n")
+        found = f"0x{error.object[error.start]:02x}"
+        reason = f"found byte {found}: must be UTF-8. Save the file in UTF-8"
+    raise MarkupError(Diagnostic(file, *place, Code.UNREADABLE.code, reason))
 
 
 def _read_fence(chapter: Chapter, token: Any, lines: list[str]) -> None:
