@@ -88,3 +88,11 @@ def test_all_faults_are_reported_together(tmp_path: Path) -> None:
     with pytest.raises(SpecError) as caught:
         read(tmp_path / "srs")
     assert len(str(caught.value).splitlines()) == 2
+
+
+@pytest.mark.parametrize(
+    ("chapter", "first"), [("duplicate_symbol", "srs/0_symbols.md:4"), ("duplicate_index", ":17")]
+)
+def test_a_second_declaration_names_the_first(chapter: str, first: str, tmp_path: Path) -> None:
+    found = faults(HERE / "bad" / f"{chapter}.md", tmp_path)
+    assert f"{first}. Remove one" in found[0]
