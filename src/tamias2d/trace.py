@@ -207,7 +207,8 @@ class Graph:
     def unrun(self, id: str) -> list[str]:
         """Return the items to verify before the verdict of one is known: itself, or what it uses.
 
-        Those with most cases come first, and none whose open cases all belong to others.
+        The item comes first, then those with most cases; none whose open cases all belong to ones
+        before it.
         """
         open_ = {each: self._open_cases(each) for each in self.reach(id, self.passed_up)}
         found: list[str] = []
