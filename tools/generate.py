@@ -15,6 +15,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+from tamias2d.cli import INTERRUPTED
 from tamias2d.errors import SpecError
 from tamias2d.spec.reader import read
 from tamias2d.spec.specification import Specification
@@ -118,18 +119,25 @@ def main(arguments: list[str] | None = None) -> int:
         )
         return 2
     try:
-        files = outputs(read(ROOT / "srs"))
+        return _generate(check=options.check)
     except SpecError as error:
         print(error, file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        print("Interrupted.", file=sys.stderr)
+        return INTERRUPTED
+
+
+def _generate(*, check: bool) -> int:
+    files = outputs(read(ROOT / "srs"))
     found = differences(files)
     for path, what in found.items():
-        if options.check:
+        if check:
             print(f"{path}: {what}. Run: python -m tools.generate", file=sys.stderr)
         else:
             _settle(path, files.get(path))
             print(f"{'removed' if path not in files else 'wrote'} {path}")
-    return 1 if options.check and found else 0
+    return 1 if check and found else 0
 
 
 def _settle(path: str, text: str | None) -> None:

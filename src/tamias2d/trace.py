@@ -90,6 +90,11 @@ def neighbourhood(id: str) -> Neighbourhood:
     )
 
 
+def unrun(id: str) -> list[str]:
+    """Return the ids to give to `verify`, so that no case is left that an item's verdict needs."""
+    return Graph(items(), results.read()).unrun(id)
+
+
 def exit_code(rows: Iterable[Traced]) -> int:
     """Return 1 if a goal or requirement failed, is stale, uncovered or not run; else 0.
 
@@ -138,6 +143,16 @@ class Graph:
             for target in targets:
                 found[target].append(id)
         return {id: tuple(sources) for id, sources in found.items()}
+
+    @cached_property
+    def passed_up(self) -> dict[str, tuple[str, ...]]:
+        """The items whose verdicts count for an item: for a demand, those that it uses."""
+        return {
+            id: tuple(each for each in used if self.items[each]["kind"] in _PASSED_UP)
+            if self.items[id]["kind"] in _DEMANDS and "judged" not in self.items[id]["data"]
+            else ()
+            for id, used in self.forward.items()
+        }
 
     def reach(
         self, id: str, step: Mapping[str, tuple[str, ...]], *, ends: tuple[str, ...] = ()
@@ -189,6 +204,25 @@ class Graph:
             self._verdicts[id] = self._rolled_up(self.items[id])
         return self._verdicts[id]
 
+    def unrun(self, id: str) -> list[str]:
+        """Return the items to verify before the verdict of one is known: itself, or what it uses.
+
+        The item comes first, then those with most cases; none whose open cases all belong to ones
+        before it.
+        """
+        open_ = {each: self._open_cases(each) for each in self.reach(id, self.passed_up)}
+        found: list[str] = []
+        covered: set[str] = set()
+        for each in (id, *sorted(open_, key=lambda each: -len(open_[each]))):
+            missing = self._open_cases(each) - covered
+            found += [each] if missing else []
+            covered |= missing
+        return found
+
+    def _open_cases(self, id: str) -> set[str]:
+        cases = [id] if self.items[id]["kind"] == "case" else self.cases(id)
+        return {case for case in cases if self.verdict(case) == NOT_RUN}
+
     def _rolled_up(self, item: Item) -> str:
         id, kind = item["id"], item["kind"]
         if kind in _UNJUDGED:
@@ -200,10 +234,7 @@ class Graph:
             return worst([MANUAL, *verdicts])
         if kind == "requirement" and not verdicts:
             return UNCOVERED
-        if kind in _DEMANDS:
-            used = [each for each in self.forward[id] if self.items[each]["kind"] in _PASSED_UP]
-            verdicts += [self.verdict(each) for each in used]
-        return worst(verdicts)
+        return worst([*verdicts, *(self.verdict(each) for each in self.passed_up[id])])
 
     def _of_case(self, item: Item) -> str:
         outcomes = self.outcomes.get(item["id"], [])

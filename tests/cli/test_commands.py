@@ -21,7 +21,10 @@ from tamias2d.errors import RecordingError
 from tamias2d.scene import catalogue, needs
 from tamias2d.simulate import simulate
 from tamias2d.solve import Interrupted
-from tamias2d.verify import case, exact
+from tamias2d.trace import trace
+from tamias2d.verify import case, exact, results
+from tamias2d.verify.items import fingerprint, items
+from tamias2d.verify.outcome import Outcome
 
 Call = Callable[..., Result]
 
@@ -365,6 +368,13 @@ def test_trace_answers_every_item(call: Call) -> None:
     assert items["OS1"]["verdict"] == "not run"
     wanted = {"id", "kind", "title", "file", "line", "links", "code", "cases", "verdict"}
     assert wanted <= items["IM1"].keys()
+
+
+def test_trace_names_the_used_item_whose_cases_are_open(call: Call) -> None:
+    named = trace("R5")[0].cases
+    results.add(Outcome(id, "", 0.0, 1.0, "pass", fingerprint(items()[id])) for id in named)
+    said = call("trace", "R5").stderr
+    assert said == "Some cases of IM1 have not been run yet: `tamias2d verify IM1` runs them.\n"
 
 
 def test_trace_leads_from_a_requirement_to_the_line_of_its_code(call: Call) -> None:

@@ -140,6 +140,17 @@ def test_modules_of_the_tools_need_more_than_the_demo(house: House, module: str)
     assert calls[-1] == f"bin/python -m {module}"
 
 
+def test_the_generator_can_be_interrupted(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def stop(_: Path) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(generate, "read", stop)
+    assert generate.main(["--check"]) == 130
+    assert capsys.readouterr().err == "Interrupted.\n"
+
+
 def test_the_generator_says_what_it_lacks(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tamias2d.errors import SpecError
+from tamias2d.spec.chapter import read_chapter
 from tamias2d.spec.messages import Code
 from tamias2d.spec.reader import read
 
@@ -50,9 +51,28 @@ def test_every_code_has_its_chapter() -> None:
 
 def test_unreadable_chapter(tmp_path: Path) -> None:
     (tmp_path / "srs").mkdir()
-    (tmp_path / "srs" / "latin.md").write_bytes(b"# caf\xe9\n")
-    with pytest.raises(SpecError, match=r"^srs/latin.md:1:1: unreadable: "):
+    (tmp_path / "srs" / "latin.md").write_bytes("# Café\n\nÀ la carte, caf".encode() + b"\xe9\n")
+    with pytest.raises(SpecError, match=r"^srs/latin.md:3:16: unreadable: found byte 0xe9: "):
         read(tmp_path / "srs")
+
+
+def test_a_directory_is_no_chapter(tmp_path: Path) -> None:
+    (tmp_path / "srs" / "adir.md").mkdir(parents=True)
+    with pytest.raises(SpecError, match=r"^srs/adir.md:1:1: unreadable: a directory: "):
+        read(tmp_path / "srs")
+
+
+def test_a_chapter_may_begin_with_a_byte_order_mark(tmp_path: Path) -> None:
+    (tmp_path / "marked.md").write_text("# Marked\n", encoding="utf-8-sig")
+    chapter = read_chapter(tmp_path / "marked.md", "marked.md")
+    assert (chapter.title, chapter.faults) == ("Marked", [])
+
+
+@pytest.mark.parametrize("text", ["", "\n", "#\n", "## Section\n", "```text\n# Code\n```\n"])
+def test_a_chapter_without_title_is_refused(text: str, tmp_path: Path) -> None:
+    (tmp_path / "bare.md").write_text(text)
+    faults = read_chapter(tmp_path / "bare.md", "bare.md").faults
+    assert [str(fault)[:24] for fault in faults] == ["bare.md:1:1: bad-heading"]
 
 
 def test_empty_folder(tmp_path: Path) -> None:
@@ -68,3 +88,11 @@ def test_all_faults_are_reported_together(tmp_path: Path) -> None:
     with pytest.raises(SpecError) as caught:
         read(tmp_path / "srs")
     assert len(str(caught.value).splitlines()) == 2
+
+
+@pytest.mark.parametrize(
+    ("chapter", "first"), [("duplicate_symbol", "srs/0_symbols.md:4"), ("duplicate_index", ":17")]
+)
+def test_a_second_declaration_names_the_first(chapter: str, first: str, tmp_path: Path) -> None:
+    found = faults(HERE / "bad" / f"{chapter}.md", tmp_path)
+    assert f"{first}. Remove one" in found[0]

@@ -230,3 +230,26 @@ def test_offsets_point_at_the_place() -> None:
     assert caught.value.offset == 6
     tree: Node = parse("  a + b")
     assert tree.offset == 2
+
+
+@pytest.mark.parametrize(
+    ("text", "offset", "remedy"),
+    [
+        ("dot(velocity, velocity)^2", 23, r"Write '\*\*'"),
+        ("a == 3[m/s^2]*(b + c) ^ 2", 22, r"Write '\*\*'"),
+        ("2 cubic_drag_force", 2, r"between '2' and 'cubic_drag_force'.*Write '\*'"),
+        ("a == 2velocity", 6, r"between '2' and 'velocity'.*Write '\*'"),
+        ("(a + b) c and d > 0", 8, r"between '\)' and 'c'.*Write '\*'"),
+        ("a + 2e-3(b + c)", 4, r"products need '\*'"),
+    ],
+)
+def test_likely_mistakes_name_the_remedy(text: str, offset: int, remedy: str) -> None:
+    with pytest.raises(SpecFault, match=remedy) as caught:
+        parse(text)
+    assert caught.value.offset == offset
+
+
+@pytest.mark.parametrize("text", ["a and", "a == * b", "a > 0 and b +", "a > 0 and and b > 0"])
+def test_other_mistakes_promise_no_remedy(text: str) -> None:
+    with pytest.raises(SpecFault, match="Correct the expression"):
+        parse(text)

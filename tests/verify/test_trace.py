@@ -10,6 +10,7 @@ from tamias2d.trace import WORST_FIRST, Graph, exit_code, neighbourhood, plan_ta
 from tamias2d.verify import results, verify
 from tamias2d.verify.items import items
 from tamias2d.verify.outcome import Outcome
+from tamias2d.verify.suite import cases
 
 
 def item(id: str, kind: str, *, hash: str = "h", **links: list[str]) -> dict[str, Any]:
@@ -62,6 +63,35 @@ def test_the_worst_verdict_rises_to_the_goal(second: str, expected: str) -> None
 def test_a_case_that_was_not_run_says_so() -> None:
     graph = small(TC1="pass")
     assert [graph.verdict(id) for id in ("TC2", "R2", "GS1")] == ["not run"] * 3
+
+
+def test_what_was_not_run_is_named_by_the_items_that_show_it() -> None:
+    assert small().unrun("GS1") == ["IM1", "IM2"]
+    graph = small(TC1="pass")
+    assert [graph.unrun(id) for id in ("R1", "R2", "GS1", "A1", "TC2")] == [
+        *([], ["R2"], ["IM2"], ["A1"], ["TC2"])
+    ]
+    graph.items["TC3"] = item("TC3", "case", uses=["IM1"])
+    assert Graph(graph.items, graph.outcomes, own_hash).unrun("R1") == ["IM1"]
+
+
+DEMANDS = [id for id, each in items().items() if each["kind"] in ("goal", "requirement")]
+
+
+@pytest.mark.parametrize("id", DEMANDS)
+@pytest.mark.parametrize("own", [True, False])
+def test_verify_runs_what_a_verdict_waits_for(id: str, own: bool) -> None:
+    def passed(ids: list[str]) -> dict[str, list[Outcome]]:
+        return {case: [Outcome(case, "q", 0.0, 1.0, "pass", "h")] for case in ids}
+
+    done = [] if own else Graph(items(), {}).cases(id)
+    before = Graph(items(), passed(done), lambda _: "h")
+    asked = before.unrun(id)
+    assert bool(asked) == (before.verdict(id) == "not run")
+    done += [case.id for case in cases(asked)]
+    after = Graph(items(), passed(done), lambda _: "h")
+    assert after.unrun(id) == []
+    assert after.verdict(id) in ("pass", "manual")
 
 
 def test_a_requirement_without_cases_is_uncovered_whatever_its_models_say() -> None:

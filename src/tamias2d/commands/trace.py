@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from typing import TypeAlias
 
 from tamias2d.commands.output import command, print_json, print_table, say
-from tamias2d.trace import NOT_RUN, Traced, exit_code, neighbourhood, trace
+from tamias2d.trace import NOT_RUN, Traced, exit_code, neighbourhood, trace, unrun
 
 _LISTED = 6  # cases in one row
 _Row: TypeAlias = tuple[str, str, str, str]
@@ -21,10 +21,14 @@ def trace_items(id: str | None, *, as_json: bool) -> int:
     else:
         _print_around(id)
     if any(item.verdict == NOT_RUN for item in items):
-        asked = f" {id}" if id and items[0].verdict == NOT_RUN else ""
-        hint = f"Some cases have not been run yet: `{command()} verify{asked}` runs them."
-        print(hint, file=sys.stderr)
+        print(_hint(unrun(id) if id else []), file=sys.stderr)
     return exit_code(items)
+
+
+def _hint(unrun: list[str]) -> str:
+    whose = f" of {', '.join(unrun)}" if unrun else ""
+    call = " ".join((command(), "verify", *unrun))
+    return f"Some cases{whose} have not been run yet: `{call}` runs them."
 
 
 def _print_all(items: list[Traced]) -> None:

@@ -624,7 +624,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:451.
+    Source: IM17, srs/models/island_energy.md:455.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -648,7 +648,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:453.
+    Source: IM17, srs/models/island_energy.md:457.
     """
     return least(
         sqrt(
@@ -677,7 +677,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:456.
+    Source: IM17, srs/models/island_energy.md:460.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -709,7 +709,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:458.
+    Source: IM17, srs/models/island_energy.md:462.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

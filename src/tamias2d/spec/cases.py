@@ -1,4 +1,4 @@
-"""The check of a case's exact answers: each must have the unit and shape of its quantity.
+"""The check of a case: it holds what it compares, and answers with the units of their quantities.
 
 Serves: the reader. Hides: where in a case expressions stand.
 """
@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.check import Type, expect
-from tamias2d.spec.comparisons import COMPARISONS
+from tamias2d.spec.comparisons import COMPARISONS, WITHOUT_RUN
 from tamias2d.spec.equations import Report, parsed, placed
 from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.symbols import SymbolTable
@@ -15,10 +15,12 @@ from tamias2d.spec.units import SECOND
 
 
 def check_case(item: Item, table: SymbolTable, report: Report) -> None:
-    """Report a case that compares nothing, or an exact answer with a wrong unit or shape."""
-    if not any(key in item.data for key in COMPARISONS):
+    """Report what a case lacks, or an exact answer with a wrong unit or shape."""
+    compared = [key for key in COMPARISONS if key in item.data]
+    if not compared:
         known = ", ".join(COMPARISONS)
         report(item.diagnostic(Code.BAD_KEY, f"a case compares something: one of {known}. Add one"))
+    _check_run(item, [key for key in compared if key not in WITHOUT_RUN], report)
     for path, text, wanted in _answers(item, table, report):
         node = parsed(item, text, report, *path)
         if node is None:
@@ -27,6 +29,14 @@ def check_case(item: Item, table: SymbolTable, report: Report) -> None:
             expect(node, table, wanted)
         except SpecFault as fault:
             report(placed(item, fault, *path))
+
+
+def _check_run(item: Item, on_a_run: list[str], report: Report) -> None:
+    """Report a case that has comparisons of a run and does not say of what, or for how long."""
+    for needed in ("scene", "duration"):
+        if on_a_run and needed not in item.data:
+            text = f"found no '{needed}': '{on_a_run[0]}' compares a run and needs one. State it"
+            report(item.diagnostic(Code.BAD_KEY, text))
 
 
 def _answers(

@@ -12,14 +12,15 @@ from typing import Any
 
 from markdown_it import MarkdownIt
 
+from tamias2d.spec.fences import HEADING, lost, unclosed
 from tamias2d.spec.kinds import KINDS
 from tamias2d.spec.markup import MarkupError, Path as KeyPath, Place, compose
 from tamias2d.spec.messages import Code, Diagnostic
 
-_FENCE = re.compile(r"\{(\w[\w-]*)\}\s*(.*)")
 _FILE = re.compile(r"[a-z0-9_]+\.md")  # a module of code is named after it
 _ROLE = re.compile(r"\{srs\}`([^`]*)`")
 _PROSE_DIRECTIVES = ("note", "math")
+_TITLE = "a chapter begins with its title. Write '# ' and the title before all else"
 
 
 @dataclass
@@ -91,34 +92,57 @@ def read_chapter(path: Path, file: str) -> Chapter:
     """Read one chapter; faults are collected in it, none is raised."""
     chapter = Chapter(file)
     try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = f"{type(error).__name__}: must be readable UTF-8. Save the file so"
-        chapter.faults.append(Diagnostic(file, 1, 1, Code.UNREADABLE.code, reason))
+        text = _text(path, file)
+    except MarkupError as error:
+        chapter.faults.append(error.diagnostic)
         return chapter
     if not _FILE.fullmatch(path.name):
         reason = f"'{path.name}' is no name of a chapter: must be like 'friction.md'. Rename it"
         chapter.faults.append(Diagnostic(file, 1, 1, Code.BAD_NAME.code, reason))
     lines = text.splitlines()
     fenced: set[int] = set()
-    for token in MarkdownIt("commonmark").parse(text):
+    tokens = MarkdownIt("commonmark").parse(f"{text}\n")  # a last line without end is one, too
+    for token in tokens:
         if token.type == "heading_open" and token.tag == "h1" and token.map and not chapter.title:
             chapter.title = lines[token.map[0]].lstrip("# ").strip()
         if token.type == "fence" and token.map:
             fenced.update(range(*token.map))
             _read_fence(chapter, token, lines)
+    if not chapter.title:
+        reason = f"found {'no title' if text.strip() else 'nothing'}: {_TITLE}"
+        chapter.faults.append(Diagnostic(file, 1, 1, Code.BAD_HEADING.code, reason))
+    chapter.faults += lost(file, lines, tokens)
     chapter.roles = list(_roles(file, lines, fenced))
     return chapter
 
 
+def _text(path: Path, file: str) -> str:
+    """The text of a file, without the mark of byte order that some editors put before it."""
+    place = (1, 1)
+    try:
+        return path.read_bytes().decode().removeprefix("\ufeff")
+    except IsADirectoryError:
+        reason = "a directory: a chapter is a file. Rename it, without '.md'"
+    except OSError as error:
+        reason = f"{error.strerror}: must be a file that can be read. Correct it"
+    except UnicodeDecodeError as error:
+        before = error.object[: error.start].decode()
+        place = before.count("\n") + 1, len(before) - before.rfind("\n")
+        found = f"0x{error.object[error.start]:02x}"
+        reason = f"found byte {found}: must be UTF-8. Save the file in UTF-8"
+    raise MarkupError(Diagnostic(file, *place, Code.UNREADABLE.code, reason))
+
+
 def _read_fence(chapter: Chapter, token: Any, lines: list[str]) -> None:
-    heading = _FENCE.fullmatch(token.info.strip())
+    start = token.map[0]
+    if reason := unclosed(token, lines):
+        chapter.faults.append(Diagnostic(chapter.file, start + 1, 1, Code.YAML.code, reason))
+        return
+    heading = HEADING.fullmatch(token.info.strip())
     if heading is None or heading.group(1) in _PROSE_DIRECTIVES:
         return
-    start, end = token.map
-    closed = end - 1 > start and lines[end - 1].lstrip().startswith(token.markup)
     name, _, title = heading.group(2).strip().partition(" ")
-    fault = _heading_fault(heading.group(1), name, title.strip(), closed)
+    fault = _heading_fault(heading.group(1), name, title.strip())
     if fault:
         chapter.faults.append(Diagnostic(chapter.file, start + 1, 1, fault[0].code, fault[1]))
         return
@@ -136,10 +160,8 @@ def _read_fence(chapter: Chapter, token: Any, lines: list[str]) -> None:
         chapter.faults.append(item.diagnostic(Code.BAD_VALUE, text))
 
 
-def _heading_fault(kind: str, name: str, title: str, closed: bool) -> tuple[Code, str] | None:
+def _heading_fault(kind: str, name: str, title: str) -> tuple[Code, str] | None:
     """What is wrong with the first line of a fence, if anything."""
-    if not closed:
-        return Code.YAML, "the fence is not closed. Close it with the same backticks"
     if keyword.iskeyword(name):
         return Code.BAD_HEADING, f"'{name}' is a word of Python. Give another id"
     if kind not in KINDS:

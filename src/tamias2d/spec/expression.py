@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 
 from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.units import Unit, parse_unit
@@ -29,6 +30,8 @@ ARITY = {
 _OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _RELATIONS = {ast.Eq: "==", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
 _NUMBER = re.compile(r"(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
+_TOKEN = re.compile(rf"{_NUMBER.pattern}|\w+|\S")
+_OPERAND = re.compile(r"(?!and$)\.?\w[\w.]*")
 
 
 @dataclass(frozen=True)
@@ -148,16 +151,27 @@ def _python_tree(source: str, lead: int) -> ast.expr:
             warnings.simplefilter("ignore")
             return ast.parse(source, mode="eval").body
     except SyntaxError as error:
-        place = max((error.offset or 1) - 1, 0)
+        reason, place = "Correct the expression", max((error.offset or 1) - 1, 0)
+        if factors := _factors(source):
+            first, second = factors
+            reason = f"Nothing is between '{first.group()}' and '{second.group()}'. Write '*'"
+            place = second.start()
         raise SpecFault(
-            Code.SYNTAX,
-            f"'{source[:40]}' cannot be read here. Correct the expression",
-            lead + place,
+            Code.SYNTAX, f"'{source[:40]}' cannot be read here. {reason}", lead + place
         ) from None
     except (ValueError, RecursionError, MemoryError):
         raise SpecFault(
             Code.SYNTAX, f"'{source[:40]}' cannot be read. Correct the expression", lead
         ) from None
+
+
+def _factors(source: str) -> tuple[re.Match[str], re.Match[str]] | None:
+    """The first two operands without an operator between them: a product as people write it."""
+    for first, second in pairwise(_TOKEN.finditer(source)):
+        ends = first.group() in (")", "]") or _OPERAND.fullmatch(first.group())
+        if ends and _OPERAND.fullmatch(second.group()):
+            return first, second
+    return None
 
 
 class _Reader:
@@ -174,6 +188,10 @@ class _Reader:
         return SpecFault(
             Code.NOT_ALLOWED, f"'{self.text(node)}' {why}. Rewrite it", self.lead + node.col_offset
         )
+
+    def refuse_caret(self, place: int) -> SpecFault:
+        text = "'^' is for units alone: an expression has '**' for powers. Write '**'"
+        return SpecFault(Code.NOT_ALLOWED, text, self.lead + place)
 
     def read(self, node: ast.expr, depth: int) -> Node:
         """Our node for one of Python's; what is not in this list is refused."""
@@ -193,6 +211,8 @@ class _Reader:
                 return Negative(self.read(operand, depth + 1), offset=at)
             case ast.BinOp(op=ast.Pow(), left=base, right=exponent):
                 return Power(self.read(base, depth + 1), self.exponent(exponent, depth), offset=at)
+            case ast.BinOp(op=ast.BitXor(), left=left):
+                raise self.refuse_caret(self.source.index("^", left.end_col_offset))
             case ast.BinOp(op=op, left=left, right=right) if type(op) in _OPERATORS:
                 sides = self.read(left, depth + 1), self.read(right, depth + 1)
                 return Binary(_OPERATORS[type(op)], *sides, offset=at)
@@ -203,6 +223,8 @@ class _Reader:
                 return Both(tuple(self.read(value, depth + 1) for value in values), offset=at)
             case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if name in ARITY:
                 return self.call(node, name, arguments, depth)
+            case ast.Call(func=ast.Constant() | ast.BinOp() | ast.Call()):
+                raise self.refuse(node, "calls what is no function: products need '*'")
         raise self.refuse(node)
 
     def call(self, node: ast.expr, name: str, arguments: list[ast.expr], depth: int) -> Call:

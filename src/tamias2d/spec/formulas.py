@@ -13,6 +13,7 @@ from tamias2d.spec.constraint_items import check_constraint
 from tamias2d.spec.derivation import check_closed_form, check_derivation
 from tamias2d.spec.equations import Report, functions, parsed, relation, typed
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
+from tamias2d.spec.model import check_model
 from tamias2d.spec.order import check_orders
 from tamias2d.spec.stability import check_stability
 from tamias2d.spec.symbols import Symbol, SymbolTable
@@ -35,6 +36,8 @@ def check_item(item: Item, items: Mapping[str, Item], table: SymbolTable) -> lis
         if not faults:  # a faulty formula would only be reported twice
             check_derivation(item, items, table, report)
             check_closed_form(item, table, report)
+            if item.kind == "model":
+                check_model(item, items, report)
     return faults
 
 

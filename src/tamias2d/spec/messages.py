@@ -16,7 +16,7 @@ class Code(Enum):
     YAML_FEATURE = "yaml-feature", "anchors, aliases and tags are refused"
     DUPLICATE_KEY = "duplicate-key", "a key stands twice in one mapping"
     UNKNOWN_KIND = "unknown-kind", "no kind of item has this name"
-    BAD_HEADING = "bad-heading", "an item needs an id of its kind and a title"
+    BAD_HEADING = "bad-heading", "an item needs an id of its kind and a title, a chapter a title"
     BAD_KEY = "bad-key", "a key is missing or is not one of the kind's keys"
     BAD_VALUE = "bad-value", "a value has not the form that its key asks for"
     DUPLICATE_ID = "duplicate-id", "an id or a symbol is declared twice"

@@ -19,6 +19,7 @@ from tamias2d.spec.kinds import KINDS
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.symbols import Index, Range, Symbol, SymbolTable, parse_range
+from tamias2d.spec.tex import has_balanced_braces
 from tamias2d.spec.units import parse_unit
 
 _BIB_KEY = re.compile(r"@\w+\{\s*([^,\s]+)\s*,")
@@ -82,13 +83,13 @@ class _Reader:
     def assemble(self, items: Iterable[Item], chapters: list[Chapter]) -> Specification:
         """Items by id and the symbol table; what is declared twice is reported."""
         by_id: dict[str, Item] = {}
-        symbols: dict[str, Symbol] = {}
-        indices: dict[str, Index] = {}
+        symbols: dict[str, Item] = {}
+        indices: dict[str, Item] = {}
         for item in items:
             if item.kind == "symbols":
-                self.declare(item, symbols, self.symbol)
+                self.declare(item, symbols)
             elif item.kind == "indices":
-                self.declare(item, indices, self.index)
+                self.declare(item, indices)
             elif item.id in by_id:
                 first = by_id[item.id]
                 text = (
@@ -97,24 +98,25 @@ class _Reader:
                 self.report(item.diagnostic(Code.DUPLICATE_ID, text))
             else:
                 by_id[item.id] = item
-        table = SymbolTable(symbols.values(), indices.values())
+        table = SymbolTable(
+            [self.symbol(item, name, item.data[name]) for name, item in symbols.items()],
+            [self.index(item, name, item.data[name]) for name, item in indices.items()],
+        )
         titles = {chapter.file: chapter.title for chapter in chapters}
         return Specification(by_id, table, titles, [role for c in chapters for role in c.roles])
 
-    def declare(self, item: Item, found: dict[str, Any], make: Any) -> None:
-        """Make what an item declares, by name; report names that are taken or no names."""
-        for name, data in item.data.items():
+    def declare(self, item: Item, found: dict[str, Item]) -> None:
+        """Note the item that declares each name; report names that are taken or no names."""
+        for name in item.data:
             if keyword.iskeyword(name):
                 text = f"'{name}' is a word of Python, and code could not use it. Rename it"
                 self.report(item.diagnostic(Code.BAD_KEY, text, name, "key"))
             elif name in found:
-                self.report(
-                    item.diagnostic(
-                        Code.DUPLICATE_ID, f"'{name}' is declared twice. Remove one", name, "key"
-                    )
-                )
+                first = f"{found[name].file}:{found[name].at(name, 'key')[0]}"
+                text = f"'{name}' is declared already in {first}. Remove one"
+                self.report(item.diagnostic(Code.DUPLICATE_ID, text, name, "key"))
             else:
-                found[name] = make(item, name, data)
+                found[name] = item
 
     def symbol(self, item: Item, name: str, data: dict[str, Any]) -> Symbol:
         """One symbol with its unit and range; where these are at fault it gets plain ones."""
@@ -129,6 +131,7 @@ class _Reader:
             limits = parse_range(data["range"]) if "range" in data else Range()
         except SpecFault as fault:
             self.report(item.diagnostic(fault.code, fault.message, name, "range"))
+        self.check_tex(item, name, data["tex"])
         line = item.at(name, "key")[0]
         typical = data.get("typical", "")
         says = " ".join(data["says"].split())
@@ -138,8 +141,14 @@ class _Reader:
             data.get("uncertainty", ""), item.file, line,
         )  # fmt: skip
 
-    def index(self, _item: Item, name: str, data: dict[str, str]) -> Index:
+    def index(self, item: Item, name: str, data: dict[str, str]) -> Index:
+        self.check_tex(item, name, data["tex"])
         return Index(name, data["tex"], data["says"], data.get("place", "sub"))
+
+    def check_tex(self, item: Item, name: str, tex: str) -> None:
+        if not has_balanced_braces(tex):
+            text = f"'{tex}' has braces that do not pair up. Close or remove them"
+            self.report(item.diagnostic(Code.BAD_VALUE, text, name, "tex"))
 
     def check_links(self, specification: Specification) -> None:
         """Report each id, in a fence or in the prose, that leads to no item."""

@@ -231,3 +231,13 @@ def unit_tex(text: str) -> str:
     """A unit as TeX inside an upright font."""
     powers = re.sub(r"(?:\^|\*\*)(-?\d+)", r"^{\1}", text)
     return powers.replace("*", r"\,")
+
+
+def has_balanced_braces(text: str) -> bool:
+    r"""Whether each brace of TeX has its partner; ``\{`` and ``\}`` are letters."""
+    depth = 0
+    for sign in re.findall(r"\\.|[{}]", text):
+        depth += {"{": 1, "}": -1}.get(sign, 0)
+        if depth < 0:
+            return False
+    return depth == 0
