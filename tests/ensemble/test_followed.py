@@ -380,3 +380,15 @@ def test_an_ensemble_is_followed_on_threads_and_those_left_over_are_solved() -> 
         run = t2.simulate(t2.world_scene(one, world), duration=1.0, times=(0.3, 1.0))
         moving = [k for k, body in enumerate(run.scene.bodies) if body.dynamic]
         np.testing.assert_array_equal(one.position[world], run.position[:, moving])
+
+
+def test_worlds_with_joints_are_left_to_the_ordinary_way() -> None:
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    disc = t2.Disc(radius=0.1)
+    scene.add_body(disc, mass=1.0, position=(1.0, 0.0), restitution=0.5, name="bob")
+    scene.add_joint(t2.Distance(), (0.0, 0.0), "bob", name="rod")
+    masses = {"bodies.bob.mass": np.linspace(1.0, 2.0, 150)}
+    worlds = worlds_of(scene, masses, None, None, None)
+    assert followed(worlds, request_of(scene, duration=0.2), 0, 150) is None
+    end = t2.ensemble(scene, duration=0.2, vary=masses, workers=1).position.values[:, -1, 0]
+    np.testing.assert_allclose(np.hypot(*end.T), 1.0, atol=1e-9)  # the rod holds

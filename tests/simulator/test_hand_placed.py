@@ -38,8 +38,9 @@ def test_what_is_put_beyond_a_limit_is_told_and_comes_back_without_energy(
     sim.step()
     turn(sim, angle)
     says = f"'root'.*, at 0.0166667 s: it was put 0.5 .* beyond its {side} limit by hand"
-    with pytest.warns(StepWarning, match=says):
+    with pytest.warns(StepWarning, match=says) as heard:
         sim.step(12)
+    assert heard[0].filename == __file__
     (told,) = sim.warnings
     assert "put its bodies where its limits allow" in told
     assert abs(sim.orientation[0]) == pytest.approx(0.5, abs=1e-5)  # 0.8 ** 48 of a half is left

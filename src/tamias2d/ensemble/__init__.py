@@ -9,7 +9,8 @@ from tamias2d.ensemble.mean import Mean, ensemble_mean
 from tamias2d.ensemble.run_ensemble import ensemble
 from tamias2d.ensemble.sampling import Grid, random_stream
 from tamias2d.ensemble.sensitivity import sensitivities
-from tamias2d.ensemble.simulators import Simulators, WorldContacts
+from tamias2d.ensemble.simulators import Simulators
+from tamias2d.ensemble.world_reports import WorldContacts
 
 __all__ = [
     "Grid",

@@ -5,6 +5,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from tamias2d.ensemble.world_reports import in_world, warn_of
 from tamias2d.errors import InputError
 from tamias2d.scene.freedoms import JointSpring, Limits, Motor
 from tamias2d.scene.rules import RuleError, label
@@ -78,6 +79,7 @@ class Controls(Views):
                 sim._settle_between()
         joints = self._each_world(lambda w, sim: sim._joints.governed(name, LIMITS, limits[w]))
         self._each_world(lambda w, sim: sim._limit_as(joints[w]))
+        warn_of(self._sims)
 
     @exclusive
     def set_spring(
@@ -105,6 +107,7 @@ class Controls(Views):
         ]
         joints = self._each_world(lambda w, sim: sim._joints.governed(name, SPRING, springs[w]))
         self._each_world(lambda w, sim: sim._spring_as(joints[w]))
+        warn_of(self._sims)
 
     @exclusive
     def set_target(self, name: str, point: object) -> None:
@@ -175,7 +178,7 @@ class Controls(Views):
             try:
                 found.append(act(world, sim))
             except InputError as fault:
-                raise type(fault)(f"world {world}: {fault}") from fault
+                raise type(fault)(in_world(world, fault)) from fault
         return found
 
 

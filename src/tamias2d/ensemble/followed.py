@@ -109,7 +109,7 @@ def _asked(request: Request) -> bool:
 def _fits(worlds: VariedWorlds) -> bool:
     """Whether all bodies and all that varies are such as compiled code knows."""
     scene = worlds.base
-    alone = not (scene.springs or scene.fields or scene.attraction is not None)
+    alone = not (scene.springs or scene.fields or scene.joints or scene.attraction is not None)
     if not alone or len(_pushed(scene)) > MANY or not all(map(_known, scene.bodies)):
         return False
     varied = all(

@@ -8,11 +8,12 @@ from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
 
+from tamias2d.ensemble.joint_values import values_of, with_values
 from tamias2d.scene import Body, Box, Capsule, Disc, HalfPlane, Scene, Segment
 from tamias2d.scene.law import StateLaw
 
 Outline = dict[str, Any]
-"""Keys are those of scene files; bodies by name, pairs by their two names, springs in a list."""
+"""Keys are those of scene files; bodies and joints by name, pairs by both names, springs listed."""
 
 _SURFACE = ("restitution", "friction", "category", "mask", "group", "sensor")
 _PLACE = ("position", "orientation")
@@ -36,6 +37,7 @@ def outline_of(scene: Scene) -> Outline:
         "restitution_of_pairs": _of_pairs(scene.restitution_of_pairs, names),
         "friction_of_pairs": _of_pairs(scene.friction_of_pairs, names),
         "springs": [_attributes(spring) for spring in scene.springs],
+        "joints": {joint.name: values_of(joint) for joint in scene.joints},
         "attraction": {}
         if scene.attraction is None
         else {"gravitational_constant": scene.attraction},
@@ -66,7 +68,7 @@ def scene_of(outline: Outline, like: Scene) -> Scene:
     for field in like.fields:
         scene.add_field(**_attributes(field))
     for joint in like.joints:
-        scene.repeat_joint(joint)
+        scene.repeat_joint(with_values(joint, outline["joints"][joint.name]))
     return scene
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from tamias2d.ensemble.joint_values import numbers_in
 from tamias2d.ensemble.outline import Outline
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.forms import SECTIONS
@@ -76,6 +77,8 @@ def _places(path: str, outline: Outline) -> Iterator[tuple[tuple[Any, ...], Symb
         for k, values in enumerate(outline["springs"]):
             if number == str(k):
                 yield from _among(("springs", k), values, rest)
+    elif section == "joints":
+        yield from (found[1:] for found in _of_joints(outline) if found[0] == path)
     elif section == "attraction":
         yield from _among(("attraction",), outline["attraction"], rest)
 
@@ -109,6 +112,13 @@ def _ended(
         yield (*keys, _AXES.index(component)), SYMBOLS[symbol]
 
 
+def _of_joints(outline: Outline) -> Iterator[tuple[str, tuple[Any, ...], Symbol]]:
+    """Yield the path, the keys and the symbol of each number of a joint."""
+    for name, values in outline["joints"].items():
+        for keys, symbol in numbers_in(values):
+            yield ".".join(("joints", name, *keys)), ("joints", name, *keys), SYMBOLS[symbol]
+
+
 def _pairs(outline: Outline) -> Iterator[tuple[str, str]]:
     names = list(outline["bodies"])
     return ((a, b) for a in names for b in names if a != b)
@@ -130,6 +140,8 @@ def _near(path: str, outline: Outline) -> str | None:
         return f"gravity.{nearest(rest, _AXES) or 'y'}"
     if section in _PAIRS:
         return nearest(f"{section}.{rest}", (f"{section}.{a}.{b}" for a, b in _pairs(outline)))
+    if section == "joints":
+        return nearest(f"{section}.{rest}", (found[0] for found in _of_joints(outline)))
     if section == "attraction":
         return _near_key(section, outline[section], rest)
     owners = (

@@ -5,7 +5,7 @@ and the threads on which they step. The arrays of all worlds lie one after the o
 look shows all of them.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
 from copy import deepcopy
 from dataclasses import dataclass
@@ -15,33 +15,24 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.engine.contact_report import Contacts
 from tamias2d.engine.memory import aligned_zeros
 from tamias2d.engine.tables import GRAVITY_X, GRAVITY_Y
 from tamias2d.ensemble.controls import Controls
 from tamias2d.ensemble.execution import cores
 from tamias2d.ensemble.sampling import Design
+from tamias2d.ensemble.world_reports import WorldReports, in_world, warn_of
 from tamias2d.ensemble.worlds import Maker, VariedWorlds, refuse_other_bodies, worlds_of
 from tamias2d.errors import InputError, SimulationError, TamiasError
-from tamias2d.read_only import read_only
 from tamias2d.scene import Scene
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator import Simulator
-from tamias2d.simulator.exclusive import between_calls, exclusive
+from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.settings import checked_count
-from tamias2d.simulator.told_only import REMEDIES, refuses_assignment
-from tamias2d.state import Array, IntArray
+from tamias2d.simulator.simulator import Start
+from tamias2d.state import Array
 from tamias2d.suggestions import suggests
 
 _FEWEST = 8  # worlds for a thread: fewer are not worth handing over
-
-
-@dataclass(frozen=True, kw_only=True)
-class WorldContacts(Contacts):
-    """Points at which bodies pushed each other, world after world."""
-
-    world: IntArray
-    """(m,)"""
 
 
 @dataclass(frozen=True)
@@ -62,8 +53,7 @@ class _Shared:
 
 
 @suggests
-@refuses_assignment
-class Simulators(Controls):
+class Simulators(Controls, WorldReports):
     """A scene in many worlds, each of which is stepped as by a `Simulator` alone, to the bit.
 
     The views are those of `Simulator` with an axis of worlds before all others: `position`
@@ -71,7 +61,7 @@ class Simulators(Controls):
     and `gravity` (worlds, 2). What is written counts from the next step on.
     """
 
-    __slots__ = ("_starts", "_stopped", "_threads")
+    __slots__ = ("_joint_names", "_starts", "_stopped", "_threads")
 
     def __init__(
         self,
@@ -104,10 +94,22 @@ class Simulators(Controls):
             "sleeping": sleeping,
             "compiled": compiled,
         }
-        self._sims = tuple(_simulators(described, settings))
-        self._starts = [sim._start() for sim in self._sims]
-        self._engine: Any = _shared(self._sims)
-        self._threads = ThreadPoolExecutor(count) if count > 1 else None
+        self._begin(tuple(_simulators(described, settings)), count)
+        warn_of(self._sims)
+
+    def _begin(
+        self, sims: tuple[Simulator, ...], threads: int, starts: tuple[Start, ...] = ()
+    ) -> None:
+        """Step simulators on so many threads, which start now unless it is said how they did."""
+        for sim in sims:
+            sim._warned.keep_back()
+        self._sims = sims
+        self._starts = starts or tuple(sim._start() for sim in sims)
+        self._joint_names = tuple(
+            dict.fromkeys(joint.name for start in self._starts for joint in start.joints)
+        )
+        self._engine: Any = _shared(sims)
+        self._threads = ThreadPoolExecutor(threads) if threads > 1 else None
         self._stopped = False
         self._lock = Lock()
         self._look()
@@ -134,7 +136,10 @@ class Simulators(Controls):
             sim._seen = True  # its arrays are shared
             sim.step(steps)
 
-        self._each(advance)
+        try:
+            self._each(advance)
+        finally:
+            warn_of(self._sims)
 
     @exclusive
     def reset(self, mask: object | None = None) -> None:
@@ -147,33 +152,6 @@ class Simulators(Controls):
         """
         for world in np.flatnonzero(self._checked(mask)).tolist():
             self._sims[world]._rewind(self._starts[world])
-
-    @property
-    @between_calls
-    def time(self) -> Array:
-        """Since the start of each world, s: (worlds,)."""
-        times = np.array([sim.time for sim in self._sims])
-        return read_only(times, "time of the worlds", REMEDIES["time"])
-
-    @property
-    @exclusive
-    def contacts(self) -> WorldContacts:
-        """All points at which bodies pushed each other in the last step, world after world."""
-        return _gathered([sim.contacts for sim in self._sims])
-
-    @property
-    @exclusive
-    def began(self) -> WorldContacts:
-        """The pairs that touched in the last step and not before, each with its strongest point."""
-        return _gathered([sim.began for sim in self._sims])
-
-    @property
-    @exclusive
-    def ended(self) -> IntArray:
-        """The pairs (k, 3) that touched before the last step, and not in it: world, then bodies."""
-        pairs = [sim.ended for sim in self._sims]
-        rows = np.column_stack((_worlds(pairs), np.concatenate(pairs)))
-        return read_only(rows, "pairs that ended", REMEDIES["ended"])
 
     @exclusive
     def world(self, world: int) -> Simulator:
@@ -188,7 +166,13 @@ class Simulators(Controls):
                 f"world {number}: there are {len(self)} (R15). Give one from 0 to {len(self) - 1}.",
                 "world",
             )
-        return deepcopy(self._sims[number])
+        one = deepcopy(self._sims[number])
+        warn_of(self._sims)
+        return one
+
+    @exclusive
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, ([sim.__reduce__() for sim in self._sims], self._hands, self._starts)
 
     def index(self, name: str) -> int:
         """Return the index of a body by its name; raise `InputError` if there is none."""
@@ -235,11 +219,15 @@ class Simulators(Controls):
                 future.result()
         if faults:
             world, fault = min(faults.items())
-            raise type(fault)(f"world {world}: {fault}") from fault
+            raise type(fault)(in_world(world, fault)) from fault
+
+    @property
+    def _hands(self) -> int:
+        """On how many threads the worlds step."""
+        return 1 if self._threads is None else self._threads._max_workers
 
     def _parts(self) -> Iterator[range]:
-        hands = 1 if self._threads is None else self._threads._max_workers
-        size = max(-(-len(self) // hands), _FEWEST)
+        size = max(-(-len(self) // self._hands), _FEWEST)
         for first in range(0, len(self), size):
             yield range(first, min(first + size, len(self)))
 
@@ -269,6 +257,15 @@ def _simulators(described: Any, settings: Mapping[str, Any]) -> Iterator[Simulat
         names = names or tuple(body.name for body in scene.bodies)
         refuse_other_bodies(scene, world, names)
         yield Simulator(scene, **settings)
+
+
+def _restored(
+    kept: Iterable[tuple[Any, ...]], threads: int, starts: tuple[Start, ...]
+) -> Simulators:
+    """Return worlds that go on from what each of their simulators was reduced to."""
+    sims = Simulators.__new__(Simulators)
+    sims._begin(tuple(make(*content) for make, content in kept), threads, starts)
+    return sims
 
 
 def _shared(sims: tuple[Simulator, ...]) -> _Shared:
@@ -304,21 +301,3 @@ def _shared(sims: tuple[Simulator, ...]) -> _Shared:
         inverse_mass=np.stack([engine.inverse_mass for engine in engines]),
         sims=sims,
     )
-
-
-def _gathered(found: list[Contacts]) -> WorldContacts:
-    columns = {
-        name: np.concatenate([getattr(one, name) for one in found]) for name in vars(found[0])
-    }
-    columns["world"] = _worlds(found)
-    return WorldContacts(
-        **{
-            name: read_only(values, f"{name} of the contacts", REMEDIES["contacts"])
-            for name, values in columns.items()
-        }
-    )
-
-
-def _worlds(found: list[Any]) -> IntArray:
-    """Return the number of its world for each row of some that were found in all of them."""
-    return np.repeat(np.arange(len(found)), [len(one) for one in found])

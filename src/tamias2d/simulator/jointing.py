@@ -19,8 +19,6 @@ from tamias2d.simulator.stepping import Stepping
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.suggestions import suggests
 
-_CALLER = 5  # calls up from a warning, with those of two decorators
-
 
 @suggests
 @refuses_assignment
@@ -148,12 +146,12 @@ class Jointing(Stepping):
         if self._govern_as(joint) and any(beyond_limits([joint], self._engine, slight=0.0)):
             told = list(held_beyond_limits([joint], self._engine, self.time, slight=TAKEN_ALONG))
             self._joints.pull(joint, along=not told)
-            self._tell(told, _CALLER)
+            self._warned.tell(told)
 
     def _spring_as(self, joint: Joint) -> None:
         """Let a joint be held by a spring as one that `JointSet.governed` returned."""
         if self._govern_as(joint):
-            self._tell(too_stiff_for_steps([joint], self._engine, self._time_step), _CALLER)
+            self._warned.tell(too_stiff_for_steps([joint], self._engine, self._time_step))
 
     def _govern_as(self, joint: Joint) -> bool:
         """Let a joint be governed as one that `JointSet.governed` returned."""

@@ -35,6 +35,7 @@ from tamias2d.simulator.settings import checked_flag, checked_substeps, checked_
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.simulator.touching_rules import TouchingRules
 from tamias2d.simulator.varying_loads import VaryingLoads
+from tamias2d.simulator.warned import Warned
 from tamias2d.suggestions import suggests
 
 
@@ -96,7 +97,7 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
         self._time_step, self._substeps = checked_time_step(time_step), checked_substeps(substeps)
         moving = {k: k for k, body in enumerate(scene.bodies) if body.dynamic}
         acts = scene.springs or acts_on_all(scene)
-        acts = acts or not VaryingLoads(scene, moving, self._name_of, {}).empty
+        acts = acts or not VaryingLoads(scene, moving, self._name_of, Warned()).empty
         self._scene = deepcopy(scene) if acts else None  # what acts is all that is asked of it
         self._names = BodyNames({body.name: k for k, body in enumerate(scene.bodies)})
         self._joints = JointSet(scene.joints)
@@ -157,7 +158,7 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
             staying=sorted(self._staying),
             scene=None if self._scene is None else scene_text(self._scene),
             joints=[asdict(joint) for joint in self._joints],
-            warnings=self._warned,
+            warnings=self._warned.texts,
         )
         parts = {
             "engine": saved_arrays(self._engine),
@@ -181,7 +182,7 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
         )
         self._scene = saving.scene_of(about, engine.kind, dynamic=DYNAMIC, where=where)
         self._begin(engine)
-        self._warned = about.warnings
+        self._warned.texts = about.warnings
         self._joints = JointSet(*restored_joints(about.joints, arrays.get("joints"), engine.kind))
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
         self._pushed = saving.pushed_of(arrays, engine.size)

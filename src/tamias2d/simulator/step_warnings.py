@@ -5,16 +5,13 @@ Serves: the simulator, which tells each once. Each text comes with the name unde
 
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator
-from typing import TypeAlias
 
 from tamias2d.engine.engine import Engine
 from tamias2d.scene.joints import Joint
 from tamias2d.simulator.hand_placed import beyond_limits
 from tamias2d.simulator.joint_faults import apart, gained, too_stiff, turned
 from tamias2d.simulator.joint_layout import APART, JointLayout
-
-Told: TypeAlias = tuple[str, str]
-"""A name under which a warning is kept, and its text."""
+from tamias2d.simulator.warned import Told
 
 SPRINGS = "springs"
 _SHORTEST = 2.0**-10  # of a step: its shortest part

@@ -1,14 +1,11 @@
 """Steps of the frame loop, and what they warn of."""
 
-from collections.abc import Iterable
 from threading import Lock
-from warnings import warn
 
 import numpy as np
 
 from tamias2d.engine.contact_report import Touching
 from tamias2d.engine.engine import Engine
-from tamias2d.errors import StepWarning
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene import Scene
 from tamias2d.scene.rules import RuleError, shown
@@ -23,7 +20,6 @@ from tamias2d.simulator.settings import checked_count
 from tamias2d.simulator.spring_rows import spring_rows
 from tamias2d.simulator.step_warnings import (
     SPRINGS,
-    Told,
     held_beyond_limits,
     too_long_for_contacts,
     too_long_for_gravity,
@@ -35,6 +31,7 @@ from tamias2d.simulator.step_warnings import (
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.simulator.varying_loads import VaryingLoads
 from tamias2d.simulator.views import Views
+from tamias2d.simulator.warned import Warned
 from tamias2d.state import Array, IntArray
 
 _ENDLESS = 2**63  # steps
@@ -69,17 +66,19 @@ class Stepping(Views):
     _scene: Scene | None  # whose loads vary
     _substeps: int
     _time_step: float
+    _warned: Warned
 
     def _begin(self, engine: Engine) -> None:
         self._lock = Lock()
         self._engine, self._sleeps = engine, engine.sleeps
+        self._warned = Warned()
         self._look()
         self._forget()
 
     def _forget(self) -> None:
         """Forget what was asked for and told so far."""
         self._varying: VaryingLoads | None = None
-        self._warned: dict[str, str] = {}
+        self._warned.texts = {}
         self._happened: list[JointEvent[str]] = []
         self._limit_changes = 0  # of joints, of which was told
         self._limits = 0  # of which was told
@@ -143,11 +142,11 @@ class Stepping(Views):
         self._seen = False
         if (limits := engine.limits) > self._limits:
             self._limits = limits
-            self._tell(
+            self._warned.tell(
                 too_long_for_contacts(engine, self._name_of, self.time, step, self._substeps)
             )
             if engine.joints_fail:
-                self._tell(too_long_for_joints(self._joints.layout, placed, self.time, step))
+                self._warned.tell(too_long_for_joints(self._joints.layout, placed, self.time, step))
         if self._jointed:
             self._left = engine.pose.copy()
             if (changes := engine.limit_changes) != self._limit_changes:
@@ -156,22 +155,15 @@ class Stepping(Views):
         if self._scene is None or SPRINGS in self._warned:
             return
         if (row := engine.lossy_springs) >= 0:
-            self._tell([too_long_for_springs(self._name_of(row), self.time, step)])
+            self._warned.tell([too_long_for_springs(self._name_of(row), self.time, step)])
 
     def _placed_by_hand(self) -> tuple[str, ...]:
         """Return the names of joints whose bodies were put elsewhere; tell those beyond limits."""
         placed = put_elsewhere(self._joints, self._left, self._engine)
         if placed:
             still = [joint for joint in placed if not self._joints.layout.is_pulled(joint)]
-            self._tell(held_beyond_limits(still, self._engine, self.time))
+            self._warned.tell(held_beyond_limits(still, self._engine, self.time))
         return tuple(joint.name for joint in placed)
-
-    def _tell(self, found: Iterable[Told], level: int = 4) -> None:
-        """Warn of what the step is too long for, each once; whoever called is so many calls up."""
-        for name, text in found:
-            if name not in self._warned:
-                self._warned[name] = text
-                warn(text, StepWarning, stacklevel=level)
 
     def _settle(self) -> None:
         """Give what was added its place, and see which loads vary on what is left."""
@@ -181,7 +173,7 @@ class Stepping(Views):
         if self._joints.new:
             self._joints.settle(self._engine)
             self._limit_changes = self._engine.limit_changes
-            self._tell(too_stiff_for_steps(self._joints, self._engine, self._time_step))
+            self._warned.tell(too_stiff_for_steps(self._joints, self._engine, self._time_step))
         self._varying = None
         if self._scene is not None:
             staying = sorted(self._staying, key=self._engine.rank.__getitem__)
@@ -190,8 +182,8 @@ class Stepping(Views):
             varying = VaryingLoads(scene, bodies, self._name_of, self._warned)
             self._varying = None if varying.empty else varying
             self._engine.put_loads_right(varying.put_right)
-        self._tell(too_long_for_gravity(self._engine, self._time_step))
-        self._tell(too_thin_for_corners(self._engine, self._name_of))
+        self._warned.tell(too_long_for_gravity(self._engine, self._time_step))
+        self._warned.tell(too_thin_for_corners(self._engine, self._name_of))
 
     def _settle_between(self) -> None:
         """Settle between steps: contacts are reported before removed bodies are forgotten."""
@@ -268,7 +260,7 @@ class Stepping(Views):
     @property
     def warnings(self) -> tuple[str, ...]:
         """What was warned of so far: all for which the step is too long, each once."""
-        return tuple(self._warned.values())
+        return tuple(self._warned.texts.values())
 
     def index(self, name: str) -> int:
         """Return the index of a body by its name; raise `InputError` if there is none."""

@@ -7,17 +7,17 @@ before all else and for half a step after it (DD55). Source: Verlet (1967), Stra
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
-from warnings import warn
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.engine import Engine
-from tamias2d.errors import SimulationError, StepWarning
+from tamias2d.errors import SimulationError
 from tamias2d.generated import quadratic_step, spring_step
 from tamias2d.motion.terms import Attraction, LawTerm
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_laws
+from tamias2d.simulator.warned import Warned
 from tamias2d.state import Array
 
 _MOST_ROUNDS = 20  # in which velocities and the forces that depend on them agree
@@ -43,12 +43,11 @@ class VaryingLoads:
         scene: Scene,
         bodies: Mapping[int, int],
         name_of: Callable[[int], str],
-        warned: dict[str, str],
+        warned: Warned,
     ) -> None:
         """Take the indices in the scene of bodies, by their rows, in canonical order.
 
-        So no sum depends on another order. `warned` has the warnings that there were so far, by
-        what is too fast for the step.
+        So no sum depends on another order. `warned` tells of forces that are too fast for the step.
         """
         indices = list(bodies.values())
         self._name_of = name_of
@@ -215,8 +214,7 @@ class VaryingLoads:
                     f"{time_step:.6g} s is longer than {shortest[k]:.3g} s, beyond which the "
                     f"motion of {name} gains energy (DD54). Give a shorter step."
                 )
-                self._warned[term.says] = text
-                warn(text, StepWarning, stacklevel=6)
+                self._warned.tell([(term.says, text)])
 
     def _loads(self, time: float, pose: Array, velocity: Array) -> list[Array]:
         return [self._load(term, time, pose, velocity) for term in self._terms]
