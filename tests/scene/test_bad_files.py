@@ -148,7 +148,7 @@ BAD = [
     ("stiffness: 5 N/m", "stiffness: 0 N/m", "28:41", "must be > 0"),
     ("stiffness: 5 N/m", "stiffness: 5 N", "28:41", "must be in"),
     ("stiffness: 5 N/m, ", "", "28:5", "'stiffness' is missing"),
-    ("{bodies: [crate, stone], s", "{between: [crate, stone], s", "28:6", "key 'between' of a spring"),
+    ("{bodies: [crate, stone], s", "{between: [crate, stone], s", "28:6", "key 'between' of"),
     ("  gravitational_constant: 3", "  3", "31:3", "Write 'gravitational_constant: value' lines"),
     ("  - {body: crate, point: [0 m, 9 m]", "  - 3 N/m  #", "29:5", "'bodies: value'"),
     ("stiffness: 5 N/m", "stifness: 5 N/m", "28:30", "did you mean 'stiffness'"),
