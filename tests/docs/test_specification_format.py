@@ -1,4 +1,4 @@
-"""The page on the format of srs/ names every kind, key and word, and its example is read and run."""
+"""The page on the format of srs/ names every kind, key and word; its example is read and run."""
 
 import json
 import re
