@@ -1,6 +1,7 @@
 """Formulas, schemes and links as the pages print them."""
 
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -50,6 +51,35 @@ def test_a_condition_is_an_equivalence(woven: object) -> None:
 def test_ids_and_books_in_text_become_links(woven: object) -> None:
     text = links.linked("see IM1, IM2 (newton1687) and (page 3)", woven)
     assert text == "see {srs}`IM1`, IM2 {cite}`newton1687` and (page 3)"
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("the impulse of {srs}`IM3`, twice ({srs}`A4`).", "the impulse of IM3, twice (A4)."),
+        ("see {doc}`the models\n  <srs/models>`, `x < y`", "see the models, `x < y`"),
+        ("{cite}`newton1687`", "newton1687"),
+    ],
+)
+def test_a_tooltip_has_no_roles(text: str, plain: str) -> None:
+    assert links.without_roles(text) == plain
+
+
+def test_the_tooltip_of_a_link_says_the_item_without_roles() -> None:
+    item = item_of("definition", "DD5", {"says": "the impulse of {srs}`IM3`."})
+    spec = SimpleNamespace(items={"DD5": item})
+    builder = SimpleNamespace(get_relative_uri=lambda _here, there: there)
+    env = SimpleNamespace(
+        app=SimpleNamespace(woven=SimpleNamespace(spec=spec), builder=builder), docname="here"
+    )
+    role = links.ItemRole()
+    role.text = "DD5"
+    role.inliner = SimpleNamespace(
+        document=SimpleNamespace(settings=SimpleNamespace(env=env)), reporter=None
+    )
+    (link,), faults = role.run()
+    assert not faults
+    assert link["reftitle"] == "A title. the impulse of IM3."
 
 
 def test_ids_are_sorted_by_kind_and_number() -> None:

@@ -76,6 +76,16 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
         lambda s: s.add_joint(t2.Equation("time - 1[s]"), "rod"),
         "holds no body",
     ),
+    "an equation of a third body that is not given": (
+        lambda s: s.add_joint(
+            t2.Equation("x(position_b) - x(position_c) - 1[m]"), (0, 0), "wheel", name="own"
+        ),
+        "joint 'own': its equation asks where body C is, and no third body is given",
+    ),
+    "an equation of an anchor of no third body": (
+        lambda s: s.add_joint(t2.Equation("x(point_a - point_c) - 1[m]"), "wheel"),
+        "asks where body C is, and no third body is given",
+    ),
     "an equation without derivative": (
         lambda s: s.add_joint(t2.Equation("abs(x(position_a)) - 0.5[m]"), "rod"),
         "abs has no derivative",
@@ -229,6 +239,12 @@ joints:
             "kind: equation\n    equation: x(position_a) - 1[s]",
             "6:15",
             "'1[s]' is a scalar in s",
+        ),
+        (
+            "kind: revolute",
+            "kind: equation\n    equation: x(position_a) - x(position_c)",
+            "6:15",
+            "asks where body C is, and no third body is given",
         ),
         (
             "    anchor",

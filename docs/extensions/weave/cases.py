@@ -28,7 +28,6 @@ _NAMES = {
     "published": "tables of 2018",
     "conserves": "laws of conservation",
     "reference": "scipy's solution",
-    "parallel": "independent program",
     "worlds": "many worlds",
     "refuses": "refusals",
     "pace": "time taken",

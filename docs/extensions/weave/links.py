@@ -34,6 +34,7 @@ _PREFIXES = [
 _ID = re.compile(r"(?<![\w`-])(?:GS|TM|GD|DD|IM|NFR|LC|UC|TC|O[A-Z]|[APRE])\d+[a-z]?(?![\w`])")
 
 
+_ROLE = re.compile(r"\{[a-z][\w:+-]*\}`([^`<]*?)(?:\s*<[^`]*>)?`")
 _KEY = re.compile(r"\(([a-z]+\d{4}[a-z]?)\)|^([a-z]+\d{4}[a-z]?)$")
 
 
@@ -50,10 +51,15 @@ class ItemRole(SphinxRole):
         page = item.file.removesuffix(".md")
         uri = self.env.app.builder.get_relative_uri(self.env.docname, page)
         options: dict[str, Any] = {"internal": True, "classes": ["srs-link", item.kind]}
-        title = f"{item.title}. {item.data.get('says', '')}".strip()
+        title = f"{item.title}. {without_roles(item.data.get('says', ''))}".strip()
         return [
             nodes.reference("", item.id, refuri=f"{uri}#{item.id}", reftitle=title, **options)
         ], []
+
+
+def without_roles(text: str) -> str:
+    """Text for where no link can stand: of each role, such as `` {srs}`IM3` ``, its words."""
+    return _ROLE.sub(lambda match: match[1], " ".join(text.split()))
 
 
 def linked(text: str, woven: Woven) -> str:

@@ -44,10 +44,13 @@ def mapping(
     raw: object, what: str, *, must: tuple[str, ...] = (), may: tuple[str, ...] | None = None
 ) -> dict[str, object]:
     """Return a mapping that has all keys it must have, and no others than it may have."""
+    known = (*must, *(may or ()))
     if not isinstance(raw, dict):
         found = "nothing" if raw in (None, "") else shown(raw)
-        raise RuleError(f"{what}: found {found}: must be a mapping (R2). Write 'key: value' lines.")
-    known = (*must, *(may or ()))
+        first = known[0] if known else "key"
+        raise RuleError(
+            f"{what}: found {found}: must be a mapping (R2). Write '{first}: value' lines."
+        )
     for key in raw if may is not None else ():
         if key not in known:
             raise RuleError(

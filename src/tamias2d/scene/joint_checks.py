@@ -198,8 +198,18 @@ def _with(joint: Joint, known: Mapping[str, float | Vector]) -> Joint:
 
 
 def _refuse_missing(joint: Joint, of: str) -> None:
-    """Refuse a joint whose equation asks for a third body that is not named as such."""
+    """Refuse a body that the equation does not ask for, and a body C that is not given.
+
+    Without a third body a gear or a pulley is seen from the plane, as their equations are meant; in
+    an equation of one's own a C that is not given is more likely forgotten.
+    """
     taken = joint.functions.bodies
+    if joint.equations and "c" in taken and joint.ends[2] is None:
+        raise RuleError(
+            f"{of}: its equation asks where body C is, and no third body is given (TM7). Give "
+            "'third', or let the equation do without C: a point of the plane is a number in it.",
+            "equations",
+        )
     for end, body in zip(ENDS, joint.ends, strict=True):
         if body is not None and end not in taken:
             raise RuleError(

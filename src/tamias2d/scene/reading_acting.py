@@ -11,6 +11,7 @@ from tamias2d.scene.scene import Scene
 _SPRING_MUST = ("stiffness", "rest_length")
 _SPRING_MAY = ("damping", "anchor", "other_anchor")
 _NAMES = ("bodies", "body")
+_SPRING_KEYS = (*_NAMES, "point", *_SPRING_MUST, *_SPRING_MAY)
 
 
 def add_acting(scene: Scene, top: Mapping[str, object]) -> None:
@@ -27,7 +28,7 @@ def add_acting(scene: Scene, top: Mapping[str, object]) -> None:
 
 
 def _add_spring(scene: Scene, raw: object) -> None:
-    spring = mapping(raw, "a spring")
+    spring = mapping(raw, "a spring", may=_SPRING_KEYS)
     between = "bodies" in spring
     if between == ("body" in spring):
         raise RuleError(

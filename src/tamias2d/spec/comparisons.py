@@ -22,7 +22,7 @@ def _comparison(*required: str, **keys: Any) -> dict[str, Any]:
 COMPARISONS = {
     "exact": _comparison("bodies", bodies=_MAPPING, reference=_NUMBER),
     "final": _comparison("bodies", bodies=_MAPPING),
-    "impacts": _comparison(count=WHOLE, times=_LIST, bodies=_LIST, impulses=_LIST),
+    "impacts": _comparison(count=WHOLE, times=_LIST, impulses=_LIST),
     "moments": _comparison("states", states=_LIST),
     "schemes": _comparison(
         "steps",
@@ -47,7 +47,6 @@ COMPARISONS = {
         momentum=_TREND, angular_momentum=_TREND, energy=_TREND, schemes=_MAPPING
     ),
     "reference": _comparison("scenes", scenes=_MAPPING),
-    "parallel": _comparison("scenes", scenes=_MAPPING),
     "worlds": _comparison(
         "vary",
         "worlds",

@@ -1,7 +1,7 @@
 """Reads srs/ into a checked specification.
 
-Serves: generator, docs, tests. Hides: the order of the checks. Faults of all chapters are
-collected and reported together, each as `file:line:column: code: message`.
+Serves: generator, docs, tests. Hides: the order of the checks. The faults that all chapters have
+in the first stage with any are reported together, each as `file:line:column: code: message`.
 """
 
 import keyword
