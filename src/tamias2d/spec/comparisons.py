@@ -66,5 +66,5 @@ COMPARISONS = {
         ("questions", "answers"), task=TEXT, questions=_LIST, answers=WHOLE, limit=TEXT
     ),
 }
-WITHOUT_RUN = ("reference", "parallel", "values", "refuses", "survey")
+WITHOUT_RUN = ("reference", "values", "refuses", "survey")
 """Comparisons that ask for no run of the case's scene; all others do, and for how long."""
