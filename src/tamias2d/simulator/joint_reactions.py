@@ -12,7 +12,7 @@ from tamias2d.read_only import read_only
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.springs import arm
 from tamias2d.simulator.joint_drives import drives_of, limits_reached
-from tamias2d.simulator.joint_rows import joint_rows
+from tamias2d.simulator.joint_rows import row_count
 from tamias2d.simulator.joint_separations import separations
 from tamias2d.simulator.told_only import REMEDIES
 from tamias2d.spec.constraint import ENDS
@@ -96,7 +96,7 @@ def reactions_of(
 
     It ended at a time, s, with bodies at poses and velocities (n, 3).
     """
-    owner = [k for k, joint in enumerate(joints) for _ in joint_rows(joint)]
+    owner = np.repeat(np.arange(len(joints)), [row_count(joint) for joint in joints])
     impulses = np.zeros((len(joints), len(ENDS), 3))
     of_rows = totals[:, : 3 * len(ENDS)].reshape(-1, len(ENDS), 3)
     np.add.at(impulses, owner, of_rows)

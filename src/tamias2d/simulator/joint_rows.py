@@ -35,6 +35,13 @@ def joint_rows(joint: Joint) -> list[JointRow]:
     return [*kept, *(row for each in joint.freedoms for row in _governed(joint, each))]
 
 
+def row_count(joint: Joint) -> int:
+    """Return how many of `joint_rows` a joint has."""
+    if joint.equations:
+        return len(joint.equations)
+    return joint.rigid + sum(1 for each in joint.freedoms for _ in laws_of(each))
+
+
 def _governed(joint: Joint, freedom: Freedom) -> Iterable[JointRow]:
     for law, at, numbers in laws_of(freedom):
         yield _row(joint.measured(freedom, at), law, numbers)
@@ -65,7 +72,7 @@ def rows_by_law(joints: Sequence[Joint]) -> Iterator[tuple[int, int, int, Freedo
     for k, joint in enumerate(joints):
         freedoms = () if joint.equations else joint.freedoms
         laws = [(freedom, *law) for freedom in freedoms for law in laws_of(freedom)]
-        r += len(joint.equations) if joint.equations else joint.rigid
+        r += row_count(joint) - len(laws)
         for freedom, law, value, _ in laws:
             yield r, k, law, freedom, value
             r += 1

@@ -322,6 +322,9 @@ def check_closed_form(item: Item, table: SymbolTable, report: Report) -> None:
         if name != "when" and (node := parsed(item, text, report, "closed_form", name)) is not None
     }
     for name, form in forms.items():
+        if name not in item.data.get("arguments", {}):
+            text = f"closed form of {name}: no function of it could be tested. Add its 'arguments'"
+            report(item.diagnostic(Code.BAD_KEY, text, "closed_form", name))
         rate = parsed(item, item.data.get("states", {}).get(name, "0"), report, "states", name)
         if rate is None:
             continue
