@@ -148,3 +148,18 @@ def test_order_five_at_impacts_within_equal_steps() -> None:
     )
     orders = np.log2(found[0] / found[-1]) / 4
     assert orders[:2] == pytest.approx([5, 5], abs=0.1), found
+
+
+def test_coarse_steps_of_bodies_that_act_on_each_other_go_on() -> None:
+    """Steps that end at the impact of one move the impact of another, which moves them back."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    for x, y in ((1.5, 0.0), (0.0, 1.5), (1.2, 1.2), (1.2, -1.2)):
+        for side in (-1.0, 1.0):
+            post = side * x, side * y
+            scene.add_static(t2.Disc(radius=0.4), position=post, restitution=1.0)
+    disc = t2.Disc(radius=0.2)
+    scene.add_body(disc, mass=1.0, position=(0.1, 0.2), velocity=(2.0, 1.3), restitution=1.0)
+    scene.add_body(disc, mass=1.0, position=(-0.4, 0.1), velocity=(-1.0, 0.3), restitution=1.0)
+    scene.add_spring(8, 9, stiffness=3.0, rest_length=0.6)
+    run = t2.simulate(scene, duration=8.0, method=t2.SemiImplicitEuler(), time_step=0.5)
+    assert run.times[-1] == 8.0

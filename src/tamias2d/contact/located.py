@@ -27,6 +27,8 @@ from tamias2d.scene import Scene
 from tamias2d.state import Array, State
 from tamias2d.work_limit import Work
 
+_REFINEMENTS = 8  # of an impact: of bodies that act on each other one may undo that of another
+
 
 class Located:
     """A scene in simulation: `go` to a time, then read `tracks` and `impacts`."""
@@ -64,6 +66,7 @@ class Located:
         self.single: list[SingleImpact] | None = []
         """All impacts, in order; None once bodies met at several points at once, or stayed."""
         self._refined: dict[PairOf, tuple[int, int]] = {}
+        self._refinements: dict[PairOf, int] = {}  # since the last event
         self._queue = EventQueue(len(self.cores))
         self._paths = BodyPaths(self.cores, scene.kept_apart)
         self._active = ActiveContacts(self.cores)
@@ -248,6 +251,7 @@ class Located:
         if event is None or self._refine(event, end):
             return
         time, i, j = event
+        self._refinements.clear()
         self._chattering.count_event(time, i, j)
         self.time = time
         self._resolve_instant(time, [i] if i == j else [i, j], end)
@@ -255,13 +259,15 @@ class Located:
     def _refine(self, event: Event, end: float) -> bool:
         """Set more accurate paths for an impact, if any; it is then found again on them."""
         time, i, j = event
-        if i == j or self._refined.get((i, j)) == self._queue.versions(i, j):
+        known = self._refined.get((i, j)) == self._queue.versions(i, j)
+        if i == j or known or self._refinements.get((i, j)) == _REFINEMENTS:
             return False
         paths = self._motion.approach((i, j), time, self._paths.path, self._active.constraints)
         for body, path in paths.items():
             self.tracks[body].pop()
             self._set_path(body, path)
         self._refined[i, j] = self._queue.versions(i, j)
+        self._refinements[i, j] = self._refinements.get((i, j), 0) + 1
         self._schedule_ends(paths, end)
         self._schedule_impacts(paths)
         return bool(paths)
