@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from tamias2d.record.history import Arrays
     from tamias2d.run_data import RunData
 
+_RECORDED = "Give a file that `tamias2d run --record` or `Run.save` has written."
+
 
 def save(run: RunData, path: str | Path) -> None:
     """Write a run as a recording to look at (`.rrd`) or as its exact history (`.npz`).
@@ -52,21 +54,19 @@ def load(path: str | Path) -> RunData:
 
 def stored(path: Path) -> tuple[Header, Arrays]:
     """Read the header and the arrays of a recording; raises as `load` does."""
-    kind = _kind(path)
+    kind = _kind(path, _RECORDED)
     refuse_missing(path, made_by="run.save(path)")
     found: tuple[Header, Arrays] = kind.read(path)
     return found
 
 
-def _kind(path: Path) -> Any:
+def _kind(path: Path, remedy: str = "Give the name one of these endings.") -> Any:
     if path.suffix == ".npz":
         return history
     if path.suffix == ".rrd":
         return rerun(path)
-    raise InputError(
-        f"{path_text(path)}: suffix {path.suffix!r}: a run is saved as .rrd or .npz (R5). "
-        "Give the name one of these endings."
-    )
+    found = "a directory" if path.is_dir() else f"suffix {path.suffix!r}"
+    raise InputError(f"{path_text(path)}: {found}: a run is saved as .rrd or .npz (R5). {remedy}")
 
 
 def rerun(path: Path) -> Any:
