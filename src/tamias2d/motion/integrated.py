@@ -12,9 +12,10 @@ from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.error_equation import ErrorEquation, Watch, rule_beside
 from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.halved import Halved, Halving
+from tamias2d.motion.integrator import Integrator
 from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import JointEvents, joint_events
-from tamias2d.motion.jointed_steps import Integrator, JointedSteps
+from tamias2d.motion.jointed_steps import JointedSteps
 from tamias2d.motion.law_resolution import UNRESOLVED, LawResolution, States
 from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
 from tamias2d.motion.marching import Marching, Rule

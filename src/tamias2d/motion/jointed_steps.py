@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Protocol
 
 import numpy as np
 
+from tamias2d.motion.integrator import Integrator
 from tamias2d.motion.joint_decision import begin
 from tamias2d.motion.joint_instant import Now
 from tamias2d.motion.joint_search import JointSearch
@@ -17,18 +17,6 @@ from tamias2d.motion.polynomial import DenseStep, moved_end
 from tamias2d.state import Array
 
 _REFINED = 6  # times that a step is taken anew to end at an event of a joint
-
-
-class Integrator(Protocol):
-    """A scheme, with its choice of steps."""
-
-    best_at_ends: bool
-    """Whether velocities between the ends of a step are worse than at them."""
-
-    def step(
-        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
-    ) -> DenseStep:
-        """Step coordinates and rates (n, 3) from `start` towards `limit`, s, and not past it."""
 
 
 class JointedSteps:

@@ -120,8 +120,9 @@ def solve_with_error(
     """Return the history of a scene, and the largest error (n, 3) of coordinates, m and rad.
 
     It is that of their path at any time, by the equation of the error, carried through impacts;
-    None where that says nothing. The scene has no joints. Arguments and errors are as of `solve`;
-    where nothing can meet also those that `watch` raises, with what they have cost: `StoppedError`.
+    None where that says nothing. No joint of the scene may switch. Arguments and errors are as of
+    `solve`; where nothing can meet also those that `watch` raises, with what they have cost:
+    `StoppedError`.
     """
     plan = planned(scene, duration, method, None, times, work_limit)
     motion = method.motion(in_pieces(scene), plan.duration, plan.duration)

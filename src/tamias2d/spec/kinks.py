@@ -76,13 +76,13 @@ def _is_positive(node: Node) -> bool:
         case Binary(operator="+"):
             left, right = node.left, node.right
             some = _is_positive(left) or _is_positive(right)
-            return some and _is_no_less(left) and _is_no_less(right)
+            return some and _is_nonnegative(left) and _is_nonnegative(right)
         case Binary(operator="*" | "/"):
             return _is_positive(node.left) and _is_positive(node.right)
     return False
 
 
-def _is_no_less(node: Node) -> bool:
+def _is_nonnegative(node: Node) -> bool:
     """Return whether an expression is surely not less than zero."""
     if _is_positive(node):
         return True
@@ -96,5 +96,5 @@ def _is_no_less(node: Node) -> bool:
         case Call():
             return node.function in ("abs", *_ROOTS)
         case Binary(operator="+" | "*" | "/"):
-            return _is_no_less(node.left) and _is_no_less(node.right)
+            return _is_nonnegative(node.left) and _is_nonnegative(node.right)
     return False
