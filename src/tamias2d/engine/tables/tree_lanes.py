@@ -1,0 +1,112 @@
+"""Equal trees of hinges, which are solved in the lanes of blocks."""
+
+from tamias2d.engine.tables.declarations import Columns
+from tamias2d.kernels.lanes import LANES
+
+tree_block_columns = Columns()  # of equal trees of hinges
+T_FIRST = tree_block_columns()  # row of what their roots hang on; those of nodes follow
+T_TIED = tree_block_columns()  # 1 if that is something
+T_SPRUNG = tree_block_columns()  # 1 if springs govern the angles of hinges
+T_WRITTEN = tree_block_columns()  # 1 if its hinges are those of the places and masses of its lanes
+T_MECHANISM = tree_block_columns(LANES)  # the tree of each lane, or -1
+
+block_lane_columns = Columns(LANES)  # of a block
+T_ACTIVE = block_lane_columns()  # 1 if it is being solved
+T_AGAIN = block_lane_columns()  # 1 if it is solved with the hinges of the end, as errors stay large
+T_BACK = block_lane_columns()  # 1 if its last solution is to be taken back
+T_EACH = block_lane_columns()  # 1
+T_SIZE = block_lane_columns()  # m^2/s^2, sum of squares of errors
+T_BEFORE = block_lane_columns()  # the same, before the last solution
+T_SIZE_FIRST = block_lane_columns()  # the same, as the substep is first looked at
+T_LARGEST = block_lane_columns()  # 1/s^2, as `solve_hinges` returns it
+T_SLIGHT = block_lane_columns()  # rad^2, how much turning is not looked at again
+
+tree_lane_columns = Columns(LANES)  # of a node of the trees of a block; else as those of hinges
+T_ANCHOR_X = tree_lane_columns()
+T_ANCHOR_Y = tree_lane_columns()
+T_FAR_ANCHOR_X = tree_lane_columns()
+T_FAR_ANCHOR_Y = tree_lane_columns()
+T_MASS = tree_lane_columns()  # kg, of the body
+T_INERTIA = tree_lane_columns()  # kg m^2, with which it counts in joints
+T_INVERSE_MASS = tree_lane_columns()
+T_HELD_INVERSE_INERTIA = tree_lane_columns()
+T_POSE_X = tree_lane_columns()  # as the part began
+T_POSE_Y = tree_lane_columns()
+T_POSE_ANGLE = tree_lane_columns()
+T_VX = tree_lane_columns()  # these six as `load_rows` writes them
+T_VY = tree_lane_columns()
+T_SPIN = tree_lane_columns()
+T_DX = tree_lane_columns()
+T_DY = tree_lane_columns()
+T_DANGLE = tree_lane_columns()
+T_START_X = tree_lane_columns()  # velocity as the substep began
+T_START_Y = tree_lane_columns()
+T_START_SPIN = tree_lane_columns()
+tree_lane_columns(5 * LANES)  # unused: `load_part` writes eight
+T_JOINT_ANGLE = tree_lane_columns()  # rad, at which a spring is at rest
+T_STIFFNESS = tree_lane_columns()  # N m/rad, of the spring; 0 if there is none
+T_DAMPING = tree_lane_columns()  # N m s
+T_LAW_SIDE = (
+    tree_lane_columns()
+)  # 1 if the body is B of the spring, -1 if it is A, 0 if there is none
+T_TURNING = tree_lane_columns()  # turning slope of the spring at the body
+T_FAR_TURNING = tree_lane_columns()  # the same at the body above
+T_FIRMNESS = tree_lane_columns()  # kg m^2, of the spring
+T_LAW_START = tree_lane_columns()  # rad, of the spring as a substep begins
+T_LAW_SHARE = tree_lane_columns()  # of a substep's way after which it answers
+T_LAW_ERROR = tree_lane_columns()  # rad/s, that it has not answered yet
+T_LAW_IMPULSE = tree_lane_columns()  # N m s, of the spring by the last solution
+T_LAW_GIVEN = tree_lane_columns()  # N m s, of the spring over this substep, less what was left
+T_LAW_LEFT = tree_lane_columns()  # N m s, that it has left to give
+T_X = tree_lane_columns()  # where the body is placed
+T_Y = tree_lane_columns()
+T_ANGLE = tree_lane_columns()
+T_COSINE = tree_lane_columns()
+T_SINE = tree_lane_columns()
+T_ARM_X = tree_lane_columns()
+T_ARM_Y = tree_lane_columns()
+T_FAR_ARM_X = tree_lane_columns()
+T_FAR_ARM_Y = tree_lane_columns()
+T_GAP_X = tree_lane_columns()
+T_GAP_Y = tree_lane_columns()
+T_AIM_X = tree_lane_columns()
+T_AIM_Y = tree_lane_columns()
+T_ERROR_X = tree_lane_columns()
+T_ERROR_Y = tree_lane_columns()
+T_NODE_XX = tree_lane_columns()
+T_NODE_YY = tree_lane_columns()
+T_NODE_XY = tree_lane_columns()
+T_NODE_MOMENT_X = tree_lane_columns()
+T_NODE_MOMENT_Y = tree_lane_columns()
+T_NODE_INERTIA = tree_lane_columns()
+T_MOMENT_X = tree_lane_columns()
+T_MOMENT_Y = tree_lane_columns()
+T_HUNG_XX = tree_lane_columns()
+T_HUNG_XY = tree_lane_columns()
+T_HUNG_YY = tree_lane_columns()
+T_LEVER_X = tree_lane_columns()
+T_LEVER_Y = tree_lane_columns()
+T_YIELD = tree_lane_columns()
+T_FIRM = tree_lane_columns()
+T_SHARE = tree_lane_columns()
+T_LAW = tree_lane_columns()
+T_OWED_X = tree_lane_columns()
+T_OWED_Y = tree_lane_columns()
+T_OWED_TURN = tree_lane_columns()
+T_PASSED_X = tree_lane_columns()  # what the node above gets of it
+T_PASSED_Y = tree_lane_columns()
+T_PASSED_TURN = tree_lane_columns()
+T_CHANGE_X = tree_lane_columns()
+T_CHANGE_Y = tree_lane_columns()
+T_CHANGE_SPIN = tree_lane_columns()
+T_IMPULSE_X = tree_lane_columns()
+T_IMPULSE_Y = tree_lane_columns()
+T_GIVEN_X = tree_lane_columns()
+T_GIVEN_Y = tree_lane_columns()
+T_PULL_X = tree_lane_columns()  # these from here on are sums over a part
+T_PULL_Y = tree_lane_columns()
+T_TURN = tree_lane_columns()
+T_FAR_TURN = tree_lane_columns()
+T_APART_X = tree_lane_columns()
+T_APART_Y = tree_lane_columns()
+T_LAW_PULL = tree_lane_columns()  # N m s, of the spring
