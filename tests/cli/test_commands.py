@@ -360,6 +360,19 @@ def test_a_failed_case_fails_the_command(call: Call, monkeypatch: pytest.MonkeyP
     assert "fail" in result.stdout
 
 
+def test_a_missing_extra_fails_no_case(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    result = call("verify", "OJ24")
+    assert result.exit_code == 0
+    assert result.stdout.endswith("0 failed, 1 not run: needs tamias2d[ensemble]\n")
+    said = call("trace", "OJ24")
+    assert " fail" not in said.stdout
+    assert (
+        "OJ24: not run: needs tamias2d[ensemble]. Install it, then `tamias2d verify OJ24` runs "
+        "them.\n" in said.stderr
+    )
+
+
 def test_trace_answers_every_item(call: Call) -> None:
     call("verify", "TC1")
     assert "`tamias2d verify` runs them" in call("trace", "TC1").stderr  # what it rests on
