@@ -89,7 +89,7 @@ def neighbourhood(id: str) -> Neighbourhood:
 
 
 def unrun(id: str) -> list[str]:
-    """Return the ids to give to `verify`, so that each case that an item's verdict needs was run."""
+    """Return the ids to give to `verify`, so that all cases of an item's verdict were run."""
     return Graph(items(), results.read()).unrun(id)
 
 
