@@ -28,7 +28,7 @@ def public_name(name: str, every: Iterable[Module]) -> str:
     if isinstance(value, ModuleType):
         return "\n".join(_module(name, trees[value.__name__]))
     if isinstance(value, type):
-        return _class(value, [(base, _declared(base, trees)) for base in _bases(value)])
+        return _class(value, [_declared(base, trees) for base in _bases(value)])
     return _function("function", _declared(inspect.unwrap(value), trees), {"module": "t2"})
 
 
@@ -49,16 +49,11 @@ def _declared(value: type | Callable[..., Any], trees: Mapping[str, ast.Module])
     return next(node for node in nodes if node.name == value.__name__)
 
 
-def _class(kind: type, bases: list[tuple[type, ast.ClassDef]]) -> str:
-    nodes = [node for _, node in bases]
+def _class(kind: type, nodes: list[ast.ClassDef]) -> str:
     fields = {
         ast.unparse(each[0].target): each for node in reversed(nodes) for each in _fields(node)
     }
-    methods: dict[str, Named] = {}
-    for node in nodes:
-        for method in public(node):
-            if ast.get_docstring(method):
-                methods.setdefault(method.name, method)
+    methods = _methods(nodes)
     made = None if issubclass(kind, Exception) else _init(nodes)
     body = [
         described(nodes[0]),
@@ -77,6 +72,16 @@ def _fields(node: ast.ClassDef) -> Iterator[_Field]:
     for field, after in zip(node.body, [*node.body[1:], None], strict=True):
         if isinstance(field, ast.AnnAssign) and not ast.unparse(field.target).startswith("_"):
             yield field, after
+
+
+def _methods(nodes: Iterable[ast.ClassDef]) -> dict[str, Named]:
+    """Methods and properties that say what they are; that of the nearest class counts."""
+    found: dict[str, Named] = {}
+    for node in nodes:
+        for method in public(node):
+            if ast.get_docstring(method):
+                found.setdefault(method.name, method)
+    return found
 
 
 def _init(nodes: Iterable[ast.ClassDef]) -> ast.FunctionDef | None:
