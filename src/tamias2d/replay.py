@@ -124,10 +124,11 @@ def replay(path: str | Path) -> None:
     """
     path = Path(path)
     files.stored(path)  # so that a damaged file is told here, not by an empty window
+    viewer = files.rerun(path, "the viewer", otherwise="check the file by `replay --check`")
     if path.suffix == ".rrd":
-        files.rerun(path).view(path, named=path)
+        viewer.view(path, named=path)
         return
     with tempfile.TemporaryDirectory(prefix="tamias2d-") as folder:
         shown = Path(folder, f"{path.stem}.rrd")
         files.save(files.load(path), shown)
-        files.rerun(path).view(shown, named=path)
+        viewer.view(shown, named=path)
