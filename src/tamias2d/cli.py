@@ -336,7 +336,11 @@ def replay(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A recording, .rrd or .npz.")],
     check: Annotated[
         bool,
-        typer.Option("--check", metavar="", help="Compute the run again and compare every bit."),
+        typer.Option(
+            "--check",
+            metavar="",
+            help="Compute the run again, and compare every bit of its numbers, not what is drawn.",
+        ),
     ] = False,
 ) -> None:
     """Open a recording in the viewer, or check that it can be computed again."""
