@@ -4,7 +4,7 @@ import sys
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import TextIO
 
 from tamias2d.errors import StepWarning
 
@@ -15,9 +15,16 @@ def as_lines() -> Iterator[None]:
     told: set[str] = set()
     as_ever = warnings.showwarning
 
-    def tell(message: Warning | str, category: type[Warning], *place: Any) -> None:
+    def tell(
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,
+        lineno: int,
+        file: TextIO | None = None,
+        line: str | None = None,
+    ) -> None:
         if not issubclass(category, StepWarning):
-            as_ever(message, category, *place)
+            as_ever(message, category, filename, lineno, file, line)
         elif str(message) not in told:
             told.add(str(message))
             print(message, file=sys.stderr)

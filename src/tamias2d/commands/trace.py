@@ -6,7 +6,6 @@ from typing import TypeAlias
 
 from tamias2d.commands.output import command, print_json, print_table, say
 from tamias2d.trace import (
-    NOT_RUN,
     Traced,
     exit_code,
     lacking,
@@ -15,6 +14,7 @@ from tamias2d.trace import (
     trace,
     unrun,
 )
+from tamias2d.verify import NOT_RUN
 
 _LISTED = 6  # cases in one row
 _Row: TypeAlias = tuple[str, str, str, str]
