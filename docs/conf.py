@@ -15,6 +15,9 @@ extensions = ["myst_parser", "sphinx_design", "sphinxcontrib.bibtex", "weave"]
 exclude_patterns = ["_static", "extensions"]
 source_suffix = {".md": "markdown"}
 nitpicky = True
+nitpick_ignore_regex = [("py:class", ".*")]  # types in signatures, not all of which are public
+python_maximum_signature_line_length = 84
+toc_object_entries = False  # each name has its heading
 primary_domain = None  # the Python domain would take the fence "property" for itself
 
 myst_enable_extensions = ["attrs_inline", "colon_fence", "deflist", "dollarmath"]

@@ -41,6 +41,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         ExplicitEuler as ExplicitEuler,
         ExponentialDrag as ExponentialDrag,
         JointError as JointError,
+        JointEvent as JointEvent,
         JointEvents as JointEvents,
         Legacy2018 as Legacy2018,
         Reactions as Reactions,
@@ -105,8 +106,8 @@ _HOMES = {
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
     "StepWarning TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag JointError "
-    "JointEvents Legacy2018 Reactions Reference RungeKutta4 SemiImplicitEuler StabilityError "
-    "StepSizeError Stepped VelocityVerlet Yoshida4",
+    "JointEvent JointEvents Legacy2018 Reactions Reference RungeKutta4 SemiImplicitEuler "
+    "StabilityError StepSizeError Stepped VelocityVerlet Yoshida4",
     "run": "Run",
     "run_data": "Impacts",
     "scene": "Body Box Capsule Chain Compound Disc Distance Equation Gear Groove HalfPlane "

@@ -23,10 +23,12 @@ class _Commands(TyperGroup):
     def invoke(self, ctx: Any) -> Any:
         """Run the command that was asked for; no fault of a user ends in a traceback."""
         from tamias2d.commands.output import flush
+        from tamias2d.commands.step_warnings import as_lines
 
         try:
             try:
-                return super().invoke(ctx)
+                with as_lines():
+                    return super().invoke(ctx)
             finally:
                 flush()
         except TamiasError as fault:
@@ -98,6 +100,20 @@ class Method(StrEnum):
     STEPPED = "stepped"
 
 
+def _method(text: str) -> Method:
+    """Read the name of a method as it is typed here, or as Python has it."""
+    from tamias2d.suggestions import nearest
+
+    names = {name.replace("-", ""): name for name in Method}
+    plain = text.lower().replace("-", "").replace("_", "").removesuffix("()")
+    if plain in names:
+        return names[plain]
+    near = nearest(text.partition("(")[0], Method)
+    hint = f"Did you mean {near}?" if near else "Choose one of them."
+    # a `ValueError`, as `InputError` is one, would be told by Typer without its text
+    raise TamiasError(f"--method: {text!r}: must be one of {', '.join(Method)} (R5). {hint}")
+
+
 _Scene = Annotated[
     str, typer.Argument(metavar="SCENE", help="A name of the catalogue, or a YAML file.")
 ]
@@ -151,6 +167,7 @@ def run(
         Method | None,
         typer.Option(
             metavar="METHOD",
+            parser=_method,
             help=f"{', '.join(Method)}; else closed-form where loads are constant.",
         ),
     ] = None,
@@ -203,7 +220,9 @@ def ensemble(
     worlds: _Worlds = None,
     seed: Annotated[int, typer.Option(min=0, help="Of what is drawn.")] = 0,
     duration: _Duration = None,
-    method: Annotated[Method | None, typer.Option(metavar="METHOD", help="As for `run`.")] = None,
+    method: Annotated[
+        Method | None, typer.Option(metavar="METHOD", parser=_method, help="As for `run`.")
+    ] = None,
     time_step: _TimeStep = None,
     tolerance: _Tolerance = None,
     out: _Out = None,
@@ -270,7 +289,9 @@ def explain(
     ] = False,
     method: Annotated[
         Method,
-        typer.Option(metavar="METHOD", help="The stepped method that the code is made for."),
+        typer.Option(
+            metavar="METHOD", parser=_method, help="The stepped method that the code is made for."
+        ),
     ] = Method.VELOCITY_VERLET,
     duration: _Duration = None,
     as_json: _Json = False,
@@ -315,7 +336,11 @@ def replay(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A recording, .rrd or .npz.")],
     check: Annotated[
         bool,
-        typer.Option("--check", metavar="", help="Compute the run again and compare every bit."),
+        typer.Option(
+            "--check",
+            metavar="",
+            help="Compute the run again, and compare every bit of its numbers, not what is drawn.",
+        ),
     ] = False,
 ) -> None:
     """Open a recording in the viewer, or check that it can be computed again."""

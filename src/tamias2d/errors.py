@@ -34,6 +34,14 @@ class RecordingError(TamiasError):
     """A recording cannot be written, read or recomputed."""
 
 
+class MissingExtraError(RecordingError):
+    """A library is missing that an extra of the package brings."""
+
+    def __init__(self, message: str, *, extra: str) -> None:
+        super().__init__(message)
+        self.extra = extra
+
+
 class StepWarning(UserWarning):
     """A time step is too long for what acts: the answer is not what it should be (DD54, IM10)."""
 

@@ -1,4 +1,4 @@
-"""Look at a recording, or compute it again and compare every bit."""
+"""Look at a recording, or compute it again and compare every bit of its numbers."""
 
 import tempfile
 from dataclasses import dataclass, fields
@@ -28,6 +28,7 @@ def check(path: str | Path) -> Check:
     """Compute a recorded run again, and compare every bit of its history and its certificate.
 
     Notes and versions cannot be computed; a digest covers them against chance, not against intent.
+    Nothing covers what an `.rrd` has for the viewer besides: drawings and texts made from these.
 
     Raises:
         InputError: the name is that of no recording.
@@ -42,7 +43,7 @@ def check(path: str | Path) -> Check:
         return Check(False, f"{path}: {fault}.", difference)
     says = (
         f"{path}: identical: {len(recorded.times)} samples and {len(recorded.impacts)} "
-        f"impacts of {len(recorded.scene.bodies)} bodies{_further(header)}."
+        f"impacts of {len(recorded.scene.bodies)} bodies{_further(header)}{_drawn(path)}."
     )
     return Check(True, says, None)
 
@@ -79,6 +80,11 @@ def _further(header: Header) -> str:
     if header.format == headers.UNCOVERED:
         said += f"; its notes and versions (format {header.format}) are covered by no digest"
     return said
+
+
+def _drawn(path: str | Path) -> str:
+    """Return what an `.rrd` holds besides the numbers: the viewer's drawing is not looked at."""
+    return "; what the viewer draws was not compared" if Path(path).suffix == ".rrd" else ""
 
 
 def _again(recorded: Run, *, where: str) -> Run:
@@ -124,10 +130,11 @@ def replay(path: str | Path) -> None:
     """
     path = Path(path)
     files.stored(path)  # so that a damaged file is told here, not by an empty window
+    viewer = files.rerun(path, "the viewer", otherwise="check the file by `replay --check`")
     if path.suffix == ".rrd":
-        files.rerun(path).view(path, named=path)
+        viewer.view(path, named=path)
         return
     with tempfile.TemporaryDirectory(prefix="tamias2d-") as folder:
         shown = Path(folder, f"{path.stem}.rrd")
         files.save(files.load(path), shown)
-        files.rerun(path).view(shown, named=path)
+        viewer.view(shown, named=path)

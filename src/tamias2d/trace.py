@@ -12,14 +12,12 @@ from tamias2d.errors import InputError
 from tamias2d.suggestions import suggests
 from tamias2d.verify import results
 from tamias2d.verify.items import Item, fingerprint, items, label_order, links, meant
-from tamias2d.verify.outcome import FAIL, MANUAL, PASS, Outcome
+from tamias2d.verify.outcome import FAIL, MANUAL, NOT_RUN, PASS, Outcome
 
 STALE = "stale"
 """The specification, or the scene, changed after the last result."""
 UNCOVERED = "uncovered"
 """No case checks the item."""
-NOT_RUN = "not run"
-"""A case checks the item, and has no result yet."""
 NONE = "none"
 """An item that nothing can verify: a change, an erratum."""
 WORST_FIRST = (FAIL, STALE, UNCOVERED, NOT_RUN, MANUAL, PASS, NONE)
@@ -91,8 +89,24 @@ def neighbourhood(id: str) -> Neighbourhood:
 
 
 def unrun(id: str) -> list[str]:
-    """Return the ids to give to `verify`, so that no case is left that an item's verdict needs."""
+    """Return the ids to give to `verify`, so that all cases of an item's verdict were run."""
     return Graph(items(), results.read()).unrun(id)
+
+
+def never_run() -> bool:
+    """Return whether some case was never run."""
+    judged = results.read()
+    return any(item["kind"] == "case" and id not in judged for id, item in items().items())
+
+
+def lacking() -> dict[str, str]:
+    """Return the cases that could not be run where `verify` was called, and what each needs."""
+    return {
+        id: outcome.note
+        for id, outcomes in results.read().items()
+        for outcome in outcomes
+        if outcome.verdict == NOT_RUN
+    }
 
 
 def exit_code(rows: Iterable[Traced]) -> int:
@@ -221,7 +235,7 @@ class Graph:
 
     def _open_cases(self, id: str) -> set[str]:
         cases = [id] if self.items[id]["kind"] == "case" else self.cases(id)
-        return {case for case in cases if self.verdict(case) == NOT_RUN}
+        return {case for case in cases if not self.outcomes.get(case)}
 
     def _rolled_up(self, item: Item) -> str:
         id, kind = item["id"], item["kind"]

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from importlib import metadata
 from pathlib import Path
 from typing import Any
+from warnings import warn
 
 import pytest
 from typer.testing import CliRunner, Result
@@ -17,7 +18,8 @@ from tamias2d import cli, motion
 from tamias2d.commands import run as run_command
 from tamias2d.commands.names import find_method
 from tamias2d.commands.output import followed
-from tamias2d.errors import RecordingError
+from tamias2d.commands.step_warnings import as_lines
+from tamias2d.errors import RecordingError, StepWarning
 from tamias2d.scene import catalogue, needs
 from tamias2d.simulate import simulate
 from tamias2d.solve import Interrupted
@@ -32,6 +34,13 @@ Call = Callable[..., Result]
 @pytest.fixture
 def call(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Call:
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path / "home"))
+    monkeypatch.delenv("TAMIAS2D_COMMAND", raising=False)
+    return lambda *words: CliRunner().invoke(cli.app, [str(word) for word in words])
+
+
+@pytest.fixture
+def call_warm(monkeypatch: pytest.MonkeyPatch) -> Call:
+    """With the compiled engine that the user has."""
     monkeypatch.delenv("TAMIAS2D_COMMAND", raising=False)
     return lambda *words: CliRunner().invoke(cli.app, [str(word) for word in words])
 
@@ -199,6 +208,55 @@ def test_a_damaged_scene_names_its_place(call: Call, tmp_path: Path) -> None:
     assert "pile.yaml:5:11: mass -1 kg of" in refused(call("run", file))
 
 
+@pytest.mark.parametrize("name", ["VelocityVerlet", "velocity_verlet", "VelocityVerlet()"])
+def test_a_method_may_be_typed_as_python_has_it(call: Call, name: str) -> None:
+    found = answer(call("run", "tc3", "--method", name, "--time-step", "0.1", "--json"))
+    assert found["method"] == "VelocityVerlet()"
+
+
+def test_a_method_with_its_options_is_told_its_name(call: Call) -> None:
+    said = refused(call("run", "tc3", "--method", "Dop853(rtol=1e-6)"))
+    assert said.startswith("--method: 'Dop853(rtol=1e-6)': must be one of closed-form, ")
+    assert said.endswith("Did you mean dop853?\n")
+
+
+def test_a_warning_is_one_line_and_told_once(capsys: pytest.CaptureFixture[str]) -> None:
+    with as_lines():
+        for text in ("a", "a", "b"):
+            warn(text, StepWarning, stacklevel=1)
+    assert capsys.readouterr().err == "a\nb\n"
+
+
+def test_a_run_tells_in_its_notes_what_was_warned_of(call_warm: Call) -> None:
+    result = call_warm("run", "card-house", "--duration", "100 ms")
+    assert result.stderr == ""
+    assert result.stdout.count("shorter step or more substeps") == 1
+
+
+LIFT = """\
+gravity: [0 m/s^2, -9.81 m/s^2]
+duration: 1 s
+bodies:
+  load: {shape: box, width: 1 m, height: 1 m, mass: 2 kg, position: [0 m, 2 m], restitution: 0}
+kinematics:
+  lift: {shape: box, width: 3 m, height: 20 cm, position: [0 m, 0 m], velocity: [0 m/s, 1 m/s]}
+statics:
+  zone: {shape: disc, radius: 1 m, position: [0 m, 1 m], sensor: true}
+"""
+
+
+def test_a_lift_moves_and_a_sensor_pushes_nothing(call_warm: Call, tmp_path: Path) -> None:
+    file = tmp_path / "lift.yaml"
+    file.write_text(LIFT)
+    text = call_warm("run", file).stdout
+    assert "1 s, 2 of 3 bodies move\n" in text
+    assert "\nlift " in text.partition("State at")[2].partition("Impacts")[0]
+    assert "zone" not in text.partition("Impacts")[2].partition("Met by sensors")[0]
+    found = answer(call_warm("run", file, "--json"))
+    assert all("zone" not in impact["bodies"] for impact in found["impacts"])
+    assert {"zone", "load"} in [set(met["bodies"]) for met in found["met_by_sensors"]]
+
+
 def test_methods_on_the_command_line_are_those_of_the_library() -> None:
     kinds = {type(find_method(method)) for method in cli.Method}
     public = {kind for kind in vars(motion).values() if isinstance(kind, type)}
@@ -358,6 +416,19 @@ def test_a_failed_case_fails_the_command(call: Call, monkeypatch: pytest.MonkeyP
     result = call("verify", "TC1")
     assert result.exit_code == 1
     assert "fail" in result.stdout
+
+
+def test_a_missing_extra_fails_no_case(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    result = call("verify", "OJ24")
+    assert result.exit_code == 0
+    assert result.stdout.endswith("0 failed, 1 not run: needs tamias2d[ensemble]\n")
+    said = call("trace", "OJ24")
+    assert " fail" not in said.stdout
+    assert (
+        "OJ24: not run: needs tamias2d[ensemble]. Install it, then `tamias2d verify OJ24` runs "
+        "them.\n" in said.stderr
+    )
 
 
 def test_trace_answers_every_item(call: Call) -> None:

@@ -11,6 +11,7 @@ import tamias2d
 weave = pytest.importorskip("weave.modules", reason="needs Sphinx")
 
 interface = pytest.importorskip("weave.interface")
+public_names = pytest.importorskip("weave.public_names")
 PACKAGE = Path(__file__).parents[2] / "src/tamias2d"
 EVERY = list(weave.modules(PACKAGE))
 
@@ -59,12 +60,43 @@ def test_the_interface_page_has_every_public_name_once() -> None:
 
 @pytest.mark.parametrize("name", sorted(tamias2d._HOME_OF))
 def test_a_public_name_is_declared_and_described(name: str) -> None:
-    text = "\n".join(interface.public_name(name, EVERY))
+    text = public_names.public_name(name, EVERY)
     assert name in text or name == "catalogue"
     assert len(text.splitlines()) > 3
 
 
-def test_members_of_a_base_are_shown_with_the_class() -> None:
-    text = "\n".join(interface.public_name("Simulator", EVERY))
-    assert "`step(" in text  # its own
-    assert "property velocity" in text  # of `Views`
+CLASSES = [name for name in tamias2d._HOME_OF if isinstance(getattr(tamias2d, name), type)]
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_every_member_of_a_class_has_an_entry(name: str) -> None:
+    kind = getattr(tamias2d, name)
+    entries = re.findall(r":::\{py:\w+\} (\w+)", public_names.public_name(name, EVERY))
+    foreign = {key for base in kind.__mro__ if base.__module__ == "builtins" for key in dir(base)}
+    members = {key for key in dir(kind) if not key.startswith("_")} - foreign - {"code"}
+    assert members <= set(entries)
+    assert len(entries) == len(set(entries))
+
+
+@pytest.mark.parametrize(
+    ("name", "head"),
+    [
+        ("Disc", "Disc(*, radius: float)"),
+        ("Dop853", "Dop853(rtol: float = 1e-10, atol: float | None = None, halved: bool = False)"),
+        ("Grid", "Grid(*values: Any)"),
+        ("JointEvent", "JointEvent(time: float, joint: Called, freedom: int, what: int,"),
+        ("Scene", "Scene(*, gravity: VectorLike, name: str='', says: str='', duration: float |"),
+        ("Simulator", "Simulator(scene: Scene, *, time_step: float=1 / 60, substeps: int=4,"),
+        ("StabilityError", "StabilityError\n"),
+    ],
+)
+def test_a_class_shows_what_it_is_made_with(name: str, head: str) -> None:
+    assert f"}} {head}" in public_names.public_name(name, EVERY)
+
+
+def test_members_of_bases_are_described_with_the_class() -> None:
+    run = public_names.public_name("Run", EVERY)
+    assert '{py:attribute} notes\n:type: "tuple[str, ...]"' in run  # of `RunData`
+    assert '{py:property} reactions\n:type: "Reactions"' in run
+    assert "{py:method} load(path: str | Path) -> Run\n:classmethod:" in run
+    assert "{py:property} velocity" in public_names.public_name("Simulator", EVERY)  # of `Views`

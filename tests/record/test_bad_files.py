@@ -256,3 +256,5 @@ def test_without_rerun(run: t2.Run, tmp_path: Path, missing: str) -> None:
     lines = done.stdout.splitlines()
     assert len(lines) == 2, done.stderr
     assert all('`pip install "tamias2d[record]"`' in line for line in lines)
+    assert lines[1].startswith(f"{tmp_path / 'run.npz'}: the viewer needs rerun")
+    assert "replay --check" in lines[1]

@@ -25,6 +25,7 @@ def test_an_honest_recording_is_identical(tmp_path: Path, suffix: str, name: str
     assert answer.identical
     assert answer.difference is None
     assert f"{path}: identical" in answer.says
+    assert answer.says.endswith("what the viewer draws was not compared.") == (suffix == ".rrd")
 
 
 def one_bit(array: np.ndarray[Any, Any], place: tuple[int, ...]) -> np.ndarray[Any, Any]:

@@ -48,8 +48,36 @@ def test_each_piece_of_a_body_has_its_outline() -> None:
     assert np.array([center for center, _ in look.discs]) == pytest.approx(ends)
     empty = drawing.look(sensor, view)
     assert [empty.discs, empty.bands, empty.areas] == [[], [], []]
-    _, spoke = empty.lines
+    *_, spoke = empty.lines
     assert spoke[1] == pytest.approx((1.5, 0.0), abs=2e-3)
+
+
+def test_a_sensor_has_dashes_and_no_solid_line() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_static(t2.Disc(radius=1.0), position=(0.0, 1.0), sensor=True)
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), sensor=True)
+    scene.add_kinematic(t2.Chain(vertices=[(0, 0), (4, 0)]), position=(0, 0), sensor=True)
+    view = drawing.View(center=(0.0, 0.0), half=(3.0, 2.0))
+    disc, edge, chain = (drawing.strokes(body, view) for body in scene.bodies)
+    assert np.hypot(*np.array(disc).reshape(-1, 2).T) == pytest.approx(1.0, rel=2e-3)
+    for dashes, whole in ((disc, 2 * math.pi), (edge, 6 * view.reach), (chain, 4.0)):
+        assert {dash.shape for dash in dashes} == {(2, 2)}
+        drawn = sum(float(np.hypot(*(end - start))) for start, end in dashes)
+        assert drawn == pytest.approx(whole / 2, rel=5e-3)
+        assert len(dashes) >= 8
+
+
+def test_a_line_that_is_solid_from_one_side_has_ticks_where_the_ground_is() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    for one_sided in (True, False):
+        scene.add_static(t2.Chain(vertices=[(4, 1), (0, 0), (-4, 1)], one_sided=one_sided))
+    view = drawing.View(center=(0.0, 0.0), half=(4.0, 3.0))
+    ground, line = (drawing.strokes(body, view) for body in scene.bodies)
+    assert len(line) == 1
+    assert len(ground) > 8
+    for foot, end in ground[1:]:
+        assert foot[1] == pytest.approx(abs(foot[0]) / 4)  # on the line
+        assert end[1] < abs(end[0]) / 4  # below it: one stands above
 
 
 def test_the_filling_covers_its_shape(run: t2.Run) -> None:

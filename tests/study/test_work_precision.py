@@ -163,6 +163,25 @@ def test_a_study_is_drawn_with_its_failures(studied: Study, tmp_path: Path) -> N
         plot(studied, tmp_path / "study.jpeg2000", tolerance=None)
 
 
+def test_an_engine_that_is_missing_is_named_and_has_no_point(
+    studied: Study, tmp_path: Path
+) -> None:
+    from matplotlib.figure import Figure
+
+    missing = tuple(
+        Point(method=p.method, setting=p.setting, peer=True, failure="is not installed")
+        if p.peer
+        else p
+        for p in studied.points
+    )
+    axes = Figure().subplots()
+    drawn._rim(axes, replace(studied, points=[p for p in missing if p.peer]), drawn._seconds)
+    assert len(axes.lines) == 0
+    path = tmp_path / "study.svg"
+    plot(replace(studied, points=missing), path, tolerance=None)
+    assert "<!-- Pymunk: nothing was measured -->" in path.read_text()
+
+
 @pytest.mark.parametrize(("low", "high", "labels"), [(2e-3, 2e-2, 3), (1e-9, 1.0, 5)])
 def test_labels_of_an_axis_are_a_few(low: float, high: float, labels: int) -> None:
     """Powers of ten, or twos and fives beside them; nothing else, which would overlap."""

@@ -1,6 +1,7 @@
 """The form of what the measurement of contacts finds; no time is looked at."""
 
 import json
+from pathlib import Path
 
 import pytest
 
@@ -38,6 +39,23 @@ def test_the_table_has_every_engine_on_every_scene(measured):
     assert all(cell in page for row in rows for cell in row)
     assert json.loads((folder / "contacts.json").read_text()) == found
     assert (folder / "contacts.png").stat().st_size > 10_000
+
+
+def test_a_body_that_went_through_another_has_no_depth_in_it():
+    row = {"seconds": 1e-3, "sag": 0.1, "penetration": 230.0, "speed_at_end": 67.0}
+    engines = {"Tamias2D": row | {"relative_penetration": 2.3e5}}
+    heads, (cells,) = table(
+        contacts, {"engines": {"cards": engines}, "scenes": {"cards": {}}, "peers": {}}
+    )
+    told = dict(zip(heads, cells, strict=True))
+    assert (told["overlap, m"], told["of radius"]) == ("through", "through")
+
+
+def test_the_table_of_the_docs_is_that_of_its_numbers():
+    folder = Path(__file__).parents[2] / "docs/measured"
+    _, rows = table(contacts, json.loads((folder / "contacts.json").read_text()))
+    page = (folder / "contacts.txt").read_text()
+    assert all(f"| {' | '.join(cells)} |" in page for cells in rows)
 
 
 def test_a_burst_in_one_turn_of_one_repetition_does_not_count():

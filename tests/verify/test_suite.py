@@ -1,8 +1,11 @@
 """Which cases are run for an id, and what becomes of an error."""
 
+import sys
+
 import pytest
 
 from tamias2d.errors import InputError, SpecError
+from tamias2d.trace import trace
 from tamias2d.verify import cases, results, suite, verify
 from tamias2d.verify.case import Case
 from tamias2d.verify.items import items
@@ -45,6 +48,15 @@ def test_an_error_is_a_failure_of_its_comparison(monkeypatch: pytest.MonkeyPatch
     outcomes = suite.judge(Case(items()["TC2"]))
     assert [outcome.verdict for outcome in outcomes] == ["fail", "pass", "pass"]
     assert "Mend it" in outcomes[0].note
+
+
+def test_a_comparison_whose_extra_is_missing_is_not_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    outcomes = [each for each in verify("OJ24") if each.quantity == "worlds"]
+    assert [(each.verdict, each.note) for each in outcomes] == [
+        ("not run", "needs tamias2d[ensemble]")
+    ]
+    assert trace("OJ24")[0].verdict == "not run"
 
 
 def test_every_comparison_is_used_by_some_case() -> None:

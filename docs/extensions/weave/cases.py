@@ -17,7 +17,7 @@ from weave.links import linked, rank
 from weave.markdown import bullets, code, display, fence, table
 from weave.woven import Woven
 
-NO_RESULTS = "No results on this machine: `tamias2d verify` makes them."
+NO_RESULTS = "No results yet: run `tamias2d verify`, then build these pages again."
 _STALE = "The case, or something that it uses, has changed since."
 _NAMES = {
     "exact": "whole history",

@@ -7,11 +7,12 @@ import hashlib
 from concurrent.futures import ProcessPoolExecutor
 from importlib.util import find_spec
 from pathlib import Path
+from warnings import catch_warnings, simplefilter
 
 from docutils import nodes
 from sphinx.application import Sphinx
 
-from tamias2d.errors import SimulationError
+from tamias2d.errors import SimulationError, StepWarning
 from tamias2d.run import Run
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
@@ -58,7 +59,9 @@ def _draw(name: str, folder: Path) -> None:
 
     scene = catalogue.load(name)
     try:
-        run = simulate(scene, duration=scene.duration or 1.0)
+        with catch_warnings():
+            simplefilter("ignore", StepWarning)  # a card shows what happens, not how well
+            run = simulate(scene, duration=scene.duration or 1.0)
     except SimulationError as refusal:  # up to there
         if not isinstance(refusal.run, Run):
             return

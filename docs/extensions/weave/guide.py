@@ -11,10 +11,11 @@ from docutils import nodes
 
 from tamias2d.spec.messages import Code
 from weave.chapter import WovenDirective
-from weave.interface import described, exported, public, public_name, reference
+from weave.interface import described, exported, public, reference
 from weave.links import module_anchor
 from weave.markdown import bullets, table
 from weave.modules import Module, guide, modules
+from weave.public_names import public_name
 
 
 class GuideDirective(WovenDirective):
@@ -36,7 +37,7 @@ class InterfaceDirective(WovenDirective):
     def _section(self, name: str, every: list[Module]) -> nodes.section:
         section = nodes.section(ids=[f"t2-{name}"], classes=["srs-module"])
         section += nodes.title("", "", nodes.literal("", f"t2.{name}"))
-        self.parse("\n".join(public_name(name, every)), section)
+        self.parse(public_name(name, every), section)
         return section
 
 

@@ -1,17 +1,15 @@
-"""Public names with signature and docstring, read from the syntax tree.
+"""Declarations with signature and docstring, read from the syntax tree.
 
-Serves: `{interface}`, `{internals}`. Hides: how declarations are laid out and docstrings
-become Markdown.
+Serves: `{internals}`, and the pieces of `{interface}`. Hides: how declarations are laid out and
+docstrings become Markdown.
 """
 
 import ast
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator
 from itertools import accumulate
 
-from tamias2d import _HOME_OF
 from weave.markdown import as_markdown, bullets, code
-from weave.modules import Module
 
 WIDTH = 84  # letters of code beside each other
 Named = ast.FunctionDef | ast.ClassDef
@@ -24,36 +22,6 @@ def reference(tree: ast.Module) -> Iterator[str]:
         yield described(node) + "\n"
         if isinstance(node, ast.ClassDef):
             yield bullets(_members(node))
-
-
-def public_name(name: str, every: Iterable[Module]) -> Iterator[str]:
-    """Declaration, docstring and members of a name of `tamias2d`, those of its bases too."""
-    home = f"tamias2d.{_HOME_OF[name]}"
-    inside = [module for module in every if f"{module.name}.".startswith(f"{home}.")]
-    for module in inside:
-        if module.name == f"{home}.{name}":  # a module is the name itself
-            yield f"{module.summary}\n"
-            yield from reference(module.tree)
-            return
-    known = {node.name: node for module in inside for node in _declared(module.tree)}
-    node = known[name]
-    yield code("python", signature(node))
-    yield described(node) + "\n"
-    if isinstance(node, ast.ClassDef):
-        classes = _with_bases(node, known)
-        yield bullets(dict.fromkeys(line for each in classes for line in _members(each)))
-
-
-def _with_bases(node: ast.ClassDef, known: Mapping[str, Named]) -> Iterator[ast.ClassDef]:
-    yield node
-    for base in node.bases:
-        found = known.get(ast.unparse(base))
-        if isinstance(found, ast.ClassDef):
-            yield from _with_bases(found, known)
-
-
-def _declared(tree: ast.Module) -> Iterator[Named]:
-    return (node for node in tree.body if isinstance(node, Named))
 
 
 def public(tree: ast.Module | ast.ClassDef) -> Iterator[Named]:
@@ -75,8 +43,8 @@ def signature(node: Named) -> str:
     if isinstance(node, ast.ClassDef):
         bases = ", ".join(map(ast.unparse, node.bases))
         return f"class {node.name}({bases})" if bases else f"class {node.name}"
-    args = _Bare().visit(node.args)
-    returns = f" -> {ast.unparse(node.returns)}" if node.returns else ""
+    args = Bare().visit(node.args)
+    returns = f" -> {ast.unparse(unquoted(node.returns))}" if node.returns else ""
     flat = f"{node.name}({ast.unparse(args)}){returns}"
     if len(flat) <= WIDTH:
         return flat
@@ -84,12 +52,23 @@ def signature(node: Named) -> str:
     return f"{node.name}(\n    {arguments},\n){returns}"
 
 
-class _Bare(ast.NodeTransformer):
-    """Leaves of `Annotated[type, ...]` the type."""
+class Bare(ast.NodeTransformer):
+    """Leaves of `Annotated[type, ...]` the type, and takes quotes from types."""
+
+    def visit_arg(self, node: ast.arg) -> ast.AST:
+        node.annotation = node.annotation and unquoted(node.annotation)
+        return self.generic_visit(node)
 
     def visit_Subscript(self, node: ast.Subscript) -> ast.AST:
         annotated = ast.unparse(node.value) == "Annotated" and isinstance(node.slice, ast.Tuple)
         return node.slice.elts[0] if annotated else node
+
+
+def unquoted(annotation: ast.expr) -> ast.expr:
+    """A type without the quotes that let it stand before its declaration."""
+    if isinstance(annotation, ast.Constant) and isinstance(annotation.value, str):
+        return ast.parse(annotation.value, mode="eval").body
+    return annotation
 
 
 def _arguments(args: ast.arguments) -> Iterator[str]:
@@ -124,7 +103,8 @@ def _members(node: ast.ClassDef) -> Iterator[str]:
     """Fields, properties and methods, each with what it says."""
     for field, after in zip(node.body, [*node.body[1:], None], strict=True):
         if isinstance(field, ast.AnnAssign) and not ast.unparse(field.target).startswith("_"):
-            yield f"`{ast.unparse(field)}`{_field_text(after)}"
+            text = said(after)
+            yield f"`{ast.unparse(field)}`" + (f": {text}" if text else "")
     for inner in public(node):
         if ast.get_docstring(inner):
             kind = "property " if _is_property(inner) else ""
@@ -132,9 +112,10 @@ def _members(node: ast.ClassDef) -> Iterator[str]:
             yield f"`{kind}{' '.join(signature(inner).split())}` \\\n  {text}"
 
 
-def _field_text(after: ast.stmt | None) -> str:
-    said = isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant)
-    return f": {as_markdown(' '.join(str(after.value.value).split()))}" if said else ""
+def said(after: ast.stmt | None) -> str:
+    """What the statement after a field says of it; nothing if it is no text."""
+    told = isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant)
+    return as_markdown(" ".join(str(after.value.value).split())) if told else ""
 
 
 def _is_property(node: Named) -> bool:

@@ -16,8 +16,8 @@ from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.reader import read
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.tex import tex
-from tamias2d.trace import NOT_RUN, Traced, trace
-from tamias2d.verify import Outcome, results
+from tamias2d.trace import Traced, trace
+from tamias2d.verify import NOT_RUN, Outcome, results
 
 
 @dataclass

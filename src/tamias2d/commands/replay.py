@@ -1,4 +1,4 @@
-"""`tamias2d replay`: look at a recording, or compute it again and compare every bit."""
+"""`tamias2d replay`: look at a recording, or compute it again and compare its numbers."""
 
 from pathlib import Path
 

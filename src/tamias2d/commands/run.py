@@ -10,9 +10,11 @@ from typing import Any
 from tamias2d.commands.exact import KnownError, known_errors
 from tamias2d.commands.names import find_method, find_scene, share, span_of, step_for
 from tamias2d.commands.output import command, error_text, figure, pair, print_json, print_table, say
+from tamias2d.commands.step_warnings import untold
 from tamias2d.errors import InputError, SimulationError, TamiasError
 from tamias2d.record.files import refuse_file
 from tamias2d.run import Run
+from tamias2d.scene import Body
 from tamias2d.simulate import simulate
 from tamias2d.solve import Interrupted
 
@@ -72,22 +74,24 @@ def run_scene(
     chosen = None if method is None else find_method(method)
     step = step_for(chosen, time_step)
     try:
-        run = simulate(
-            scene,
-            duration=span_of(scene, name, duration),
-            method=chosen,
-            time_step=step,
-            tolerance=share(tolerance, option="--tolerance"),
-            quality=share(quality, option="--quality"),
-            progress=sys.stderr.isatty(),
-        )
+        with untold():
+            run = simulate(
+                scene,
+                duration=span_of(scene, name, duration),
+                method=chosen,
+                time_step=step,
+                tolerance=share(tolerance, option="--tolerance"),
+                quality=share(quality, option="--quality"),
+                progress=sys.stderr.isatty(),
+            )
     except (SimulationError, Interrupted) as stop:
         _keep(getattr(stop, "run", None), files)
         raise
     if certified and run.certificate is None:
         from tamias2d.study.certify import certify
 
-        run = certify(run)
+        with untold():
+            run = certify(run)
     errors = known_errors(run, name)
     try:
         if as_json:
@@ -114,8 +118,8 @@ def _keep(run: Run | None, files: _Files) -> None:
 
 
 def _print(run: Run, name: str, errors: list[KnownError]) -> None:
-    count = sum(body.dynamic for body in run.scene.bodies)
-    say(f"{name}: {figure(run.duration)} s, {count} of {len(run.scene.bodies)} bodies can move")
+    count = sum(map(_moves, run.scene.bodies))
+    say(f"{name}: {figure(run.duration)} s, {count} of {len(run.scene.bodies)} bodies move")
     for note in run.notes:
         say(f"  {note}")
     shown = "" if count <= _BODIES else f", the first {_BODIES} bodies (--json has all)"
@@ -150,21 +154,34 @@ def _print_files(files: _Files) -> None:
 
 
 def _print_impacts(run: Run) -> None:
-    count = len(run.impacts)
+    pushed, sensed = _impacts(run)
+    count = len(pushed)
     say(f"\nImpacts: {count}" + (f", the first {_SHOWN}:" if count > _SHOWN else ""))
     if count:
         print_table(
             ("time, s", "bodies", "impulse, N s", "point, m"),
             (
-                (
-                    figure(impact["time"]),
-                    " and ".join(impact["bodies"]),
-                    figure(impact["impulse"]),
-                    pair(_seen(run, k)),
-                )
-                for k, impact in enumerate(_impacts(run)[:_SHOWN])
+                (*_met(run, k), figure(float(run.impacts.impulse[k])), pair(_seen(run, k)))
+                for k in pushed[:_SHOWN]
             ),
         )
+    if sensed:
+        more = f", the first {_SHOWN}" if len(sensed) > _SHOWN else ""
+        say(f"\nMet by sensors: {len(sensed)}{more}:")
+        print_table(("time, s", "bodies"), (_met(run, k) for k in sensed[:_SHOWN]))
+
+
+def _impacts(run: Run) -> tuple[list[int], list[int]]:
+    """Return the impacts that pushed, and those at which a sensor met a body."""
+    bodies = run.scene.bodies
+    sensing = [any(bodies[i].sensor for i in two) for two in run.impacts.bodies]
+    places = range(len(sensing))
+    return [k for k in places if not sensing[k]], [k for k in places if sensing[k]]
+
+
+def _met(run: Run, k: int) -> tuple[str, str]:
+    names = " and ".join(run.scene.bodies[i].name for i in run.impacts.bodies[k])
+    return figure(float(run.impacts.time[k])), names
 
 
 def _print_joint_events(run: Run) -> None:
@@ -199,6 +216,7 @@ def _print_errors(errors: list[KnownError]) -> None:
 
 
 def _as_json(run: Run, name: str, errors: list[KnownError], files: _Files) -> dict[str, Any]:
+    pushed, sensed = _impacts(run)
     return {
         "scene": name,
         "method": str(run.method),
@@ -212,7 +230,8 @@ def _as_json(run: Run, name: str, errors: list[KnownError], files: _Files) -> di
             "momentum": run.momentum[-1].tolist(),
             "angular_momentum": float(run.angular_momentum[-1]),
         },
-        "impacts": _impacts(run),
+        "impacts": [_impact(run, k) for k in pushed],
+        "met_by_sensors": [_impact(run, k) for k in sensed],
         "joint_events": _joint_events(run),
         "errors": [e.as_json() for e in errors],
         "certificate": None if run.certificate is None else run.certificate.as_json(),
@@ -232,8 +251,12 @@ def _final(run: Run) -> list[dict[str, Any]]:
             "angular_velocity": float(run.angular_velocity[-1, i]),
         }
         for i, body in enumerate(run.scene.bodies)
-        if body.dynamic
+        if _moves(body)
     ]
+
+
+def _moves(body: Body) -> bool:
+    return body.dynamic or body.kinematic
 
 
 def _joint_events(run: Run) -> list[dict[str, Any]]:
@@ -245,17 +268,13 @@ def _joint_events(run: Run) -> list[dict[str, Any]]:
     ]
 
 
-def _impacts(run: Run) -> list[dict[str, Any]]:
-    names = [body.name for body in run.scene.bodies]
-    all_of = run.impacts
-    return [
-        {
-            "time": float(all_of.time[k]),
-            "bodies": [names[i] for i in all_of.bodies[k]],
-            "point": all_of.point[k].tolist(),
-            "normal": all_of.normal[k].tolist(),
-            "impulse": float(all_of.impulse[k]),
-            "normal_velocity": float(all_of.normal_velocity[k]),
-        }
-        for k in range(len(all_of))
-    ]
+def _impact(run: Run, k: int) -> dict[str, Any]:
+    impacts = run.impacts
+    return {
+        "time": float(impacts.time[k]),
+        "bodies": [run.scene.bodies[i].name for i in impacts.bodies[k]],
+        "point": impacts.point[k].tolist(),
+        "normal": impacts.normal[k].tolist(),
+        "impulse": float(impacts.impulse[k]),
+        "normal_velocity": float(impacts.normal_velocity[k]),
+    }

@@ -5,7 +5,16 @@ from collections.abc import Iterable, Iterator
 from typing import TypeAlias
 
 from tamias2d.commands.output import command, print_json, print_table, say
-from tamias2d.trace import NOT_RUN, Traced, exit_code, neighbourhood, trace, unrun
+from tamias2d.trace import (
+    Traced,
+    exit_code,
+    lacking,
+    neighbourhood,
+    never_run,
+    trace,
+    unrun,
+)
+from tamias2d.verify import NOT_RUN
 
 _LISTED = 6  # cases in one row
 _Row: TypeAlias = tuple[str, str, str, str]
@@ -21,8 +30,18 @@ def trace_items(id: str | None, *, as_json: bool) -> int:
     else:
         _print_around(id)
     if any(item.verdict == NOT_RUN for item in items):
-        print(_hint(unrun(id) if id else []), file=sys.stderr)
+        for hint in _hints(id):
+            print(hint, file=sys.stderr)
     return exit_code(items)
+
+
+def _hints(id: str | None) -> Iterator[str]:
+    if waiting := lacking():
+        call = " ".join((command(), "verify", *waiting))
+        needs = " and ".join(dict.fromkeys(waiting.values()))
+        yield f"{', '.join(waiting)}: not run: {needs}. Install it, then `{call}` runs them."
+    if never_run():
+        yield _hint(unrun(id) if id else [])
 
 
 def _hint(unrun: list[str]) -> str:

@@ -10,6 +10,7 @@ from tamias2d.commands.contact_tradeoff import print_contacts
 from tamias2d.commands.failures import print_failures
 from tamias2d.commands.names import find_scene, seconds
 from tamias2d.commands.output import error_text, figure, print_json, print_table, say
+from tamias2d.commands.step_warnings import untold
 from tamias2d.errors import InputError
 from tamias2d.scene import Scene
 from tamias2d.study.contact_study import ContactStudy, contact_study
@@ -74,7 +75,7 @@ def show_tradeoff(
 def _studied(scene: Scene, time: float, phases: int) -> Study | ContactStudy:
     """Return the study that suits a scene: of located impacts, or of stepped contacts."""
     try:
-        with _progress() as told:
+        with _progress() as told, untold():
             if reason := stepped_because(scene, time):
                 return contact_study(
                     scene, duration=time, reason=reason, phases_asked=phases, told=told

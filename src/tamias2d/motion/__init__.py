@@ -5,7 +5,7 @@ derivatives. Hides: how that path is found (closed form, a scheme, scipy).
 """
 
 from tamias2d.motion.adaptive import StepSizeError
-from tamias2d.motion.joint_events import JointEvents, joint_events
+from tamias2d.motion.joint_events import JointEvent, JointEvents, joint_events
 from tamias2d.motion.legacy import Legacy2018
 from tamias2d.motion.mechanism import JointError
 from tamias2d.motion.method import Method
@@ -37,6 +37,7 @@ __all__ = [
     "ExplicitEuler",
     "ExponentialDrag",
     "JointError",
+    "JointEvent",
     "JointEvents",
     "Legacy2018",
     "Method",

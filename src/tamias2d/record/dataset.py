@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from tamias2d.errors import RecordingError
+from tamias2d.errors import MissingExtraError
 
 if TYPE_CHECKING:
     from tamias2d.run_data import RunData
@@ -47,14 +47,15 @@ def extra() -> Iterator[None]:
     """Import a library of the extra `ensemble` within this.
 
     Raises:
-        RecordingError: it is not installed.
+        MissingExtraError: it is not installed.
     """
     try:
         yield
     except ImportError as fault:
-        raise RecordingError(
+        raise MissingExtraError(
             f"{fault.name}: is needed for labelled arrays, and not installed ({fault}). "
-            'Install it by `pip install "tamias2d[ensemble]"`.'
+            'Install it by `pip install "tamias2d[ensemble]"`.',
+            extra="ensemble",
         ) from fault
 
 

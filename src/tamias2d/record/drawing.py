@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tamias2d.record.line_marks import dashes, ticks
 from tamias2d.scene import Box, Capsule, Chain, Disc, HalfPlane, pieces_of
 
 if TYPE_CHECKING:
@@ -60,13 +61,25 @@ def colours(run: RunData) -> list[Colour]:
 
 
 def strokes(body: Body, view: View) -> list[Points]:
-    """All lines of a body in its own frame, each (v, 2), in metres."""
+    """All lines of a body in its own frame, each (v, 2), in metres.
+
+    A sensor has dashes, for nothing is solid there; a chain that is solid from one side has ticks
+    where the ground is.
+    """
     if body.shape is None:  # a particle: a cross that can be seen in the view
         arm = 0.01 * view.reach
         return [np.array([(-arm, 0.0), (arm, 0.0)]), np.array([(0.0, -arm), (0.0, arm)])]
+    mark = view.reach / HATCHES
     if isinstance(body.shape, HalfPlane):
-        return _ground(body, body.shape, view)
-    return outlines(body) if body.static else [*outlines(body), _spoke(body)]
+        edge, *hatches = _ground(body, body.shape, view)
+        return dashes(edge, mark) if body.sensor else [edge, *hatches]
+    lines = outlines(body)
+    if body.sensor:
+        lines = [dash for line in lines for dash in dashes(line, mark / 2)]
+    if isinstance(body.shape, Chain):
+        one_sided = body.shape.one_sided and not body.sensor
+        return [*lines, *(ticks(lines[0], mark / 2) if one_sided else ())]
+    return lines if body.static else [*lines, _spoke(body)]
 
 
 def outlines(body: Body) -> list[Points]:

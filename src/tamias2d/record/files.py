@@ -6,7 +6,7 @@ import importlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tamias2d.errors import InputError, RecordingError, path_text
+from tamias2d.errors import InputError, MissingExtraError, RecordingError, path_text
 from tamias2d.record import header as headers, history
 from tamias2d.recording_file import checked_path, refuse_missing, refuse_place
 
@@ -69,16 +69,18 @@ def _kind(path: Path, remedy: str = "Give the name one of these endings.") -> An
     raise InputError(f"{path_text(path)}: {found}: a run is saved as .rrd or .npz (R5). {remedy}")
 
 
-def rerun(path: Path) -> Any:
+def rerun(path: Path, wants: str = ".rrd", *, otherwise: str = "save as .npz") -> Any:
     """Load the one way to rerun: an extra, large and slow to import.
 
     Raises:
-        RecordingError: it is not installed; `path` is what it was wanted for.
+        MissingExtraError: it is not installed; `path` is the user's file, `wants` what of it needs
+            rerun, and `otherwise` what to do without.
     """
     try:
         return importlib.import_module("tamias2d.record.rerun")
     except ImportError as fault:
-        raise RecordingError(
-            f"{path}: .rrd needs rerun, which is not installed ({fault}). "
-            'Install it by `pip install "tamias2d[record]"`, or save as .npz.'
+        raise MissingExtraError(
+            f"{path}: {wants} needs rerun, which is not installed ({fault}). "
+            f'Install it by `pip install "tamias2d[record]"`, or {otherwise}.',
+            extra="record",
         ) from fault

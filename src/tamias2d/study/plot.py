@@ -1,16 +1,15 @@
 """A picture of a study: error against cost, in seconds and in force evaluations.
 
-Each method is a line and the front is marked. Other engines are grey; candidates that failed, or
-whose error is off the scale, are crosses on the rim. Only this module of `study` draws.
+Each method is a line and the front is marked. Other engines are grey; candidates whose error is
+off the scale are crosses on the rim, and methods of which nothing was measured stand in the legend.
+Only this module of `study` draws.
 """
 
 import io
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 from tamias2d.record.plot import figure_for
 from tamias2d.storage import write_aside
@@ -76,7 +75,7 @@ def _draw_study(figure: Any, study: Study, tolerance: float | None) -> None:
         _limits(axes, study, tolerance)
     _rim(left, study, _seconds)
     _mark(left, right)
-    _texts(figure, left, study)
+    _texts(figure, (left, right), study)
 
 
 def _draw_contacts(figure: Any, study: ContactStudy, tolerance: float | None) -> None:
@@ -118,8 +117,28 @@ def _draw_contacts(figure: Any, study: ContactStudy, tolerance: float | None) ->
     if tolerance is not None:
         left.axvline(tolerance, color="black", linewidth=1.2, linestyle="--")
     figure.suptitle(f"{study.scene}, {study.duration:g} s: what accuracy costs", fontsize="x-large")
-    handles, labels = left.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside right upper", frameon=False, fontsize="small")
+    measured = {point.method for point in study.points if point.error and cost(point) is not None}
+    _legend(figure, (left,), _others(study.points, measured))
+
+
+def _others(points: Sequence[Point | ContactPoint], measured: set[str]) -> list[str]:
+    """Return the methods of which nothing was measured."""
+    return [each for each in dict.fromkeys(p.method for p in points) if each not in measured]
+
+
+def _legend(figure: Any, every: Iterable[Any], others: list[str]) -> None:
+    """Name what is drawn, and what cannot be."""
+    from matplotlib.lines import Line2D
+
+    named: dict[str, Any] = {}
+    for axes in every:
+        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+            named.setdefault(label, handle)
+    for method in others:
+        named[f"{method}: nothing was measured"] = Line2D([], [], linestyle="none")
+    figure.legend(
+        named.values(), named.keys(), loc="outside right upper", frameon=False, fontsize="small"
+    )
 
 
 def _median(point: ContactPoint) -> float | None:
@@ -201,6 +220,8 @@ def _evaluations(point: Point) -> float | None:
 def _draw(axes: Any, study: Study, cost: CostOf, front: list[int], label: str) -> None:
     for method in dict.fromkeys(point.method for point in study.points):
         own = [point for point in study.points if point.method == method and _placed(point, cost)]
+        if not own:
+            continue
         peer = any(point.peer for point in own)
         axes.plot(
             [_error(point, study) for point in own],
@@ -212,7 +233,7 @@ def _draw(axes: Any, study: Study, cost: CostOf, front: list[int], label: str) -
             zorder=1 if peer else 2,
             label=method,
         )
-        if study.phases > 1 and own:
+        if study.phases > 1:
             _spread(axes, own, study, cost, _COLOURS.get(method, _GREY))
     chosen = [point for k in front if _placed(point := study.points[k], cost)]
     _front(axes, [_error(point, study) for point in chosen], [cost(point) for point in chosen])
@@ -270,36 +291,30 @@ def _mark(*every: Any) -> None:
 
 
 def _rim(axes: Any, study: Study, cost: CostOf) -> None:
-    """Put what has no error, or none that says anything, on the right rim."""
-    low, high = axes.get_ylim()
-    lost = [point for point in study.points if not point.valid]
-    unknown = iter(np.geomspace(low, high, len(lost) + 2)[1:-1])
-    for point in lost:
-        where = next(unknown)
-        value = cost(point)
-        height = where if value is None or not low <= value <= high else value
-        axes.plot(
-            2.2,
-            height,
-            marker="x",
-            markersize=7,
-            markeredgewidth=1.6,
-            color=_GREY if point.peer else _COLOURS.get(point.method, _GREY),
-            clip_on=False,
-            zorder=4,
-        )
-    axes.set_ylim(low, high)
+    """Put on the right rim what has a cost, and an error that says nothing."""
+    for point in study.points:
+        if not point.valid and (value := cost(point)) is not None:
+            axes.plot(
+                2.2,
+                value,
+                marker="x",
+                markersize=7,
+                markeredgewidth=1.6,
+                color=_GREY if point.peer else _COLOURS.get(point.method, _GREY),
+                clip_on=False,
+                zorder=4,
+            )
 
 
-def _texts(figure: Any, axes: Any, study: Study) -> None:
+def _texts(figure: Any, every: Iterable[Any], study: Study) -> None:
     over = f"median of {study.phases} phases, bars to the worst" if study.phases > 1 else "one run"
     measure = "positions, times and states of impacts" if study.impacts else "positions"
     figure.suptitle(f"{study.scene}, {study.duration:g} s: what accuracy costs", fontsize="x-large")
     figure.supxlabel(
         f"relative error of {measure}: {over}, against {study.truth}\n"
         f"grey, below {study.floor:.0e}: the truth is not known so well; "
-        "crosses: refused, failed, or wrong by more than the whole motion",
+        "crosses: wrong by more than the whole motion",
         fontsize="medium",
     )
-    handles, labels = axes.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside right upper", frameon=False, fontsize="small")
+    measured = {point.method for point in study.points if point.cost or point.seconds}
+    _legend(figure, every, _others(study.points, measured))

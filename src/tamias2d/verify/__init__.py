@@ -4,7 +4,7 @@ Serves: `verify`, which gives an outcome for every comparison of every case. Hid
 one small module each. No exact answer comes from the code that it judges.
 """
 
-from tamias2d.verify.outcome import FAIL, MANUAL, PASS, Outcome
+from tamias2d.verify.outcome import FAIL, MANUAL, NOT_RUN, PASS, Outcome
 from tamias2d.verify.suite import cases, verify
 
-__all__ = ["FAIL", "MANUAL", "PASS", "Outcome", "cases", "verify"]
+__all__ = ["FAIL", "MANUAL", "NOT_RUN", "PASS", "Outcome", "cases", "verify"]

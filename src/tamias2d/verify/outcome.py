@@ -8,6 +8,8 @@ PASS = "pass"
 FAIL = "fail"
 MANUAL = "manual"
 """A person has to judge, and nobody has."""
+NOT_RUN = "not run"
+"""A case has no result: nobody ran it, or an extra that it needs is not installed."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +27,7 @@ class Outcome:
     hash: str = ""
     """Of all that the verdict rests on (`fingerprint`), when it was judged."""
     note: str = ""
-    """Why it failed, where there is more to say than the error."""
+    """Why it failed or was not run, where there is more to say than the error."""
 
     def as_json(self) -> dict[str, Any]:
         """Return the fields as JSON holds them: an error that is not finite is null."""

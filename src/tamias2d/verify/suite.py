@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from tamias2d.errors import InputError, TamiasError
+from tamias2d.errors import InputError, MissingExtraError, TamiasError
 from tamias2d.suggestions import suggests
 from tamias2d.verify import (
     certified,
@@ -23,7 +23,7 @@ from tamias2d.verify import (
 )
 from tamias2d.verify.case import Case
 from tamias2d.verify.items import items, label_order, links, meant
-from tamias2d.verify.outcome import Outcome
+from tamias2d.verify.outcome import NOT_RUN, Outcome
 
 Comparison = Callable[[Case, Mapping[str, Any]], Iterator[Outcome]]
 COMPARISONS: dict[str, Comparison] = {
@@ -74,13 +74,21 @@ def cases(ids: str | Iterable[str] | None = None) -> list[Case]:
 
 
 def judge(case: Case) -> list[Outcome]:
-    """Return the outcomes of one case; an error of a comparison is a failure of it."""
+    """Return the outcomes of one case; an error of a comparison is a failure of it.
+
+    A comparison whose extra is not installed is not run.
+    """
     outcomes: list[Outcome] = []
     for key, compare in COMPARISONS.items():
         if key in case.data:
             given = {"tolerance": "0"} | dict(case.data[key])
             try:
                 outcomes += compare(case, given)
+            except MissingExtraError as missing:
+                note = f"needs tamias2d[{missing.extra}]"
+                outcomes.append(
+                    case.stamped(Outcome(case.id, key, math.inf, 0.0, NOT_RUN, note=note))
+                )
             except TamiasError as error:
                 outcomes.append(case.outcome(given, key, math.inf, str(error)))
     return outcomes

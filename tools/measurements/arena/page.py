@@ -15,6 +15,7 @@ from tamias2d.storage import write_aside
 from tools.measurements.columns import Table
 
 _HEADS = ("scene", "engine", "ms/step", "ratio", "sag, m", "overlap, m", "of radius", "speed, m/s")
+_THROUGH = 10.0  # radii: what is deeper does not overlap any more, it went through and falls
 
 
 def table(found: dict[str, Any]) -> Table:
@@ -34,10 +35,13 @@ def _rows(found: dict[str, Any]) -> Iterator[tuple[str, ...]]:
                 f"{row['seconds'] * 1e3:.3g}",
                 f"{ratios.get(name, 1.0):.2f}",
                 "" if row["sag"] is None else f"{row['sag']:.3f}",
-                f"{row['penetration']:.1e}",
-                f"{row['relative_penetration']:.2%}",
+                *_overlap(row["penetration"], row["relative_penetration"]),
                 f"{row['speed_at_end']:.1e}",
             )
+
+
+def _overlap(depth: float, share: float) -> tuple[str, str]:
+    return ("through", "through") if share > _THROUGH else (f"{depth:.1e}", f"{share:.2%}")
 
 
 def notes(found: dict[str, Any]) -> list[str]:

@@ -3,18 +3,12 @@
 Serves: studies and measurements of contacts. Hides: how the simulator is asked.
 """
 
-import warnings
-
 import numpy as np
 
-from tamias2d.errors import StepWarning
 from tamias2d.scene import Scene
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array
 from tamias2d.study.engines.engine import Pair
-
-# studies ask for steps that are too long, and judge themselves what comes of them
-warnings.filterwarnings("ignore", category=StepWarning, module=__name__)
 
 
 class Own:
@@ -30,6 +24,8 @@ class Own:
             if substeps is None
             else Simulator(scene, time_step=time_step, substeps=substeps)
         )
+        # studies ask for steps that are too long, and judge themselves what comes of them
+        self.simulator._warned.keep_back()
         self._listens = listens
         self.met: dict[Pair, float] = {}
 
