@@ -108,18 +108,6 @@ def test_level_tiles_brake_nothing_that_tumbles(kind: str, seed: int) -> None:
     assert sim.velocity[row, 0] == pytest.approx(speed, rel=1e-4)
 
 
-@pytest.mark.parametrize("speed", [1.0, 5.0])
-def test_a_disc_is_stopped_by_a_ledge_and_rolls_off_an_end(speed: float) -> None:
-    ledge = [(0.5 * k, 0.0 if k < 6 else 0.05) for k in range(10)]
-    sim, row = slide(ground(ledge), t2.Disc(radius=0.1), speed, 0.1)
-    sim.step(round(60 * 2.2 / speed))
-    assert sim.velocity[row, 0] < 0.8 * speed
-    end = [(0.5 * k, 0.0) for k in range(6)]
-    sim, row = slide(ground(end), t2.Disc(radius=0.1), speed, 0.1)
-    sim.step(round(60 * 3.0 / speed))
-    assert sim.position[row, 1] < 0.0
-
-
 def test_a_body_on_its_corner_is_stopped_by_a_wall_on_the_ground() -> None:
     scene = ground([(0.5 * k, 0.0 if k < 6 else 2.0) for k in range(10)])
     row = scene.add_body(
