@@ -9,18 +9,31 @@ from tamias2d.engine.continuous.bend import bend_paths, is_first, put_on_parabol
 from tamias2d.engine.continuous.clusters import leave
 from tamias2d.engine.continuous.events import manifold_at
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED
-from tamias2d.engine.continuous.impact import contact_point, place_on_path, rebound, record_impact
+from tamias2d.engine.continuous.impact import (
+    contact_point,
+    normal_line,
+    place_on_path,
+    rebound,
+    record_impact,
+)
 from tamias2d.engine.continuous.impact_points import (
     is_point,
     list_points,
     rebound_at_points,
     total_push,
 )
+from tamias2d.engine.continuous.impulse import path_speed_along
 from tamias2d.engine.continuous.meetings import gather_meetings, is_first_listed, measure_meeting
 from tamias2d.engine.narrow_phase.core import core_of, is_thin
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
-from tamias2d.engine.narrow_phase.seams import extend_ground, goes_on, is_seam
+from tamias2d.engine.narrow_phase.seams import (
+    extend_ground,
+    goes_on,
+    is_seam,
+    level_manifold,
+    note_met_ground,
+)
 from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes
 from tamias2d.generated.continuous_collision import position_later
 
@@ -60,8 +73,9 @@ def resolve_impact(
     if gap >= UNBOUNDED:  # it is beside a piece
         return 0
     manifold = events.scratch[0]
-    if meets_seam(s, t, now, bodies, shapes, events):
+    if meets_seam(s, t, now, time_step, bodies, shapes, events):
         return 0
+    level_meeting(s, t, now, bodies, shapes, events)
     list_points(0, now, bodies, shapes, contacts, events)
     if count > 1:
         return rebound_together(count, bends, now, control, bodies, shapes, contacts, events)
@@ -101,6 +115,9 @@ def rebound_together(
                 put_on_parabola(i, now, time_step, bodies)
     for k in range(1, count):
         measure_meeting(k, now, bodies, shapes, contacts, events)
+        q, turned = events.met[k, tb.MET_CONTACT], events.met[k, tb.MET_TURNED]
+        s, t = contacts.pairs[q, turned], contacts.pairs[q, 1 - turned]
+        level_meeting(s, t, now, bodies, shapes, events)
         list_points(k, now, bodies, shapes, contacts, events)
     if not rebound_at_points(count, now, time_step, bodies, events):
         return 0
@@ -133,7 +150,30 @@ def go_alone(i: int, bodies: Bodies, events: Events) -> None:
         leave(i, events.together)
 
 
-def meets_seam(s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, events: Events) -> bool:
+def level_meeting(
+    s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, events: Events
+) -> None:
+    """Let two shapes that meet at a corner in level ground meet that ground."""
+    i, manifold = shapes.slot[s], events.scratch[0]
+    still, moved = (t, s) if bodies.kind[shapes.slot[t]] == tb.STATIC else (s, t)
+    if events.ground[shapes.slot[moved], tb.G_SHAPE] == 0.0:
+        return
+    extend_ground(still, moved, bodies, shapes, events.ground)
+    place, shift = bodies.pose[i], bodies.motion[i]
+    at = position_later((place[tb.X], place[tb.Y]), (shift[tb.DX], shift[tb.DY]), now)
+    count = 2 if manifold[tb.GAP + tb.POINT] < UNBOUNDED else 1
+    level_manifold(s, t, at, count, manifold, bodies, shapes, events.ground)
+
+
+def meets_seam(
+    s: int,
+    t: int,
+    now: float,
+    time_step: float,
+    bodies: Bodies,
+    shapes: Shapes,
+    events: Events,
+) -> bool:
     """Return whether a body meets a static shape where that joins its ground."""
     i, j, manifold = shapes.slot[s], shapes.slot[t], events.scratch[0]
     if bodies.kind[i] != tb.STATIC and bodies.kind[j] != tb.STATIC:
@@ -142,10 +182,14 @@ def meets_seam(s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, event
     x, y = position_later((at[tb.X], at[tb.Y]), (shift[tb.DX], shift[tb.DY]), now)
     by_x, by_y = contact_point(manifold)
     place, normal = (x + by_x, y + by_y), (manifold[tb.NX], manifold[tb.NY])
+    line = normal_line(i, j, now, manifold, bodies)
+    rise = time_step * path_speed_along(line, time_step, bodies.motion)
     if bodies.kind[i] != tb.STATIC:
         s, t, normal = t, s, (-normal[0], -normal[1])
-    straight = goes_on(s, t, place, normal, bodies.motion[shapes.slot[t]], shapes, events.ground)
+    straight = goes_on(s, t, place, normal, rise, shapes, events.ground)
     if not straight and is_seam(s, t, place, normal, bodies, shapes, events.ground):
         extend_ground(s, t, bodies, shapes, events.ground)
         return True
+    if not straight:
+        note_met_ground(s, t, place, normal, bodies, shapes, events.ground)
     return straight

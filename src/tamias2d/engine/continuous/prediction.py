@@ -13,11 +13,18 @@ from tamias2d.engine.continuous.secondary_contacts import add_secondary_contacts
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.chain import BESIDE, is_piece, judge
+from tamias2d.engine.narrow_phase.chain_sides import note_located_sides
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.reuse import NEVER
-from tamias2d.engine.narrow_phase.seams import clear_grounds, joins_ground, leave_seams_out
+from tamias2d.engine.narrow_phase.seams import (
+    clear_grounds,
+    joins_ground,
+    leave_seams_out,
+    level_contact,
+    some_lean,
+)
 from tamias2d.engine.narrow_phase.touching import CLOSE, smallest_gap
 from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes, Touching, World
 
@@ -28,9 +35,9 @@ def foresee(world: World, contacts: Contacts) -> None:
     touching, events = world.touching, world.events
     touching.counts[tb.LOCATED_PAIRS] = touching.counts[tb.IMPACTS] = 0
     clear_grounds(bodies, events)
-    if touching.counts[tb.NEW_STATIC] + control.counts[tb.GOES_FAR] > 0 and leave_seams_out(
-        bodies, shapes, contacts, touching, events
-    ):
+    asked = touching.counts[tb.NEW_STATIC] + control.counts[tb.GOES_FAR] > 0
+    asked = asked or some_lean(bodies, shapes, contacts, touching)
+    if asked and leave_seams_out(bodies, shapes, contacts, touching, events):
         touching.counts[tb.ARRANGED] = touching.counts[tb.ISLANDS_KNOWN] = 0
     if touching.counts[tb.MEETING] == 0:
         return
@@ -64,6 +71,7 @@ def foresee(world: World, contacts: Contacts) -> None:
             changed = changed or contacts.flags[p, tb.POINT_COUNT] != points
         else:
             contacts.flags[p, tb.POINT_COUNT] = 0
+    note_located_sides(world.broad_phase.counts[tb.CONTACTS], contacts, shapes, touching)
     if changed or stay < touching.counts[tb.TOUCHING]:
         touching.counts[tb.TOUCHING] = stay
         touching.counts[tb.ARRANGED] = touching.counts[tb.ISLANDS_KNOWN] = 0
@@ -177,7 +185,10 @@ def foresee_contact(
         manifold[tb.KNOWN_WAY] = NEVER
     manifold[tb.FORESEEN] = at * time
     found = match_impulses(manifold, flags, first, second) > 0
-    return found and not joins_ground(p, at * time, bodies, shapes, contacts, events.ground)
+    if not found or joins_ground(p, at * time, bodies, shapes, contacts, events.ground):
+        return False
+    level_contact(p, at * time, bodies, shapes, contacts, events.ground)
+    return True
 
 
 def path_ahead(i: int, j: int, time: float, bodies: Bodies) -> RelativePath:

@@ -13,6 +13,7 @@ from tamias2d.engine.islands import both_sleep
 from tamias2d.engine.narrow_phase.boxes import stays_far
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.collide import collide
+from tamias2d.engine.narrow_phase.seams import joins_ground, level_contact
 from tamias2d.engine.narrow_phase.touching import (
     BULLET,
     opening_speed,
@@ -41,6 +42,7 @@ def add_secondary_contacts(world: World, contacts: Contacts) -> bool:
             if points == 1:
                 if not touches_disc(p, contacts, world.shapes):
                     more += 1 if collide_driven(p, world, contacts) > 1 else 0
+                    level_contact(p, 0.0, bodies, world.shapes, contacts, world.events.ground)
                 continue
             found = meets_driven(p, world, contacts)
             contacts.flags[p, tb.LOCATED] = tb.SECONDARY if found else 0
@@ -96,14 +98,21 @@ def touches_disc(p: int, contacts: Contacts, shapes: Shapes) -> bool:
 
 
 def meets_driven(p: int, world: World, contacts: Contacts) -> bool:
-    """Find the manifold of two bodies that contacts drive; return whether they may meet so."""
-    bodies, touching = world.bodies, world.touching
+    """Find the manifold of two bodies that contacts drive; return whether they may meet so.
+
+    At a seam they do not.
+    """
+    bodies, shapes, touching = world.bodies, world.shapes, world.touching
+    ground = world.events.ground
     i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
     driven, time = touching.approach[i] + touching.approach[j], world.control.progress[tb.PART_TIME]
     for n in range(collide_driven(p, world, contacts)):
         speed = opening_speed(n, i, j, bodies, contacts.manifolds[p]) - driven
         near = contacts.manifolds[p, tb.GAP + n * tb.POINT] + speed * time < 0.0
         if near and contacts.flags[p, tb.FEATURE] != BESIDE:
+            if joins_ground(p, 0.0, bodies, shapes, contacts, ground):
+                break
+            level_contact(p, 0.0, bodies, shapes, contacts, ground)
             return True
     contacts.flags[p, tb.POINT_COUNT] = 0
     return False

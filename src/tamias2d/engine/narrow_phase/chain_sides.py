@@ -11,7 +11,7 @@ Cost: where there are chains, some visits to each contact.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.chain import BESIDE, known_side, seen_from, shows
 from tamias2d.engine.narrow_phase.core import core_of
-from tamias2d.engine.tables import Contacts, Integers, Shapes
+from tamias2d.engine.tables import Contacts, Integers, Shapes, Touching
 
 NO_PIECE = -1
 MOST_PIECES = 32  # that are told a side by one that is touched
@@ -30,7 +30,7 @@ def note_sides(
     for p in range(count):
         piece, other = piece_and_other(p, contacts, shapes)
         if piece >= 0:
-            if not again:
+            if not (again or keeps_side(contacts.flags[p])):
                 contacts.flags[p, tb.KNOWN_SIDE] = 0
             for n in range(4):
                 sides[other, n] = 0
@@ -65,7 +65,47 @@ def piece_and_other(p: int, contacts: Contacts, shapes: Shapes) -> tuple[int, in
 def has_touched(flags: Integers) -> bool:
     """Return whether the normal of a contact is that of one in the last step."""
     solved = flags[tb.POINT_COUNT] > 0 and flags[tb.FEATURE] != BESIDE
-    return bool(solved or flags[tb.TOUCHES] & tb.MET_IN_FLIGHT > 0)
+    return bool(solved or flags[tb.TOUCHES] & tb.MET_IN_FLIGHT > 0 or keeps_side(flags))
+
+
+def keeps_side(flags: Integers) -> bool:
+    """Return whether a contact knows its side that was left to continuous collision.
+
+    It may end a step with a gap of 0, behind which is the other side, before it is found to meet.
+    """
+    return bool(flags[tb.KNOWN_SIDE] == 1 and flags[tb.LOCATED] > 0)
+
+
+def note_located_sides(count: int, contacts: Contacts, shapes: Shapes, touching: Touching) -> None:
+    """Let contacts that are left to continuous collision, and those beside, know their sides."""
+    if touching.counts[tb.LOCATED_PAIRS] == 0 or not has_chains(shapes):
+        return
+    for p in range(count):
+        piece, _ = piece_and_other(p, contacts, shapes)
+        if piece >= 0 and contacts.flags[p, tb.LOCATED] > 0:
+            note_located(p, piece, contacts, shapes)
+    note_sides(True, count, contacts, shapes, touching.sides)
+
+
+def note_located(p: int, piece: int, contacts: Contacts, shapes: Shapes) -> None:
+    """Let a contact know the side on which its manifold is, if no flight leads past that.
+
+    Round a corner that sticks out by more than a right angle, and round an end, one may.
+    """
+    flags, manifold = contacts.flags[p], contacts.manifolds[p]
+    if flags[tb.KNOWN_SIDE] == 1 or flags[tb.FEATURE] == BESIDE:
+        return
+    hx, hy = manifold[tb.NX], manifold[tb.NY]
+    if contacts.pairs[p, 0] != piece:
+        hx, hy = -hx, -hy
+    core, vertices = core_of(piece, shapes), shapes.world_vertices
+    right = seen_from(0, piece, core, vertices, shapes)
+    left = seen_from(1, piece, core, vertices, shapes)
+    known = known_side(hx, hy, right, left)
+    side = right if known == 1 else left
+    shown = shows(side.start_cosine, side.start_sine) and shows(side.end_cosine, side.end_sine)
+    if known != 0 and shown:
+        know_side(p, piece, known == 1, contacts, shapes)
 
 
 def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
