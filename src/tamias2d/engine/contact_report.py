@@ -82,7 +82,7 @@ def touches_of(store: Store) -> IntArray:
     """Return the bits of all pairs on the contact list that tell whether they touch."""
     counts = store.world.broad_phase.counts
     side, size = counts[tb.BUFFER], counts[tb.CONTACTS]
-    return store.world.buffers.flags[side, :size, tb.TOUCHES]
+    return store.world.buffers.flags[side, :size, tb.TOUCHES].astype(np.int64)
 
 
 def bodies_of(store: Store, rows: IntArray) -> IntArray:
