@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from tamias2d import record
 from tamias2d.run_data import Impacts, RunData
+from tamias2d.suggestions import suggests
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
 __all__ = ["Impacts", "Run"]
 
 
+@suggests
 class Run(RunData):
     """The history of n bodies, static ones too and in the scene's order, at k times. SI units."""
 

@@ -67,15 +67,14 @@ def suggests(target: _Target) -> _Target:
     """Let a function, or a class with its public methods, say what a wrong argument was meant for.
 
     A call that Python refuses for its arguments raises `ArgumentError`; any other costs a tenth of
-    a microsecond more. Methods of one argument stay as they are: there is nothing to confuse, and
-    `Simulator.step` is one of them.
+    a microsecond more. Methods without arguments stay as they are.
     """
     if not isinstance(target, type):
         return _told(target, target.__name__)  # type: ignore[return-value]
     for name, method in list(vars(target).items()):
         if name == "__init__":
             target.__init__ = _told(method, target.__name__, own=1)  # type: ignore[misc]
-        elif inspect.isfunction(method) and not name.startswith("_") and _arguments(method) > 1:
+        elif inspect.isfunction(method) and not name.startswith("_") and _arguments(method) > 0:
             setattr(target, name, _told(method, name, own=1))
     return target
 

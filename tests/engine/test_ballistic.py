@@ -60,7 +60,7 @@ def move(sim: Simulator) -> None:
 
 
 def push(sim: Simulator) -> None:
-    sim.force[21], sim.torque[22] = (0.5, 0.1), 0.3
+    sim.force[21], sim.torque[24] = (0.5, 0.1), 0.3
 
 
 def remove(sim: Simulator) -> None:

@@ -1,5 +1,6 @@
 """Compiled code has the bits of the same code as plain Python, and of the general way."""
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -56,7 +57,8 @@ def test_a_body_may_come_before_what_it_meets(solving: Solving) -> None:
             shape, mass=1.0, position=(k / 1.1, 1 / 3), orientation=0.3, restitution=0.9,
             angular_velocity=1.7, velocity=(0.1, 0.0),
         )  # fmt: skip
-    scene.add_static(t2.HalfPlane(normal=(0.1, 1.0), offset=-0.7), restitution=0.9)
+    slope = t2.HalfPlane(normal=(math.sin(0.1), math.cos(0.1)), offset=-0.7)
+    scene.add_static(slope, restitution=0.9)
     (wanted, _), (found, _) = (solving(scene, way, 3.0) for way in ("general", "compiled"))
     assert len(found.impacts) > 6
     assert found.digest() == wanted.digest()

@@ -119,6 +119,18 @@ class Trap:
         return Path.touch, (self.path,)
 
 
+def test_a_run_and_a_simulator_are_told_apart(run: t2.Run, tmp_path: Path) -> None:
+    one, other = tmp_path / "run.npz", tmp_path / "game.npz"
+    run.save(one)
+    t2.Simulator(t2.Scene(gravity=(0.0, 0.0)), compiled=False).save(other)
+    with pytest.raises(t2.RecordingError, match=r"a recording of a run.*Run\.load\(path\)"):
+        t2.Simulator.restore(one)
+    with pytest.raises(t2.RecordingError, match=r"a saved simulator.*Simulator\.restore\(path\)"):
+        t2.Run.load(other)
+    with pytest.raises(t2.SceneError, match=r"Run\.load\(path\).*Simulator\.restore\(path\)"):
+        t2.load(other)
+
+
 def test_a_pickle_is_not_opened(tmp_path: Path) -> None:
     path = tmp_path / "trap.npz"
     np.savez(path, header=np.array([Trap(tmp_path / "sprung")], dtype=object))

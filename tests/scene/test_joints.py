@@ -72,6 +72,10 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
         lambda s: s.add_joint(t2.Equation("x(velocity_a) - 1[m/s]"), "rod"),
         "'velocity_a' is no place of a body",
     ),
+    "a name that is mistyped": (
+        lambda s: s.add_joint(t2.Equation("x(positon_a) - 1[m]"), "rod"),
+        "'positon_a' is no place of a body; did you mean 'position_a'",
+    ),
     "an equation of nothing": (
         lambda s: s.add_joint(t2.Equation("time - 1[s]"), "rod"),
         "holds no body",

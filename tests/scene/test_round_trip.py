@@ -1,5 +1,6 @@
 """A scene's text is the scene: it loads back bit for bit."""
 
+import math
 from contextlib import suppress
 from typing import Any
 
@@ -77,8 +78,16 @@ surface = {
     "group": st.integers(-(2**63), ALL),
     "sensor": st.booleans(),
 }
+
+
+def unit(x: float, y: float) -> tuple[float, float]:
+    """Return the unit vector along another one, to rounding."""
+    size = math.hypot(x, y)
+    return x / size, y / size
+
+
 half_planes = st.tuples(st.floats(0.1, 9), numbers, numbers).map(
-    lambda v: HalfPlane(normal=(v[0], max(-9, min(9, v[1]))), offset=v[2])
+    lambda v: HalfPlane(normal=unit(v[0], max(-9, min(9, v[1]))), offset=v[2])
 )
 moving = st.fixed_dictionaries(
     {"shape": st.none() | shapes, "mass": sizes, "position": pairs, "inertia": sizes},

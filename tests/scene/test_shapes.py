@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
+from tamias2d.errors import InputError
 from tamias2d.scene import Box, Capsule, Compound, Disc, HalfPlane, Part, Polygon, Scene, Segment
 
 
@@ -69,9 +70,16 @@ def test_a_box_is_a_polygon() -> None:
 
 
 def test_a_half_plane_has_a_unit_normal() -> None:
-    wall = HalfPlane(normal=(3, -4), offset=2)
-    assert wall.normal == (0.6, -0.8)
-    assert HalfPlane(normal=wall.normal, offset=2) == wall
+    assert HalfPlane(normal=(3, -4), offset=0).normal == (0.6, -0.8)
+    typed = HalfPlane(normal=(0.707, 0.707), offset=2)
+    assert math.hypot(*typed.normal) == pytest.approx(1.0, abs=1e-15)
+    assert HalfPlane(normal=typed.normal, offset=2) == typed
+
+
+def test_an_offset_of_a_normal_that_is_no_unit_vector_is_refused() -> None:
+    """It could be a distance, or the right side of `normal . p <= offset`."""
+    with pytest.raises(InputError, match=r"length 5 .* offset of 2 m.* Give \(0.6, -0.8\)"):
+        HalfPlane(normal=(3, -4), offset=2)
 
 
 def test_arrays_and_numpy_numbers_are_taken() -> None:

@@ -76,6 +76,10 @@ WRONG: list[tuple[Callable[[], object], str]] = [
         lambda: t2.ExplicitEuler(0.1),
         "ExplicitEuler(): found 1 arguments without a name; it takes no",
     ),
+    (
+        lambda: t2.simulate(scene(), duration=0.1).plot("run.png", bodies=["ball"]),
+        "plot(): unknown argument 'bodies'; it takes path.",
+    ),
     (lambda: t2.Body(mass=1, moment=2), "Body(): a scene makes it; write Scene.add_body("),
     (lambda: t2.catalogue.load(), "load(): argument 'name' is missing; add name=..."),
 ]
@@ -121,6 +125,8 @@ def test_what_suggests_is_copied_and_pickled_as_before() -> None:
 
 
 def test_the_frame_loop_is_left_alone() -> None:
-    """What is called sixty times a second and more has no wrapper."""
+    """What is called sixty times a second and more has no wrapper, and its own name."""
     assert not hasattr(t2.Simulator.step, "__wrapped__")
+    with pytest.raises(TypeError, match=r"^Simulator\.step\(\) got an unexpected .* 'dt'"):
+        t2.Simulator(EMPTY, compiled=False).step(dt=1 / 60)  # type: ignore[call-arg]
     assert hasattr(t2.Simulator.add, "__wrapped__")

@@ -121,3 +121,52 @@ def test_what_nothing_can_push_stays_as_it_is() -> None:
     twin.step(3)
     np.testing.assert_array_equal(sim.position, twin.position)
     np.testing.assert_array_equal(sim.velocity, twin.velocity)
+
+
+@pytest.mark.parametrize("row", [0, 1])
+@pytest.mark.parametrize(("view", "value"), [("force", (5.0, 0.0)), ("torque", 2.0)])
+@pytest.mark.parametrize("far", [False, True])
+def test_a_load_on_what_nothing_pushes_is_refused(
+    view: str, value: object, row: int, far: bool
+) -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)))
+    sim.add_static(t2.Disc(radius=0.5), position=(0.0, -1.0), restitution=0.0)
+    sim.add_kinematic(t2.Disc(radius=0.5), position=(9.0, 0.0), restitution=0.0)
+    height = 50.0 if far else 0.0
+    ball = sim.add(t2.Disc(radius=0.5), mass=1.0, position=(0.0, height), restitution=0.0)
+    sim.step(3)
+    before = sim.position.copy()
+    getattr(sim, view)[row] = value
+    with pytest.raises(t2.InputError, match=rf"{view}\[{row}\] .* must be 0, since nothing"):
+        sim.step(2)
+    np.testing.assert_array_equal(sim.position, before)
+    getattr(sim, view)[row] = 0.0
+    getattr(sim, view)[ball] = value
+    sim.step(2)
+
+
+def test_what_is_written_to_the_row_of_a_removed_body_is_refused() -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+    disc = t2.Disc(radius=0.5)
+    gone = sim.add(disc, mass=1.0, position=(0.0, 0.0), velocity=(1.0, 0.0), restitution=0.0)
+    sim.step()
+    sim.remove(gone)
+    sim.velocity *= 0.5  # of what is there, for all rows
+    for moment in ("at once", "after a step"):
+        sim.velocity[gone] = 5.0, 0.0
+        with pytest.raises(t2.InputError, match=r"velocity\[0\] of row 0, which has no body"):
+            sim.step()
+        sim.velocity[gone] = 0.0
+        sim.step()
+        assert sim.time == pytest.approx((2 if moment == "at once" else 3) / 60)
+    sim.position[gone] = 1.0, 0.0
+    with pytest.raises(t2.InputError, match=r"position\[0\] of row 0, which has no body"):
+        sim.step()
+    sim.position[gone] = 0.0
+    assert sim.add(disc, mass=1.0, position=(3.0, 0.0), restitution=0.0) == gone
+    sim.step()
+
+
+def test_rays_that_do_not_match_are_called_rays() -> None:
+    with pytest.raises(t2.InputError, match=r"\(3, 2\) for 3 rays"):
+        small().ray_cast([(0, 9), (5, 9)], [(0, 0), (5, -1), (1, 1)])

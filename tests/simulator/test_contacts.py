@@ -59,6 +59,7 @@ def test_a_stack_carries_its_weight() -> None:
         assert found.point[here, 1] == pytest.approx(pair[0], abs=1e-2)
         assert np.abs(found.normal[here, 1]) == pytest.approx(1.0, abs=1e-6)
         assert (np.abs(found.separation[here]) < 1e-2).all()
+    sim.step()
     assert (len(sim.began), len(sim.ended)) == (0, 0)
 
 

@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import warnings
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -139,3 +140,23 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
         with pytest.raises(t2.RecordingError, match=r"a\\(x00|n)b'?: a simulator is saved as"):
             sim.save(tmp_path / name)
     assert list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize("keep", ["copy", "file"])
+def test_what_turned_far_since_the_last_step_is_warned_of_by_a_copy_too(
+    keep: str, tmp_path: Path
+) -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(t2.Disc(radius=0.1), mass=1.0, position=(1.0, 0.0), restitution=0.0)
+    scene.add_joint(t2.Distance(), (0.0, 0.0), 0, name="rod")
+    sim = t2.Simulator(scene)
+    sim.step(3)
+    sim.position[0] = 0.0, 1.0
+    sim.save(tmp_path / "game.npz")
+    other = copy.deepcopy(sim) if keep == "copy" else t2.Simulator.restore(tmp_path / "game.npz")
+    for each in (sim, other):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", t2.StepWarning)
+            each.step(3)
+    assert any("turned by more than half a radian" in text for text in sim.warnings)
+    assert other.warnings == sim.warnings

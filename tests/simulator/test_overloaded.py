@@ -124,3 +124,29 @@ def test_a_run_notes_it() -> None:
         scene.add_body(box, mass=mass, position=(0.0, height), name=name, **SURFACE)
     run = t2.simulate(scene, duration=2.0, time_step=1 / 60, method=t2.Stepped())
     assert any("'light'" in note and "masses so different" in note for note in run.notes)
+
+
+def test_a_lift_that_is_moved_by_its_position_is_named_with_what_helps() -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)))
+    board = t2.Box(width=4.0, height=0.4)
+    lift = sim.add_kinematic(board, position=(0.0, 0.0), name="lift", **SURFACE)
+    box = t2.Box(width=0.5, height=0.5)
+    sim.add(box, mass=1.0, position=(0.0, 0.45), name="box", **SURFACE)
+    for frame in range(120):
+        sim.position[lift] = 0.0, frame / 30
+        sim.step()
+    (text,) = sim.warnings
+    assert "'lift', which goes on whatever it meets" in text
+    assert "Move it by a velocity, not by its position" in text
+
+
+def test_a_crusher_is_named_though_the_floor_is_what_is_pressed_into() -> None:
+    sim = on_floor()
+    plate = t2.Box(width=4.0, height=0.4)
+    sim.add_kinematic(plate, position=(0.0, 2.0), velocity=(0.0, -1.0), name="press", **SURFACE)
+    box = t2.Box(width=0.5, height=0.5)
+    sim.add(box, mass=1.0, position=(0.0, 0.25), name="box", **SURFACE)
+    sim.step(90)
+    assert sim.warnings
+    assert "'press', which goes on whatever it meets" in sim.warnings[0]
+    assert "stop it where it cannot go" in sim.warnings[0]

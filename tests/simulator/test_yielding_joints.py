@@ -252,3 +252,18 @@ def test_the_joint_that_cannot_hold_is_named() -> None:
     sim.velocity[hook] = 1.0, 0.3
     with pytest.warns(StepWarning, match=r"'hand'.*yields \(DD86\)"):
         sim.step(30)
+
+
+def test_a_taut_bridge_that_tears_is_told_to_hang_slack_since_nothing_drives_it() -> None:
+    sim = Simulator(Scene(gravity=(0.0, -10.0)))
+    for k in range(12):
+        plank = Box(width=0.9, height=0.1)
+        sim.add(plank, mass=2.0, position=(k + 0.5, 0.0), name=f"p{k}", **SURFACE)
+        end = (0.0, 0.0) if k == 0 else f"p{k - 1}"
+        anchor = (0.0, 0.0) if k == 0 else (0.5, 0.0)
+        sim.add_joint(Revolute(), end, f"p{k}", anchor=anchor, other_anchor=(-0.5, 0.0))
+    sim.add_joint(Revolute(), "p11", (12.0, 0.0), anchor=(0.5, 0.0))
+    sim.add(Box(width=1.0, height=1.0), mass=30.0, position=(5.0, 3.0), **SURFACE)
+    with pytest.warns(StepWarning, match=r"Nothing drives it.*\(DD86\).*some slack"):
+        sim.step(60)
+    assert not any("bring what drives it" in text for text in sim.warnings)

@@ -59,7 +59,7 @@ def test_the_deepest_pair_of_many_is_found():
 
 def test_what_lies_in_a_half_plane_is_measured_from_its_surface():
     scene = t2.Scene(gravity=(0.0, 0.0))
-    scene.add_static(t2.HalfPlane(normal=(3.0, 4.0), offset=1.0))
+    scene.add_static(t2.HalfPlane(normal=(0.6, 0.8), offset=1.0))
     box = t2.Box(width=0.4, height=0.2)
     angle = math.atan2(4.0, 3.0) - math.pi / 2  # its lower side along the surface
     scene.add_body(box, mass=1.0, position=(0.6 * 1.05, 0.8 * 1.05), orientation=angle)

@@ -64,8 +64,12 @@ class BodyPool:
         return rows
 
     def remove(self, rows: IntArray) -> None:
-        """Take bodies out; their rows are free once the pool is settled, all others stay."""
-        self.store.world.state.kind[rows] = tb.ABSENT
+        """Take bodies out; their rows are free once the pool is settled, all others stay.
+
+        They move no more, and are pushed by nothing: what is set of that from now on is told.
+        """
+        state = self.store.world.state
+        state.kind[rows], state.velocity[rows], state.load[rows] = tb.ABSENT, 0.0, 0.0
         self._leaving = np.concatenate((self._leaving, rows))
         for row in rows.tolist():
             self._new.pop(row, None)

@@ -1,4 +1,4 @@
-"""The contact report: what touched in the last step, and which pairs began or ceased to touch.
+"""The contact report: what touched in the last step.
 
 A body that goes so far in a step that it is stopped where it meets another met it *in flight*.
 """
@@ -18,7 +18,7 @@ from tamias2d.state import Array, IntArray
 
 @dataclass(frozen=True, kw_only=True)
 class Contacts:
-    """The m points at which bodies pushed each other in the last step, in canonical order."""
+    """The m points at which bodies pushed each other in a step, in canonical order."""
 
     bodies: IntArray
     """(m, 2), indices of bodies A and B"""
@@ -27,7 +27,7 @@ class Contacts:
     normal: Array
     """(m, 2), unit, from A to B"""
     impulse: Array
-    """(m,), along the normal, on B, over the whole step, N s"""
+    """(m,), along the normal, on B, over that step, N s"""
     separation: Array
     """(m,), there, m; negative where they overlapped, 0 in flight"""
 
@@ -35,10 +35,10 @@ class Contacts:
         return len(self.bodies)
 
 
-_REMEDY = "They tell what a step did: call apply_impulse or apply_force to push bodies."
+REMEDY = "They tell what a step did: call apply_impulse or apply_force to push bodies."
 
 
-class _Points(NamedTuple):
+class Points(NamedTuple):
     """Points of contact, each by its pair and its number there, with its impulse."""
 
     pair: IntArray
@@ -46,66 +46,102 @@ class _Points(NamedTuple):
     impulse: Array
 
 
-@dataclass(frozen=True, kw_only=True)
-class Touching:
-    """What touched in a step, and which pairs did not before or do not any more."""
+class Pairs(NamedTuple):
+    """What the engine knows of some pairs (k,) of shapes after a step of each."""
 
-    contacts: Contacts
-    began: Contacts
-    """One point for each pair: that with the largest impulse, with the impulse of all of them."""
-    ended: IntArray
-    """(k, 2), indices of bodies"""
+    bodies: IntArray
+    """(k, 2), indices of bodies A and B"""
+    touches: IntArray
+    """(k,), bits"""
+    points: IntArray
+    """(k,), how many there are"""
+    normal: Array
+    """(k, 2), along which they pushed each other, or touched if they did not"""
+    impulse: Array
+    """(k, 2), at two points, N s"""
+    manifold: Array
+
+    def pushed(self) -> Points:
+        """Return the points at which they pushed each other."""
+        touching = self.touches & tb.IS_TOUCHING != 0
+        pair, number = np.nonzero((self.impulse > 0.0) & touching[:, None])
+        return Points(pair, number, self.impulse[pair, number])
+
+    def contacts(self, points: Points) -> Contacts:
+        """Return where points are, and their impulses."""
+        pair, number, impulse = points
+        row = self.manifold[pair]
+        at = np.arange(len(pair))
+        place = tb.WORLD_POINT + tb.POINT * number
+        point = np.column_stack((row[at, place], row[at, place + 1]))
+        gap = np.where(self.points[pair] == 0, 0.0, row[at, tb.GAP + tb.POINT * number])
+        return contacts_of((self.bodies[pair], point, self.normal[pair], impulse, gap))
 
 
-def contact_report(store: Store) -> Touching:
+def touches_of(store: Store) -> IntArray:
+    """Return the bits of all pairs on the contact list that tell whether they touch."""
+    counts = store.world.broad_phase.counts
+    side, size = counts[tb.BUFFER], counts[tb.CONTACTS]
+    return store.world.buffers.flags[side, :size, tb.TOUCHES].astype(np.int64)
+
+
+def bodies_of(store: Store, rows: IntArray) -> IntArray:
+    """Return the indices of bodies (k, 2) of some pairs on the contact list."""
+    world = store.world
+    slots = world.buffers.pairs[
+        world.broad_phase.counts[tb.BUFFER], rows, tb.SLOT_A : tb.SLOT_B + 1
+    ]
+    return world.state.body_of_slot[slots].astype(np.int64)
+
+
+def told_pairs(logged: IntArray, manifolds: Array) -> Pairs:
+    """Return what rows of a contact log tell."""
+    count = logged[:, tb.LOG_POINTS]
+    normal, impulse = _impulses(manifolds, count, logged[:, tb.LOG_SPLIT] == 1)
+    impulse[logged[:, tb.LOG_SENSES] == 1] = 0.0  # nothing is written there: sensors push nothing
+    bodies = logged[:, tb.LOG_A : tb.LOG_B + 1]
+    return Pairs(bodies, logged[:, tb.LOG_TOUCHES], count, normal, impulse, manifolds)
+
+
+def logged_at(store: Store, rows: IntArray) -> tuple[IntArray, Array]:
+    """Return what a contact log would hold of contacts on the list after the last step."""
+    world = store.world
+    side = world.broad_phase.counts[tb.BUFFER]
+    logged = np.zeros((len(rows), world.log.rows.shape[1]), dtype=np.int64)
+    logged[:, tb.LOG_PLACE] = rows
+    logged[:, tb.LOG_A : tb.LOG_B + 1] = bodies = bodies_of(store, rows)
+    flags = world.buffers.flags[side, rows]
+    for column, flag in _LOGGED.items():
+        logged[:, column] = flags[:, flag]
+    logged[:, tb.LOG_SPLIT] = world.control.counts[tb.FINEST] > 0
+    manifolds = world.buffers.manifolds[side, rows]
+    return logged, np.hstack((manifolds, world.state.pose[bodies[:, 0], :2]))
+
+
+_LOGGED = {
+    tb.LOG_TOUCHES: tb.TOUCHES,
+    tb.LOG_POINTS: tb.POINT_COUNT,
+    tb.LOG_SENSES: tb.SENSES,
+}
+
+
+def contact_report(store: Store) -> Contacts:
     """Return what touched in the last step."""
-    state, buffers, counts = store.world.state, store.world.buffers, store.world.broad_phase.counts
-    side, size = int(counts[tb.BUFFER]), int(counts[tb.CONTACTS])
-    rows = np.flatnonzero(buffers.flags[side, :size, tb.TOUCHES])
+    rows = np.flatnonzero(touches_of(store) & tb.IS_TOUCHING)
     if len(rows) == 0:
-        return _NOTHING
-    flags, found = buffers.flags[side, rows].astype(np.int64), buffers.manifolds[side, rows]
-    bodies = state.body_of_slot[buffers.pairs[side, rows, tb.SLOT_A : tb.SLOT_B + 1]].astype(
-        np.int64
-    )
-    code = np.minimum(*bodies.T) * len(state.pose) + np.maximum(*bodies.T)
-    bits = flags[:, tb.TOUCHES]
-    now, before = bits & tb.IS_TOUCHING != 0, bits & tb.WAS_TOUCHING != 0
-    count = flags[:, tb.POINT_COUNT]
-    split = store.world.control.counts[tb.FINEST] > 0
-    normal, impulse = _impulses(found, count, split=split)
-    impulse[flags[:, tb.SENSES] == 1] = 0.0  # nothing is written there: a sensor pushes nothing
-    pair, number = np.nonzero((impulse > 0.0) & now[:, None])
-    pushed = _Points(pair, number, impulse[pair, number])
-    unpushed = now.copy()
-    unpushed[pair] = False
-    sensed = np.flatnonzero(unpushed)
-    points = _Points(
-        np.concatenate((pushed.pair, sensed)),
-        np.concatenate((pushed.number, np.zeros_like(sensed))),
-        np.concatenate((pushed.impulse, np.zeros(len(sensed)))),
-    )
-    normal[sensed] = found[sensed, tb.NX : tb.NY + 1]
-    found[sensed, tb.WORLD_POINT : tb.WORLD_POINT + 2] = (
-        state.pose[bodies[sensed, 0], :2] + found[sensed, tb.PX : tb.PY + 1]
-    )
-    begun = _strongest(points, code, _only_in(code, now, before))
-    ended = np.flatnonzero(_is_in(code, _only_in(code, before, now)))
-    ended = np.sort(ended[np.unique(code[ended], return_index=True)[1]])
-    return Touching(
-        contacts=_contacts(bodies, found, count, normal, pushed),
-        began=_contacts(bodies, found, count, normal, begun),
-        ended=pairs_of(bodies[ended]),
-    )
+        return NO_CONTACTS
+    pairs = told_pairs(*logged_at(store, rows))
+    return pairs.contacts(pairs.pushed())
 
 
-def _impulses(touch: Array, count: IntArray, *, split: bool) -> tuple[Array, Array]:
+def _impulses(touch: Array, count: IntArray, split: NDArray[np.bool_]) -> tuple[Array, Array]:
     """Return the normals (m, 2) along which pairs pushed each other, and impulses at two points.
 
     In flight and over the parts of a step they pushed each other as one, by a sum of vectors.
     """
     totals = touch[:, [tb.TOTAL_IMPULSE, tb.TOTAL_IMPULSE + tb.POINT]]
-    push = touch[:, tb.PUSH : tb.PUSH + 2] if split else touch[:, [tb.PART_PUSH_X, tb.PART_PUSH_Y]]
+    push = touch[:, [tb.PART_PUSH_X, tb.PART_PUSH_Y]]
+    push = np.where(split[:, None], touch[:, tb.PUSH : tb.PUSH + 2], push)
     as_one = split | (count == 0)
     size = np.hypot(push[:, 0], push[:, 1])
     along = push / np.where(size > 0.0, size, 1.0)[:, None]
@@ -115,67 +151,15 @@ def _impulses(touch: Array, count: IntArray, *, split: bool) -> tuple[Array, Arr
     return normal, np.column_stack((first, np.where(as_one, 0.0, second)))
 
 
-def _only_in(code: IntArray, one: NDArray[np.bool_], other: NDArray[np.bool_]) -> IntArray:
-    """Return the codes (k,) of contacts of one kind that none of the other kind has, sorted.
-
-    In most steps there is none, and no contact of one kind alone.
-    """
-    found = np.sort(code[one & ~other])
-    if len(found) == 0:
-        return found
-    found = found[np.diff(found, prepend=-1) > 0]
-    return found[~_is_in(found, np.sort(code[other]))]
-
-
-def _is_in(codes: IntArray, wanted: IntArray) -> NDArray[np.bool_]:
-    """Return which codes (k,) are among the wanted ones, which are sorted."""
-    if len(wanted) == 0:
-        return np.zeros(len(codes), dtype=bool)
-    place = np.minimum(np.searchsorted(wanted, codes), len(wanted) - 1)
-    found: NDArray[np.bool_] = wanted[place] == codes
-    return found
-
-
-def _strongest(found: _Points, code: IntArray, wanted: IntArray) -> _Points:
-    """Return one point for each wanted pair of bodies, sorted, with the sum of its impulses."""
-    of = code[found.pair]
-    row = np.flatnonzero(_is_in(of, wanted))
-    total = np.zeros(len(wanted))
-    np.add.at(total, np.searchsorted(wanted, of[row]), found.impulse[row])
-    row = row[np.lexsort((row, -found.impulse[row], of[row]))]
-    row = row[np.unique(of[row], return_index=True)[1]]
-    order = np.argsort(found.pair[row])
-    row, total = row[order], total[order]
-    return _Points(found.pair[row], found.number[row], total)
-
-
-def _contacts(
-    bodies: IntArray, touch: Array, count: IntArray, normal: Array, points: _Points
-) -> Contacts:
-    """Return where points are, and their impulses."""
-    pair, number, impulse = points
-    row = touch[pair]
-    at = np.arange(len(pair))
-    place = tb.WORLD_POINT + tb.POINT * number
-    point = np.column_stack((row[at, place], row[at, place + 1]))
-    separation = np.where(count[pair] == 0, 0.0, row[at, tb.GAP + tb.POINT * number])
-    return contacts_of((bodies[pair], point, normal[pair], impulse, separation))
-
-
 def contacts_of(columns: Iterable[NDArray[Any]]) -> Contacts:
     """Return the contacts with these columns, in the order of the fields; they become read-only."""
     names = (field.name for field in fields(Contacts))
     return Contacts(
         **{
-            name: read_only(values, f"{name} of the contacts", _REMEDY)
+            name: read_only(values, f"{name} of the contacts", REMEDY)
             for name, values in zip(names, columns, strict=True)
         }
     )
-
-
-def pairs_of(bodies: IntArray) -> IntArray:
-    """Return the pairs that ceased to touch (k, 2); they become read-only."""
-    return read_only(bodies, "pairs that ended", _REMEDY)
 
 
 def _nothing() -> Contacts:
@@ -184,7 +168,5 @@ def _nothing() -> Contacts:
     return contacts_of((pairs, np.empty((0, 2)), np.empty((0, 2)), none, none))
 
 
-_NOTHING = Touching(
-    contacts=_nothing(), began=_nothing(), ended=pairs_of(np.empty((0, 2), dtype=np.int64))
-)
+NO_CONTACTS = _nothing()
 """Made once, because most steps of a scene without piles have it."""

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.batch import Batch
 from tamias2d.engine.body_pool import BodyPool
-from tamias2d.engine.contact_report import Touching, contact_report
+from tamias2d.engine.contact_events import ContactEvents
+from tamias2d.engine.contact_report import Contacts, contact_report
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.rows import kept_apart, set_joints
 from tamias2d.engine.menu import CONTACT, JOINTED, functions
@@ -134,7 +135,7 @@ class Engine(Store):
     @property
     def steps(self) -> int:
         """How many steps were taken since the start."""
-        return int(self.world.control.counts[tb.STEPS_TAKEN])
+        return self.world.control.counts.item(tb.STEPS_TAKEN)  # asked for in each call
 
     @property
     def time(self) -> float:
@@ -281,7 +282,7 @@ class Engine(Store):
 
     # -- answers
 
-    def contact_report(self) -> Touching:
+    def contact_report(self) -> Contacts:
         """Return what touched in the last step."""
         return contact_report(self)
 
@@ -308,16 +309,20 @@ class Engine(Store):
         super().forget_pairs()
         self._course_known = False
 
-    def step(self, count: int = 1, *, untouched: bool = False) -> Invalid | None:
+    def step(
+        self, count: int = 1, *, untouched: bool = False, events: ContactEvents | None = None
+    ) -> Invalid | None:
         """Take some steps; return the value that keeps one from being taken, or None.
 
         Then the state is as it was before that step. If what a step makes of a body is not finite,
         the body stays as it was before, all others take the step, and contacts are forgotten. What
-        users see may be known to be `untouched` since the last step.
+        users see may be known to be `untouched` since the last step. Of several steps the `events`
+        are taken; of one they are left to be noted.
         """
         if untouched and self._skipped(count):
             return None
         timed = count > 1
+        told = events if timed else None
         try:
             if count == 1 and not self._alone:  # what is called most takes the shortest way
                 status = (self._take or self._prepared())(1)
@@ -335,14 +340,20 @@ class Engine(Store):
                 asked = min(count, self._steps_per_call.most)
                 if timed:
                     self._steps_per_call.begin()
+                if told is not None:
+                    told.ask(self)
                 status = self._solved_steps(asked)
                 taken = asked - int(self.world.control.counts[tb.STEPS_LEFT])
+                if told is not None:
+                    told.take(self, self.steps)
                 if timed:
                     self._steps_per_call.end(taken)
                 if status not in (tb.DONE, tb.CLEAR):
                     return self._refused(status)
                 count -= taken
         except BaseException:  # Ctrl-C, or no memory
+            if told is not None:
+                told.take(self, self.steps)
             if self.world.control.counts[tb.STAGE] != tb.AT_START:
                 self._forget_contacts()
             raise

@@ -14,7 +14,7 @@ RESOLVED = 2.0**50
 def gather_state(control: Control, state: BodyState, bodies: Bodies) -> bool:
     """Bring what users can set to the slots of the bodies; return whether all of it is valid.
 
-    Numbers are finite and not too large, and static bodies stand still.
+    Numbers are finite and not too large, and of each body only those differ from 0 that it has.
     """
     bad = (
         0
@@ -27,8 +27,7 @@ def gather_state(control: Control, state: BodyState, bodies: Bodies) -> bool:
         for n in range(3):
             bodies.pose[i, n], bodies.motion[i, n], bodies.load[i, n] = at[n], speed[n], by[n]
         bad += 0 if is_valid_state(at, speed, by, bodies.properties[i, tb.BOUNDING_RADIUS]) else 1
-        fast = abs(speed[0]) + abs(speed[1]) + abs(speed[2])
-        bad += 1 if (fast > 0.0) & (bodies.kind[i] == tb.STATIC) else 0
+        bad += 0 if suits_kind(bodies.kind[i], at, speed, by) else 1
     return bad == 0
 
 
@@ -40,6 +39,22 @@ def is_valid_state(at: Array, speed: Array, by: Array, radius: float) -> bool:
     most = RESOLVED * radius if radius > 0.0 else LARGEST
     near = (abs(at[tb.X]) + abs(at[tb.Y]) <= most) & (at[tb.ANGLE] - at[tb.ANGLE] == 0.0)
     return bool(slow & near)
+
+
+@inlined
+def suits_kind(kind: int, at: Array, speed: Array, by: Array) -> bool:
+    """Return whether nothing pushes what is not dynamic, or moves what is static.
+
+    An absent body has no place either.
+    """
+    placed = abs(at[0]) + abs(at[1]) + abs(at[2])
+    moves = abs(speed[0]) + abs(speed[1]) + abs(speed[2])
+    pushed = abs(by[0]) + abs(by[1]) + abs(by[2])
+    return bool(
+        ((pushed == 0.0) | (kind == tb.DYNAMIC))
+        & ((moves == 0.0) | (kind >= tb.KINEMATIC))
+        & ((placed == 0.0) | (kind != tb.ABSENT))
+    )
 
 
 def scatter_state(state: BodyState, bodies: Bodies) -> bool:

@@ -19,6 +19,7 @@ from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.broad_phase.fat_bounds import left_by_frame, mark_out_of_bounds
 from tamias2d.engine.broad_phase.pairs import list_stays, rebuild_pairs, update_pairs
 from tamias2d.engine.broad_phase.vertices import turn_vertices
+from tamias2d.engine.contact_log import log_events
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_continuous
 from tamias2d.engine.continuous.prediction import foresee
@@ -61,8 +62,9 @@ def step(world: World, steps: int) -> int:
     """Take some steps, or return why not all of them can be taken.
 
     Called again with those that are left, it continues. It ends early, with CLEAR, where no contact
-    is on the list: bodies may go ballistically then. Each step judges what it begins with, as if it
-    had been asked for alone.
+    is on the list: bodies may go ballistically then; and where the contact log has no room for what
+    began and ceased to touch. Each step judges what it begins with, as if it had been asked for
+    alone.
     """
     counts = world.control.counts
     counts[tb.STEPS_LEFT] = steps
@@ -71,8 +73,8 @@ def step(world: World, steps: int) -> int:
         return tb.DONE
     note_places(world)
     mark_joined(world)
-    clear = False
-    while counts[tb.STEPS_LEFT] > 0 and not clear:
+    clear, logged = False, True
+    while counts[tb.STEPS_LEFT] > 0 and logged and not clear:
         if counts[tb.STAGE] == tb.AT_START:
             if not gather_state(world.control, world.state, world.bodies):
                 return tb.INVALID
@@ -80,12 +82,15 @@ def step(world: World, steps: int) -> int:
             if status != tb.DONE:
                 return status
             if may_be_quiet(world):
+                valid = True
                 if may_be_hard(world):
                     take_hard_steps(world)
-                elif nothing_touches(world) and not take_quiet_steps(world):
-                    continue  # to be told that the state is not valid, unless all steps are taken
-                if counts[tb.STEPS_LEFT] == 0:
+                elif nothing_touches(world):
+                    valid = take_quiet_steps(world)
+                if counts[tb.STEPS_LEFT] == 0 or world.log.counts[tb.LOG_FULL] == 1:
                     return tb.DONE
+                if not valid:
+                    continue  # to be told of it
         status = take_step(world)
         if status != tb.DONE:
             return status
@@ -105,6 +110,7 @@ def step(world: World, steps: int) -> int:
             and not sprung
         )
         clear = clear_of_joints(clear, world)
+        logged = log_events(world)
     return tb.CLEAR if clear else tb.DONE
 
 

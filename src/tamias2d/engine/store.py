@@ -127,10 +127,10 @@ class Store:
         self.world.shapes.slot[:] = np.minimum(state.slot_of_body[state.body_of_shape], self.size)
 
     def clear(self, rows: Integers) -> None:
-        """Forget all that is known of some bodies."""
+        """Forget all that is known of some bodies, which were taken out."""
         slots = self.world.state.slot_of_body[rows]
         state = self.world.state
-        for values in (state.pose, state.velocity, state.load, state.properties, state.kind):
+        for values in (state.pose, state.properties, state.kind):
             values[rows] = 0
         for values in arrays_by_slot(self.world):
             values[slots] = 0

@@ -10,7 +10,7 @@ from tamias2d.engine.state import LARGEST, RESOLVED
 from tamias2d.engine.store import Store
 from tamias2d.state import Array
 
-NOT_FINITE, TOO_LARGE, TOO_FAR, MOVES, OVERFLOWED = range(5)
+NOT_FINITE, TOO_LARGE, TOO_FAR, MOVES, OVERFLOWED, PUSHED, NO_BODY = range(7)
 """Why a value is not valid; one has overflowed if it was not finite after a step."""
 
 _COLUMNS = {
@@ -59,9 +59,18 @@ def first_invalid(store: Store) -> Invalid:
     far = (np.abs(place) > most[:, None] / 2) & (np.abs(place).sum(axis=1) > most)[:, None]
     if (invalid := _first("position", place, far, TOO_FAR)) is not None:
         return invalid
-    moving = (speed > 0.0) & (state.kind[:size] == tb.STATIC)[:, None]
+    kind = state.kind[:size, None]
+    for quantity, values in columns.items():
+        there = values.reshape(size, -1) != 0.0
+        if (invalid := _first(quantity, values, there & (kind == tb.ABSENT), NO_BODY)) is not None:
+            return invalid
+    moving = (speed > 0.0) & (kind == tb.STATIC)
     if (invalid := _first("velocity", state.velocity[:size], moving, MOVES)) is not None:
         return invalid
+    for quantity in ("force", "torque"):
+        pushed = (columns[quantity] != 0.0) & (kind != tb.DYNAMIC)
+        if (invalid := _first(quantity, columns[quantity], pushed, PUSHED)) is not None:
+            return invalid
     gravity = store.world.control.settings[:2]
     reason = TOO_LARGE if np.isfinite(gravity).all() else NOT_FINITE
     return Invalid("gravity", -1, gravity.tolist(), reason)

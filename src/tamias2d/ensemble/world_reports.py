@@ -63,13 +63,16 @@ class WorldReports(Views):
     @property
     @exclusive
     def began(self) -> WorldContacts:
-        """The pairs that touched in the last step and not before, each with its strongest point."""
+        """The pairs that began to touch in the last call of `step`, world after world.
+
+        Those of one world are as `Simulator.began` tells them.
+        """
         return _gathered([sim.began for sim in self._sims])
 
     @property
     @exclusive
     def ended(self) -> IntArray:
-        """The pairs (k, 3) that touched before the last step, and not in it: world, then bodies."""
+        """The pairs (k, 3) that ceased to touch in the last call of `step`: world, then bodies."""
         pairs = [sim.ended for sim in self._sims]
         rows = np.column_stack((_worlds(pairs), np.concatenate(pairs)))
         return read_only(rows, "pairs that ended", REMEDIES["ended"])

@@ -159,5 +159,10 @@ def store(header: headers.Header, arrays: dict[str, Any], path: Path) -> None:
 def read(path: Path) -> tuple[headers.Header, Arrays]:
     """Read header and arrays of an `.npz`; raise `RecordingError` if it is not one of ours."""
     stored = archive.read(path, remedy="Record the run again.")
+    if "mark" in stored and "header" not in stored:
+        raise RecordingError(
+            f"{path}: found a saved simulator: must be a recording of a run. Read it by "
+            "Simulator.restore(path), or give a file that run.save(path) has written."
+        )
     text = str(stored.pop("header", ""))
     return headers.loads(text, where=str(path)), stored

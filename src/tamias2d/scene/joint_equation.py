@@ -16,6 +16,7 @@ from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.printed_constraint import printed
 from tamias2d.spec.row_program import RowProgram, row_programs
 from tamias2d.spec.symbols import Index, SymbolTable
+from tamias2d.suggestions import nearest
 
 _PLACES = tuple(f"{name}_{end}" for end in ENDS for name in (*COORDINATES, "point"))
 _ALLOWED = frozenset((*_PLACES, TIME))
@@ -63,6 +64,8 @@ def _read(text: str, of: str, k: int) -> Node:
     at = ("equations", k)
     try:
         node = parse(text)
+        used = set(names(node))
+        _refuse_names(used - _ALLOWED, of, k)
         infer(node, _table())
     except SpecFault as fault:
         where = f"equations[{k}] of {of}"
@@ -71,18 +74,22 @@ def _read(text: str, of: str, k: int) -> Node:
             f"{', '.join(_PLACES[:3])}, likewise for b and c, and time.",
             *at,
         ) from None
-    used = set(names(node))
-    if wrong := sorted(used - _ALLOWED):
-        raise RuleError(
-            f"equations[{k}] of {of}: '{wrong[0]}' is no place of a body (TM7). It may use "
-            f"{', '.join(_PLACES[:3])}, likewise for b and c, and time.",
-            *at,
-        )
     if not used & set(_PLACES):
         raise RuleError(
             f"equations[{k}] of {of}: '{text}' holds no body (TM7). Let it use a place of one.", *at
         )
     return node
+
+
+def _refuse_names(wrong: set[str], of: str, k: int) -> None:
+    for name in sorted(wrong):
+        near = nearest(name, sorted(_ALLOWED))
+        hint = f"; did you mean '{near}'?" if near else ""
+        raise RuleError(
+            f"equations[{k}] of {of}: '{name}' is no place of a body{hint} (TM7). It may use "
+            f"{', '.join(_PLACES[:3])}, likewise for b and c, and time.",
+            *("equations", k),
+        )
 
 
 @cache

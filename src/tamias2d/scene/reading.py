@@ -45,7 +45,7 @@ def load(source: str | Path) -> Scene:
     Raises:
         SceneError: the file or a value in it breaks a rule; the message says where.
     """
-    if not isinstance(source, str | PathLike):
+    if not isinstance(source, str | PathLike) or source == "":
         raise SceneError(
             f"scene file: found {shown(source)}: must be a path or YAML text (R2). Give one."
         )
@@ -55,7 +55,8 @@ def load(source: str | Path) -> Scene:
     if path.suffix in (".npz", ".rrd"):
         raise SceneError(
             f"{path_text(path)}: suffix {path.suffix!r}: a scene is a file in YAML (R2). A "
-            "recording of a run is read by Run.load(path), and shown by `tamias2d replay`."
+            "recording of a run is read by Run.load(path), and shown by `tamias2d replay`; a saved "
+            "simulator by Simulator.restore(path)."
         )
     return read_scene(_file_text(path), file=str(path), name=path.stem)
 

@@ -19,6 +19,7 @@ from tamias2d.scene.rules import RuleError, Vector, number, vector
 from tamias2d.suggestions import suggests
 
 _EPSILON = 2.0**-52
+_WRITTEN = 1e-3  # by which the length of a unit vector may differ that is written in decimals
 
 
 @suggests
@@ -228,8 +229,9 @@ class Segment(_Line):
 class HalfPlane:
     """All points p with ``normal . p <= offset``: a floor or a wall. Static bodies only.
 
-    `normal` points out of the solid and is made a unit vector; `offset` is how far the surface lies
-    from the origin along it, m.
+    `normal` points out of the solid; `offset` is how far the surface lies from the origin along it,
+    m. A normal of another length than 1 is made a unit vector where the offset is 0, and refused
+    where it is not: then the two meanings of the offset would differ.
     """
 
     normal: Vector
@@ -243,11 +245,18 @@ class HalfPlane:
             raise RuleError(
                 f"normal ({x:g}, {y:g}) of {of}: has no direction (R4). {remedy}", "normal"
             )
-        if abs(length - 1) > 4 * _EPSILON:  # a unit vector stays as it is, to the last bit
-            x, y = x / length + 0.0, y / length + 0.0
         offset = number(
             self.offset, "offset", of, "Give its distance from the origin in m.", at=("offset",)
         )
+        if offset != 0 and abs(length - 1) > _WRITTEN:
+            raise RuleError(
+                f"normal ({x:g}, {y:g}) of {of}: found the length {length:.6g} with an offset of "
+                f"{offset:g} m: must be 1, since the offset is a distance (R4). Give "
+                f"({x / length:.6g}, {y / length:.6g}), and the offset in m.",
+                "normal",
+            )
+        if abs(length - 1) > 4 * _EPSILON:  # a unit vector stays as it is, to the last bit
+            x, y = x / length + 0.0, y / length + 0.0
         _set(self, normal=(x, y), offset=offset)
 
     @property

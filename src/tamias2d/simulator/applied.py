@@ -3,6 +3,7 @@
 import numpy as np
 
 from tamias2d.engine.engine import Engine
+from tamias2d.engine.tables import DYNAMIC
 from tamias2d.generated import definitions, impact
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator.columns import vectors
@@ -29,11 +30,13 @@ def velocity_changes(engine: Engine, rows: IntArray, impulse: object, at: object
 
 
 def applied_loads(engine: Engine, rows: IntArray, force: object, at: object) -> Array:
-    """Return the loads (k, 3), N and N m, by forces at points."""
+    """Return the loads (k, 3), N and N m, by forces at points; 0 of what nothing can push."""
     push = vectors(force, "force", _OF, "Give (x, y) in N.", count=len(rows), symbol="force")
     arms = _arms(engine, rows, at)
     with np.errstate(all="ignore"):
-        return np.column_stack((push, definitions.torque(arms, _pair(push))))
+        loads = np.column_stack((push, definitions.torque(arms, _pair(push))))
+    loads[engine.kind[rows] != DYNAMIC] = 0.0
+    return loads
 
 
 def add_rows(values: Array, rows: IntArray, changes: Array, what: str) -> None:

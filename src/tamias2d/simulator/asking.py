@@ -25,18 +25,20 @@ class Asking(Stepping):
     @property
     @exclusive
     def began(self) -> Contacts:
-        """The pairs that touched in the last step and not before, each with its strongest point.
+        """The pairs that began to touch in the last call of `step`, each with its strongest point.
 
-        Its impulse is that of all points of the pair over the step; that of a sensor is 0.
+        Those of its first step come first; a pair that begins again after it has ended is told
+        again. The impulse is that of all points of the pair over the step in which it began; that
+        of a sensor is 0. A call of no steps has none.
         """
         return self._report().began
 
     @property
     @exclusive
     def ended(self) -> IntArray:
-        """The pairs (k, 2) that touched before the last step, and not in it.
+        """The pairs (k, 2) that ceased to touch in the last call of `step`, as in `began`.
 
-        What was removed is in none of them.
+        What began and ended within the call is in both. What was removed is in none of them.
         """
         return self._report().ended
 

@@ -14,7 +14,7 @@ from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, number, refuse_masked, shown
 from tamias2d.state import Array, IntArray
 
-_MANY = {"body": "bodies", "world": "worlds"}
+_MANY = {"body": "bodies", "ray": "rays", "world": "worlds"}
 
 
 def numbers(value: object, key: str, of: str, remedy: str, *, count: int, symbol: str) -> Array:
@@ -24,13 +24,19 @@ def numbers(value: object, key: str, of: str, remedy: str, *, count: int, symbol
     return judged(spread(value, key, of, remedy, (count,)), key, of, remedy, symbol)
 
 
-def vectors(value: object, key: str, of: str, remedy: str, *, count: int, symbol: str) -> Array:
-    """Return a vector for each of so many bodies (count, 2), or raise `RuleError`."""
+def vectors(
+    value: object, key: str, of: str, remedy: str, *, count: int, symbol: str, each: str = "body"
+) -> Array:
+    """Return a vector for each of so many bodies (count, 2), or for another `each`.
+
+    Raises:
+        RuleError: there are no such numbers, or not so many.
+    """
     if type(value) is tuple and len(value) == 2:
         x, y = value
         if _is_good(x, symbol) and _is_good(y, symbol):
             return np.full((count, 2), (x + 0.0, y + 0.0))
-    return judged(spread(value, key, of, remedy, (count, 2)), key, of, remedy, symbol)
+    return judged(spread(value, key, of, remedy, (count, 2), each), key, of, remedy, symbol)
 
 
 def wholes(value: object, key: str, of: str, *, count: int, check: Callable[..., int]) -> IntArray:

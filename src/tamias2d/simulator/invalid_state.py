@@ -7,7 +7,16 @@ from numpy.typing import NDArray
 
 from tamias2d.engine.state import LARGEST, RESOLVED
 from tamias2d.engine.tables import ABSENT
-from tamias2d.engine.validity import MOVES, NOT_FINITE, OVERFLOWED, TOO_FAR, TOO_LARGE, Invalid
+from tamias2d.engine.validity import (
+    MOVES,
+    NO_BODY,
+    NOT_FINITE,
+    OVERFLOWED,
+    PUSHED,
+    TOO_FAR,
+    TOO_LARGE,
+    Invalid,
+)
 from tamias2d.scene.rules import RuleError
 
 _RULES = {
@@ -18,6 +27,10 @@ _RULES = {
     "tell its parts apart (R4). Bring it nearer; the step was not taken.",
     MOVES: "with the angular velocity, of a static body: must be 0 (R2). Add it as a kinematic "
     "one; the step was not taken.",
+    PUSHED: "of a static or kinematic body: must be 0, since nothing pushes it (R2). Set it to 0, "
+    "or add a body that has a mass; the step was not taken.",
+    NO_BODY: "must be 0: the body was removed (R2). Set it to 0, and forget the index: a body that "
+    "is added may take it; the step was not taken.",
     OVERFLOWED: "float64 cannot hold what a step makes of it (R4): the body stays as it was. Give "
     "smaller forces or velocities, or masses that are nearer to each other.",
 }
@@ -45,7 +58,7 @@ def invalid_state(
             "body (R4): it stays as it was. Let the equation have a value wherever the body goes.",
             *(quantity, row),
         )
-    separator = "," if reason == MOVES else ":"
+    separator = "," if reason in (MOVES, PUSHED) else ":"
     return RuleError(
         f"{quantity}[{row}] of {what}: found {value}{separator} {_RULES[reason]}", quantity, row
     )

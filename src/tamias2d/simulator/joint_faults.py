@@ -34,7 +34,8 @@ def too_stiff(
 def apart(layout: JointLayout) -> tuple[Joint, float, str] | None:
     """Return a joint that was far apart within the last steps, and by how much; or None.
 
-    It is said, too, why: its mechanism "yields", what it holds was moved "by hand", or neither.
+    It is said, too, why: its mechanism "yields" to what drives it, or is "overloaded", what it
+    holds was moved "by hand", or neither.
     """
     counts, numbers = layout.counts, layout.numbers
     if not counts[tb.JOINTS_APART]:
@@ -51,7 +52,9 @@ def apart(layout: JointLayout) -> tuple[Joint, float, str] | None:
     is_length = lengths[worst] / layout.sizes[worst] > angles[worst]
     far = lengths[worst] if is_length else angles[worst]
     first = numbers[layout.first_rows[worst]]
-    why = "yields" if first[tb.J_FIRMEST] > 0.0 else "by hand" if first[tb.J_PULLED] > 0.0 else ""
+    why = "by hand" if first[tb.J_PULLED] > 0.0 else ""
+    if first[tb.J_FIRMEST] > 0.0:
+        why = "yields" if first[tb.J_OPENED] > 0.0 else "overloaded"
     return layout.joints[layout.owner[worst]], float(far), why
 
 

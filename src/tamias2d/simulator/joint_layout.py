@@ -29,8 +29,10 @@ from tamias2d.simulator.joint_separations import separations, size_of_joint
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
-_KEPT = slice(tb.J_STEP_TOTAL, tb.J_SCALE + 1)  # numbers of a joint that a step leaves to the next
-KEPT_COUNT = _KEPT.stop - _KEPT.start
+_SLOPES = tb.J_ROW + np.array([1, 2, 4, 5])  # of the first row, which tell by how much it turns
+# numbers of a joint that a step leaves to the next
+_KEPT = np.concatenate((np.arange(tb.J_STEP_TOTAL, tb.J_GAINED + 1), _SLOPES))
+KEPT_COUNT = len(_KEPT)
 _PULLED = tb.J_PULLED - tb.J_STEP_TOTAL
 APART = 1e-3
 """Of the size of a joint, or rad: one that is farther apart is told."""
@@ -84,7 +86,7 @@ class JointLayout:
             np.where(self.are_lengths | np.isinf(size), 1.0, size) / self.per_unit
         )
         if kept is not None:
-            numbers[self.places, _KEPT] = kept
+            numbers[self.places[:, None], _KEPT] = kept
         else:
             pulled = pulled_apart(self.joints, self._engine)
             numbers[self.places, tb.J_PULLED] = pulled[self.owner]
@@ -119,7 +121,7 @@ class JointLayout:
 
         These are three numbers each, N s, N s and N m s.
         """
-        kept = self.numbers[self.places, _KEPT]
+        kept: Array = self.numbers[self.places[:, None], _KEPT]
         kept[:, _PULLED] = np.maximum(kept[:, _PULLED], self._pulled_since())
         return kept
 

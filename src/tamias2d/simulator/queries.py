@@ -41,7 +41,7 @@ def cast_rays(engine: Engine, start: object, end: object, mask: object) -> Hits:
     of = "the rays"
     count = max(_rows(start, "start", of), _rows(end, "end", of))
     ends = [
-        vectors(points, key, of, _POINT, count=count, symbol="position")
+        vectors(points, key, of, _POINT, count=count, symbol="position", each="ray")
         for key, points in (("start", start), ("end", end))
     ]
     for key, points in zip(("start", "end"), ends, strict=True):

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d import archive
-from tamias2d.engine.contact_report import Contacts, Touching, contacts_of, pairs_of
+from tamias2d.engine.contact_events import Touching, pairs_of
+from tamias2d.engine.contact_report import Contacts, contacts_of
 from tamias2d.engine.saved_checks import UnfitError, require
 from tamias2d.errors import RecordingError, TamiasError, path_text
 from tamias2d.recording_file import aside, refuse_missing
@@ -20,7 +21,7 @@ from tamias2d.scene.reading import read_scene
 from tamias2d.simulator.settings import checked_count, checked_substeps, checked_time_step
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 15  # of the saved state: its arrays, and the columns of the engine's
+VERSION = 16  # of the saved state: its arrays, and the columns of the engine's
 _MARK = "tamias2d simulator"
 _ABOUT, _DIGEST = "about", "digest"
 
@@ -88,6 +89,11 @@ def opened(content: Arrays, where: str) -> tuple[About, dict[str, NDArray[Any]]]
         UnfitError: it has the right digest, and other than a simulator.
     """
     arrays = dict(content)
+    if "header" in arrays and "mark" not in arrays:
+        raise RecordingError(
+            f"{where}: found a recording of a run: must be a saved simulator. Read it by "
+            "Run.load(path), or give a file that sim.save(path) has written."
+        )
     mark, version = (str(arrays.pop(name, "nothing")) for name in ("mark", "version"))
     if (mark, version) != (_MARK, str(VERSION)):
         raise RecordingError(

@@ -6,7 +6,10 @@ Serves: the simulator, which tells each once. Each text comes with the name unde
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator
 
+import numpy as np
+
 from tamias2d.engine.engine import Engine
+from tamias2d.engine.tables import KINEMATIC
 from tamias2d.scene.joints import Joint
 from tamias2d.simulator.hand_placed import beyond_limits
 from tamias2d.simulator.joint_faults import apart, gained, too_stiff, turned
@@ -33,10 +36,14 @@ def too_long_for_contacts(
     when, step = f"before {time:.6g} s", f"steps of {time_step:.6g} s in {substeps} substeps"
     if (pair := engine.sunk) is not None:
         first, second = map(name_of, pair)
+        if (driver := _driver(engine, pair)) is None:
+            what, remedy = "what weighs on them", "Give a shorter step or more substeps."
+        else:
+            what = f"{name_of(driver)}, which goes on whatever it meets"
+            remedy = "Move it by a velocity, not by its position, and stop it where it cannot go."
         text = (
             f"{first} and {second}, {when}: they overlap by more than a quarter of the "
-            f"thinner one's width, and ever more; {step} do not hold what weighs on them "
-            "(IM10). Give a shorter step or more substeps."
+            f"thinner one's width, and ever more; {step} do not hold {what} (IM10). {remedy}"
         )
         yield "overlap", text
     if (row := engine.outweighed) >= 0:
@@ -48,9 +55,19 @@ def too_long_for_contacts(
         yield "masses", text
 
 
+def _driver(engine: Engine, pair: tuple[int, int]) -> int | None:
+    """Return the kinematic body among a pair or what pushes one of it, if there is one."""
+    meet = engine.contact_report().bodies
+    near = {*pair, *meet[np.isin(meet, pair).any(axis=1)].ravel().tolist()}
+    return next((row for row in sorted(near) if engine.kind[row] == KINEMATIC), None)
+
+
 _REMEDIES = {
     "yields": "It cannot hold, and yields (DD86): bring what drives it back into its reach, or "
     "drive it by a Target.",
+    "overloaded": "Nothing drives it, but what falls on it or pulls at it is more than it can "
+    "hold, and it yields (DD86): give what hangs between points that stand some slack, or give a "
+    "shorter step.",
     "by hand": "It follows what was moved by hand within some steps: move that in smaller ones, or "
     "give a kinematic body a velocity.",
     "placed": "A body that it holds was put elsewhere by hand. It comes back within some steps, "

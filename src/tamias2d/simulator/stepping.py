@@ -4,7 +4,7 @@ from threading import Lock
 
 import numpy as np
 
-from tamias2d.engine.contact_report import Touching
+from tamias2d.engine.contact_events import ContactEvents, Touching
 from tamias2d.engine.engine import Engine
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene import Scene
@@ -42,6 +42,7 @@ class Stepping(Views):
     """What is stepped: an engine, and what acts on its bodies besides."""
 
     __slots__ = (
+        "_events",
         "_happened",
         "_jointed",
         "_joints",
@@ -70,6 +71,7 @@ class Stepping(Views):
 
     def _begin(self, engine: Engine) -> None:
         self._lock = Lock()
+        self._events = ContactEvents()
         self._engine, self._sleeps = engine, engine.sleeps
         self._warned = Warned()
         self._look()
@@ -79,12 +81,12 @@ class Stepping(Views):
         """Forget what was asked for and told so far."""
         self._varying: VaryingLoads | None = None
         self._warned.texts = {}
-        self._happened: list[JointEvent[str]] = []
         self._limit_changes = 0  # of joints, of which was told
         self._limits = 0  # of which was told
         self._left = self._engine.pose.copy()  # where the last step left bodies
         self._pushed: Array | None = None  # loads for the next step only
         self._touching: Touching | None = None
+        self._begin_call()
         self._unsettled = True
 
     def step(self, count: int = 1) -> None:
@@ -105,7 +107,7 @@ class Stepping(Views):
         if not self._lock.acquire(False):
             raise busy("step")
         try:
-            self._happened = []
+            self._begin_call()
             nothing_happens = False  # to joints, in the rest of this call
             while count:
                 if self._unsettled:
@@ -126,15 +128,26 @@ class Stepping(Views):
                     self._look_at_joints()
                     nothing_happens = self._engine.all_asleep and not self._unsettled
                 count -= 1
+                if count:
+                    self._events.note(self._engine, self._engine.steps)
         finally:
             self._lock.release()
+
+    step.__qualname__ = "Simulator.step"  # as Python calls it where its arguments are wrong
+
+    def _begin_call(self) -> None:
+        """Forget what happened in the last call of `step`, to joints and between bodies."""
+        self._happened: list[JointEvent[str]] = []
+        self._events.begin(self._engine.steps)
+        if self._touching is not None:
+            self._touching = Touching(contacts=self._touching.contacts)
 
     def _advance(self, count: int) -> None:
         """Take some steps, or raise `RuleError`."""
         engine, step, before = self._engine, self._time_step, self._engine.steps
         placed = self._placed_by_hand() if self._jointed else ()
         untouched = self._sleeps and self._untouched
-        if (invalid := engine.step(count, untouched=untouched)) is not None:
+        if (invalid := engine.step(count, untouched=untouched, events=self._events)) is not None:
             if self._jointed and self._joints.begin_anew_if_infinite():
                 self._unsettled = True
             equation = self._joints.equation_of(invalid.row)
@@ -221,7 +234,11 @@ class Stepping(Views):
 
     def _report(self) -> Touching:
         if self._touching is None:
-            self._touching = self._engine.contact_report()
+            engine, events = self._engine, self._events
+            events.note(engine, engine.steps)
+            self._touching = Touching(
+                contacts=engine.contact_report(), began=events.began, ended=events.ended
+            )
         return self._touching
 
     @property

@@ -1,6 +1,7 @@
 """One chunk of 16 bodies that are near nothing: how it takes a step, and how it is put back."""
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.state import suits_kind
 from tamias2d.engine.tables import Bodies, BodyState, BroadPhase, Chunks, Control, Integers
 from tamias2d.generated.definitions import (
     acceleration,
@@ -133,13 +134,13 @@ def load_mixed(g: int, control: Control, state: BodyState, bodies: Bodies, chunk
 
 
 def is_valid(lane: int, kind: int, pose: Array, velocity: Array, load: Array) -> bool:
-    """Return whether the values of a body, from a lane on, are finite, and a static one rests."""
-    bad = moves = 0
+    """Return whether the values of a body, from a lane on, are finite, and suit its kind."""
+    bad = 0
     for m in range(lane, lane + 3):
         total = pose[m] + velocity[m] + load[m]
         bad += 0 if total - total == 0.0 else 1
-        moves += 1 if velocity[m] != 0.0 else 0
-    return bad == 0 and (kind != tb.STATIC or moves == 0)
+    suits = suits_kind(kind, pose[lane:], velocity[lane:], load[lane:])
+    return bad == 0 and suits
 
 
 def store_mixed(g: int, kind: Integers, pose: Array, velocity: Array, course: Array) -> None:

@@ -11,6 +11,7 @@ does is a pass over bodies; an impact looks at the pairs of both bodies.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.contact_list import current_contacts
+from tamias2d.engine.contact_log import log_events
 from tamias2d.engine.continuous.impact import record_impact
 from tamias2d.engine.hard_scene import are_hard_discs
 from tamias2d.engine.motion.hard_impacts import list_partners, pass_impacts
@@ -42,7 +43,10 @@ def discs_lean(world: World) -> bool:
 
 
 def take_hard_steps(world: World) -> None:
-    """Take the steps that are left, as long as discs meet two by two."""
+    """Take the steps that are left, as long as discs meet two by two.
+
+    Where events are told, what may cease to touch in the next step is looked at after that one.
+    """
     control, bodies, shapes, events = world.control, world.bodies, world.shapes, world.events
     contacts = current_contacts(world.broad_phase, world.buffers)
     listed, steps = world.broad_phase.counts[tb.CONTACTS], control.counts[tb.STEPS_LEFT]
@@ -53,9 +57,12 @@ def take_hard_steps(world: World) -> None:
         foretell(p, 0, control, bodies, shapes, contacts, events)
     soonest = soonest_of(listed, events)
     taken, known, partnered = 0, list_known(listed, contacts, events), False
-    while taken < steps:
+    logged, touched = True, known > 0
+    while taken < steps and logged:
         met = near = 0
-        ahead = steps_near(max(min(soonest, steps) - taken, 1), control, bodies)
+        alone = touched and control.counts[tb.EVENTS_TOLD] == 1
+        ahead = 1 if alone else max(min(soonest, steps) - taken, 1)
+        ahead = steps_near(ahead, control, bodies)
         if ahead == 0:
             break
         looks = soonest <= taken
@@ -69,6 +76,7 @@ def take_hard_steps(world: World) -> None:
                 break
         fly_on(ahead, bodies)
         taken += ahead
+        control.counts[tb.FINEST] = 0  # of which the log tells
         for k in range(min(ahead, 2)):  # that pairs have touched is known for so many steps
             known = age_known(known, shapes, contacts, events)
             known = tell_impacts(met if k == 0 else 0, known, contacts, events)
@@ -78,6 +86,9 @@ def take_hard_steps(world: World) -> None:
             foretell(p, taken, control, bodies, shapes, contacts, events)
         if looks:
             soonest = soonest_of(listed, events)
+        if touched or looks:
+            logged = log_events(world)
+        touched = met > 0
     if taken > 0:
         note_quiet(taken, world)
         forget_arrangement(world.touching.counts[tb.TOUCHING] > 0, world.touching)

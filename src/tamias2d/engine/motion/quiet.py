@@ -9,6 +9,7 @@ Cost: a pass over bodies, and one over pairs until one is near.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.all_pairs import list_holds_for_good
 from tamias2d.engine.broad_phase.contact_list import current_contacts
+from tamias2d.engine.contact_log import log_events
 from tamias2d.engine.joints.activity import clear_of_joints
 from tamias2d.engine.motion.free import look_ahead
 from tamias2d.engine.narrow_phase.chain_sides import has_chains
@@ -59,8 +60,8 @@ def take_quiet_steps(world: World) -> bool:
     contacts = current_contacts(world.broad_phase, world.buffers)
     listed, steps = world.broad_phase.counts[tb.CONTACTS], control.counts[tb.STEPS_LEFT]
     taken = 0
-    valid = True
-    while valid and taken < steps:
+    valid = logged = True
+    while valid and logged and taken < steps:
         finite = look_ahead_of_all(control, bodies)
         time = control.settings[tb.TIME_STEP]
         if not (finite and all_far(listed, time, bodies, world.shapes, contacts)):
@@ -69,6 +70,8 @@ def take_quiet_steps(world: World) -> bool:
         if taken < 2:  # that pairs have touched is known for as long
             age_all(listed, world.shapes, contacts)
         taken += 1
+        if taken == 1:  # what touched ceases to, and then nothing happens
+            logged = log_events(world)
         valid = all_valid(bodies)
     if taken > 0:
         note_quiet(taken, world)

@@ -11,6 +11,7 @@ from tamias2d.engine.tables.bodies import *
 from tamias2d.engine.tables.broad_phase import *
 from tamias2d.engine.tables.chunks import *
 from tamias2d.engine.tables.constraints import *
+from tamias2d.engine.tables.contact_log import *
 from tamias2d.engine.tables.contacts import *
 from tamias2d.engine.tables.control import *
 from tamias2d.engine.tables.declarations import *

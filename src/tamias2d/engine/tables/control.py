@@ -32,6 +32,7 @@ OUTWEIGHED = _control()  # slot, plus 1, of a body of an island of masses too di
 LIMITS = _control()  # how often something was found to tell: of these two, or of joints
 LOADS_VARY = _control()  # 1 if loads vary, and are put right as the step ends
 ALL_ASLEEP = _control()  # 1 if no body was awake in the last step, and nobody came or went since
+EVENTS_TOLD = _control()  # 1 if what begins and ceases to touch in each step is logged
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
 
 MOST_LEVEL = 10  # a step has up to 1024 parts

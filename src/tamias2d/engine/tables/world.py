@@ -6,6 +6,7 @@ from tamias2d.engine.tables.bodies import Bodies, BodyState
 from tamias2d.engine.tables.broad_phase import BroadPhase
 from tamias2d.engine.tables.chunks import Chunks
 from tamias2d.engine.tables.constraints import Constraints
+from tamias2d.engine.tables.contact_log import ContactLog
 from tamias2d.engine.tables.contacts import ContactBuffers, Touching
 from tamias2d.engine.tables.control import Control
 from tamias2d.engine.tables.direct import Direct
@@ -33,5 +34,6 @@ class World(NamedTuple):
     direct: Direct
     springs: Springs
     events: Events
+    log: ContactLog
     chunks: Chunks
     joints: Joints
