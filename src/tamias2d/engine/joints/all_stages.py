@@ -11,7 +11,7 @@ from tamias2d.engine.joints.activity import (
     join_slabs,
     note_mechanisms,
 )
-from tamias2d.engine.joints.island_charge import charge_joined, support_joined
+from tamias2d.engine.joints.island_charge import charge_joined, pay_together, support_joined
 from tamias2d.engine.joints.placement import note_places
 from tamias2d.engine.joints.stages import (
     begin_joints,
@@ -49,6 +49,7 @@ JOINT_STAGES = (
     relax_joints,
     solve_joints,
     charge_joined,
+    pay_together,
     support_joined,
     joints_disagree,
     turned_or_joined,

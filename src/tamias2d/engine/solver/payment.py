@@ -1,0 +1,211 @@
+"""What an island on a support has too much is paid from what contacts gave its bodies (DD88).
+
+Whoever got nothing pays nothing: a body that slides on the same plank, or flies on a slack rope.
+Cost: three visits to each body, where some island has too much.
+"""
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.joints.island_charge import pay_together
+from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
+from tamias2d.engine.solver.island_damping import LEAST_SHARE
+from tamias2d.engine.solver.support import FREE, reference_at
+from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
+from tamias2d.generated.definitions import coordinate_velocity_later, kinetic_energy
+from tamias2d.generated.island_energy import (
+    angular_velocity_damped,
+    angular_velocity_repaid,
+    angular_velocity_seen,
+    damped_share,
+    energy_along_given,
+    energy_along_given_charged,
+    given_product,
+    lift_work,
+    velocity_damped,
+    velocity_repaid,
+    velocity_seen,
+)
+
+
+def charge_supported(
+    control: Control,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+    joints: Joints,
+) -> None:
+    """Take what chosen islands have too much from their bodies.
+
+    Bodies at rest pay first. Where they cannot, those pay that got energy: from what they got, then
+    from all of their motion. What is left is taken from bodies at rest, as far as they have it.
+    """
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        chosen = row[tb.DAMPED_SHARE] != 1.0 and row[tb.SUPPORT] != FREE
+        row[tb.ENERGY_SURPLUS] = row[tb.ENERGY_KEPT] - row[tb.ENERGY_BOUND] if chosen else 0.0
+    damp_resting(False, control, bodies, touching, constraints, islands)
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        if is_charged(i, bodies, islands):
+            note_given(i, control, bodies, islands)
+    pay_together(islands, joints)
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        if is_charged(i, bodies, islands) and islands.given[i] > 0.0:
+            repay(i, bodies, islands)
+    find_surplus(control, bodies, touching, constraints, islands)
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        if is_charged(i, bodies, islands) and islands.given[i] > 0.0:
+            repay_from_all(i, bodies, islands)
+    damp_resting(True, control, bodies, touching, constraints, islands)
+
+
+def is_charged(i: int, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether a body is of an island that pays."""
+    surplus = islands.energy[islands.links[i, tb.ROOT], tb.ENERGY_SURPLUS]
+    return bool(bodies.kind[i] == tb.DYNAMIC and surplus > 0.0)
+
+
+def note_given(i: int, control: Control, bodies: Bodies, islands: Islands) -> None:
+    """Note what contacts and joints have given a body: what forces alone would not have done."""
+    row, then, now = islands.energy[i], bodies.substep_state[i], bodies.motion[i]
+    for n in range(3):
+        free = then[tb.STEP_START + n]
+        for _ in range(control.counts[tb.PART_SUBSTEPS]):
+            free = coordinate_velocity_later(then[tb.DRAG_FACTOR + n], free, then[tb.INCREMENT + n])
+        row[tb.VELOCITY_GIVEN + n] = now[n] - free
+    mass, inertia = mass_and_inertia(i, bodies.properties)
+    by, spin = reference_at(i, bodies, islands)
+    given = (row[tb.VELOCITY_GIVEN], row[tb.VELOCITY_GIVEN + 1])
+    turned = row[tb.ANGULAR_VELOCITY_GIVEN]
+    row[tb.CHANGE_ENERGY] = kinetic_energy(mass, given, inertia, turned)
+    row[tb.GIVEN_PRODUCT] = given_product(
+        mass,
+        velocity_seen((now[tb.VX], now[tb.VY]), by),
+        given,
+        inertia,
+        angular_velocity_seen(now[tb.SPIN], spin),
+        turned,
+    )
+
+
+def repay(i: int, bodies: Bodies, islands: Islands) -> None:
+    """Take from a body, along what it was given, what it has to pay."""
+    row, now = islands.energy[i], bodies.motion[i]
+    product, change = row[tb.GIVEN_PRODUCT], row[tb.CHANGE_ENERGY]
+    island = islands.energy[islands.links[i, tb.ROOT]]
+    if not (product > 0.0 and change > 0.0):
+        return
+    energy = energy_along_given(product, change)
+    left = energy_along_given_charged(
+        energy, island[tb.ENERGY_SURPLUS], islands.given[i], island[tb.ENERGY_GIVEN_ALL]
+    )
+    share = share_left(energy, left)
+    given = (row[tb.VELOCITY_GIVEN], row[tb.VELOCITY_GIVEN + 1])
+    now[tb.VX], now[tb.VY] = velocity_repaid(
+        (now[tb.VX], now[tb.VY]), given, share, product, change
+    )
+    turned = row[tb.ANGULAR_VELOCITY_GIVEN]
+    now[tb.SPIN] = angular_velocity_repaid(now[tb.SPIN], turned, share, product, change)
+
+
+def repay_from_all(i: int, bodies: Bodies, islands: Islands) -> None:
+    """Take from all of the motion of a body what it has to pay; what joints hold has paid as one.
+
+    Nobody pays with more than he got.
+    """
+    row, energy = islands.energy[islands.links[i, tb.ROOT]], energy_from_support(i, bodies, islands)
+    if not energy > 0.0 or not unless_joined(True, i, i, bodies):
+        return
+    left = energy_along_given_charged(
+        energy, row[tb.ENERGY_SURPLUS], islands.given[i], row[tb.ENERGY_GIVEN_ALL]
+    )
+    damp_to_support(i, share_left(energy, left), bodies, islands)
+
+
+def damp_resting(
+    all_the_same: bool,
+    control: Control,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+) -> None:
+    """Damp the bodies at rest of islands that have too much, if that suffices or all the same."""
+    find_surplus(control, bodies, touching, constraints, islands)
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        surplus, theirs = row[tb.ENERGY_SURPLUS], row[tb.ENERGY_AT_REST]
+        row[tb.DAMPED_SHARE] = 1.0
+        if surplus > 0.0 and theirs > 0.0 and (theirs >= surplus or all_the_same):
+            row[tb.DAMPED_SHARE] = share_left(theirs, max(theirs - surplus, 0.0))
+            row[tb.ENERGY_SURPLUS] = 0.0
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        share = islands.energy[islands.links[i, tb.ROOT], tb.DAMPED_SHARE]
+        if bodies.kind[i] == tb.DYNAMIC and share < 1.0 and is_at_rest(i, control, bodies, islands):
+            damp_to_support(i, share, bodies, islands)
+
+
+def find_surplus(
+    control: Control,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+) -> None:
+    """Find what islands that pay still have too much, and the energy of their bodies at rest, J."""
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        row[tb.ENERGY_AFTER] = row[tb.ENERGY_AT_REST] = 0.0
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        if is_charged(i, bodies, islands):
+            row, energy = (
+                islands.energy[islands.links[i, tb.ROOT]],
+                energy_from_support(i, bodies, islands),
+            )
+            row[tb.ENERGY_AFTER] += energy
+            if is_at_rest(i, control, bodies, islands):
+                row[tb.ENERGY_AT_REST] += energy
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        if row[tb.ENERGY_SURPLUS] > 0.0:
+            surplus = row[tb.ENERGY_AFTER] - row[tb.ENERGY_BOUND]
+            row[tb.ENERGY_SURPLUS] = surplus if surplus > GRACE * row[tb.ENERGY_AFTER] else 0.0
+
+
+def is_at_rest(i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether a body that contacts push moves less than forces would move it in a substep.
+
+    What joints hold hangs on others, and is none.
+    """
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
+    mass, load = 1.0 / bodies.properties[i, tb.INVERSE_MASS], bodies.load[i]
+    most = lift_work(mass, gravity, (load[0], load[1]), control.settings[tb.SUBSTEP])
+    slow = bodies.moved[i] == tb.MOVED and energy_from_support(i, bodies, islands) < most
+    return unless_joined(slow, i, i, bodies)
+
+
+def share_left(energy: float, left: float) -> float:
+    """Return which share of a motion has an energy that is left, J; slight ones end."""
+    return damped_share(energy, left, 0.0) if left > LEAST_SHARE * energy else 0.0
+
+
+def energy_from_support(i: int, bodies: Bodies, islands: Islands) -> float:
+    """Return the kinetic energy of a body as seen from its support, J."""
+    mass, inertia = mass_and_inertia(i, bodies.properties)
+    by, spin = reference_at(i, bodies, islands)
+    now = bodies.motion[i]
+    velocity = velocity_seen((now[tb.VX], now[tb.VY]), by)
+    return kinetic_energy(mass, velocity, inertia, angular_velocity_seen(now[tb.SPIN], spin))
+
+
+def damp_to_support(i: int, share: float, bodies: Bodies, islands: Islands) -> None:
+    """Leave a body a share of its motion as seen from its support."""
+    by, spin = reference_at(i, bodies, islands)
+    now = bodies.motion[i]
+    now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), by, share)
+    now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
