@@ -11,7 +11,8 @@ from tamias2d.engine.joints.activity import (
     join_slabs,
     note_mechanisms,
 )
-from tamias2d.engine.joints.island_charge import charge_joined, pay_together, support_joined
+from tamias2d.engine.joints.island_charge import charge_joined, support_joined
+from tamias2d.engine.joints.payment import pay_together, repay_as_one
 from tamias2d.engine.joints.placement import note_places
 from tamias2d.engine.joints.stages import (
     begin_joints,
@@ -50,6 +51,7 @@ JOINT_STAGES = (
     solve_joints,
     charge_joined,
     pay_together,
+    repay_as_one,
     support_joined,
     joints_disagree,
     turned_or_joined,

@@ -113,35 +113,6 @@ def charge_joined(
                 bodies.motion[i, tb.DX + m] *= row[tb.KEPT_WAY]
 
 
-def pay_together(islands: Islands, joints: Joints) -> None:
-    """Let the bodies of a mechanism that contacts touch pay as one, so that its joints hold."""
-    for n in range(joints.counts[tb.MECHANISMS]):
-        row = islands.energy[root_of_mechanism(n, islands, joints)]
-        in_contact = joints.mechanisms[n, tb.M_STATUS] == tb.IN_CONTACT
-        if in_contact and row[tb.ENERGY_SURPLUS] > 0.0:
-            sum_payment(
-                joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE], islands, joints
-            )
-
-
-def sum_payment(first: int, last: int, islands: Islands, joints: Joints) -> None:
-    """Give each of some nodes what all of them got, and its product with their motion."""
-    given = product = change = got = 0.0
-    for node in range(first, last):
-        i = joints.sparse[node, tb.N_BODY]
-        given += islands.given[i]
-        got += max(islands.given[i], 0.0)
-        product += islands.energy[i, tb.GIVEN_PRODUCT]
-        change += islands.energy[i, tb.CHANGE_ENERGY]
-    for node in range(first, last):
-        i = joints.sparse[node, tb.N_BODY]
-        islands.given[i] = given
-        islands.energy[i, tb.GIVEN_PRODUCT] = product
-        islands.energy[i, tb.CHANGE_ENERGY] = change
-    root = islands.links[joints.sparse[first, tb.N_BODY], tb.ROOT]
-    islands.energy[root, tb.ENERGY_GIVEN_ALL] += max(given, 0.0) - got
-
-
 def root_of_mechanism(n: int, islands: Islands, joints: Joints) -> int:
     """Return the root of the island of a mechanism."""
     i = joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT]

@@ -7,7 +7,7 @@ does a mechanism to the motion of what ties it. Cost: some visits to each body.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joined import turned_or_joined
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
-from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_MORE
+from tamias2d.engine.solver.support import FREE, LEAST_SHARE, SUPPORTED_BY_MORE
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
 from tamias2d.generated.definitions import (
     angular_momentum,
@@ -30,7 +30,6 @@ from tamias2d.generated.island_energy import (
 from tamias2d.state import Array, Vector
 
 ROUNDED_TURN = 2.0**-80  # of the energy of a change of velocities: a turn by rounding has less
-LEAST_SHARE = 2.0**-600  # of the energy: what may keep less ends, before squares underflow
 
 
 def choose_islands_to_damp(islands: Islands) -> bool:
@@ -90,9 +89,10 @@ def sum_body_motion(i: int, root: int, bodies: Bodies, islands: Islands) -> None
 
 
 def spin_is_changed(i: int, bodies: Bodies, islands: Islands) -> bool:
-    """Return whether contacts or joints have changed the spin of a body, as far as is known."""
+    """Return whether the spin of a body has been changed, as far as is known."""
     turned = islands.held[i] != 0 or more_than_rounding(i, bodies, islands.energy[i])
-    return turned_or_joined(turned, i, bodies)
+    turned = turned_or_joined(turned, i, bodies)
+    return bool(turned)
 
 
 def more_than_rounding(i: int, bodies: Bodies, given: Array) -> bool:

@@ -6,22 +6,24 @@ Cost: three visits to each body, where some island has too much.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joined import unless_joined
-from tamias2d.engine.joints.island_charge import pay_together
+from tamias2d.engine.joints.payment import pay_together, repay_as_one
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
-from tamias2d.engine.solver.island_damping import LEAST_SHARE
-from tamias2d.engine.solver.support import FREE, reference_at
+from tamias2d.engine.solver.support import (
+    FREE,
+    damp_to_support,
+    energy_from_support,
+    reference_at,
+    share_left,
+)
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import coordinate_velocity_later, kinetic_energy
 from tamias2d.generated.island_energy import (
-    angular_velocity_damped,
     angular_velocity_repaid,
     angular_velocity_seen,
-    damped_share,
     energy_along_given,
     energy_along_given_charged,
     given_product,
     lift_work,
-    velocity_damped,
     velocity_repaid,
     velocity_seen,
 )
@@ -55,6 +57,7 @@ def charge_supported(
         if is_charged(i, bodies, islands) and islands.given[i] > 0.0:
             repay(i, bodies, islands)
     find_surplus(control, bodies, touching, constraints, islands)
+    repay_as_one(bodies, islands, joints)
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_charged(i, bodies, islands) and islands.given[i] > 0.0:
@@ -69,7 +72,7 @@ def is_charged(i: int, bodies: Bodies, islands: Islands) -> bool:
 
 
 def note_given(i: int, control: Control, bodies: Bodies, islands: Islands) -> None:
-    """Note what contacts and joints have given a body: what forces alone would not have done."""
+    """Note what a body was given: the change of its velocities that forces alone do not make."""
     row, then, now = islands.energy[i], bodies.substep_state[i], bodies.motion[i]
     for n in range(3):
         free = then[tb.STEP_START + n]
@@ -112,17 +115,18 @@ def repay(i: int, bodies: Bodies, islands: Islands) -> None:
 
 
 def repay_from_all(i: int, bodies: Bodies, islands: Islands) -> None:
-    """Take from all of the motion of a body what it has to pay; what joints hold has paid as one.
+    """Take from all of the motion of a body what it has to pay, unless it has paid with others.
 
     Nobody pays with more than he got.
     """
     row, energy = islands.energy[islands.links[i, tb.ROOT]], energy_from_support(i, bodies, islands)
-    if not energy > 0.0 or not unless_joined(True, i, i, bodies):
-        return
-    left = energy_along_given_charged(
-        energy, row[tb.ENERGY_SURPLUS], islands.given[i], row[tb.ENERGY_GIVEN_ALL]
-    )
-    damp_to_support(i, share_left(energy, left), bodies, islands)
+    pays = energy > 0.0
+    pays = unless_joined(pays, i, i, bodies)
+    if pays:
+        left = energy_along_given_charged(
+            energy, row[tb.ENERGY_SURPLUS], islands.given[i], row[tb.ENERGY_GIVEN_ALL]
+        )
+        damp_to_support(i, share_left(energy, left), bodies, islands)
 
 
 def damp_resting(
@@ -180,32 +184,11 @@ def find_surplus(
 def is_at_rest(i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
     """Return whether a body that contacts push moves less than forces would move it in a substep.
 
-    What joints hold hangs on others, and is none.
+    What hangs on others is none.
     """
     gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     mass, load = 1.0 / bodies.properties[i, tb.INVERSE_MASS], bodies.load[i]
     most = lift_work(mass, gravity, (load[0], load[1]), control.settings[tb.SUBSTEP])
     slow = bodies.moved[i] == tb.MOVED and energy_from_support(i, bodies, islands) < most
-    return unless_joined(slow, i, i, bodies)
-
-
-def share_left(energy: float, left: float) -> float:
-    """Return which share of a motion has an energy that is left, J; slight ones end."""
-    return damped_share(energy, left, 0.0) if left > LEAST_SHARE * energy else 0.0
-
-
-def energy_from_support(i: int, bodies: Bodies, islands: Islands) -> float:
-    """Return the kinetic energy of a body as seen from its support, J."""
-    mass, inertia = mass_and_inertia(i, bodies.properties)
-    by, spin = reference_at(i, bodies, islands)
-    now = bodies.motion[i]
-    velocity = velocity_seen((now[tb.VX], now[tb.VY]), by)
-    return kinetic_energy(mass, velocity, inertia, angular_velocity_seen(now[tb.SPIN], spin))
-
-
-def damp_to_support(i: int, share: float, bodies: Bodies, islands: Islands) -> None:
-    """Leave a body a share of its motion as seen from its support."""
-    by, spin = reference_at(i, bodies, islands)
-    now = bodies.motion[i]
-    now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), by, share)
-    now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
+    slow = unless_joined(slow, i, i, bodies)
+    return bool(slow)
