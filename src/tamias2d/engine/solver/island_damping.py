@@ -5,7 +5,7 @@ does a mechanism to the motion of what ties it. Cost: some visits to each body.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joined import turned_or_joined
+from tamias2d.engine.joined import or_joined
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
 from tamias2d.engine.solver.support import FREE, LEAST_SHARE, SUPPORTED_BY_MORE
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
@@ -91,7 +91,7 @@ def sum_body_motion(i: int, root: int, bodies: Bodies, islands: Islands) -> None
 def spin_is_changed(i: int, bodies: Bodies, islands: Islands) -> bool:
     """Return whether the spin of a body has been changed, as far as is known."""
     turned = islands.held[i] != 0 or more_than_rounding(i, bodies, islands.energy[i])
-    turned = turned_or_joined(turned, i, bodies)
+    turned = or_joined(turned, i, bodies)
     return bool(turned)
 
 

@@ -5,7 +5,7 @@ Cost: three visits to each body, where some island has too much.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.joined import or_joined, unless_joined
 from tamias2d.engine.joints.payment import pay_together, repay_as_one
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
 from tamias2d.engine.solver.support import (
@@ -40,7 +40,7 @@ def charge_supported(
     """Take what chosen islands have too much from their bodies.
 
     Bodies at rest pay first. Where they cannot, those pay that got energy: from what they got, then
-    from all of their motion. What is left is taken from bodies at rest, as far as they have it.
+    from all of their motion. What is left is taken from bodies at rest and from mechanisms.
     """
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
@@ -56,7 +56,7 @@ def charge_supported(
         i = touching.active[k]
         if is_charged(i, bodies, islands) and islands.given[i] > 0.0:
             repay(i, bodies, islands)
-    find_surplus(control, bodies, touching, constraints, islands)
+    find_surplus(False, control, bodies, touching, constraints, islands)
     repay_as_one(bodies, islands, joints)
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
@@ -130,30 +130,32 @@ def repay_from_all(i: int, bodies: Bodies, islands: Islands) -> None:
 
 
 def damp_resting(
-    all_the_same: bool,
+    last: bool,
     control: Control,
     bodies: Bodies,
     touching: Touching,
     constraints: Constraints,
     islands: Islands,
 ) -> None:
-    """Damp the bodies at rest of islands that have too much, if that suffices or all the same."""
-    find_surplus(control, bodies, touching, constraints, islands)
+    """Damp the bodies at rest of islands that have too much, if that suffices, or is the last."""
+    find_surplus(last, control, bodies, touching, constraints, islands)
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
         surplus, theirs = row[tb.ENERGY_SURPLUS], row[tb.ENERGY_AT_REST]
         row[tb.DAMPED_SHARE] = 1.0
-        if surplus > 0.0 and theirs > 0.0 and (theirs >= surplus or all_the_same):
+        if surplus > 0.0 and theirs > 0.0 and (theirs >= surplus or last):
             row[tb.DAMPED_SHARE] = share_left(theirs, max(theirs - surplus, 0.0))
             row[tb.ENERGY_SURPLUS] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         share = islands.energy[islands.links[i, tb.ROOT], tb.DAMPED_SHARE]
-        if bodies.kind[i] == tb.DYNAMIC and share < 1.0 and is_at_rest(i, control, bodies, islands):
+        pays = is_payer(last, i, control, bodies, islands)
+        if bodies.kind[i] == tb.DYNAMIC and share < 1.0 and pays:
             damp_to_support(i, share, bodies, islands)
 
 
 def find_surplus(
+    last: bool,
     control: Control,
     bodies: Bodies,
     touching: Touching,
@@ -172,7 +174,7 @@ def find_surplus(
                 energy_from_support(i, bodies, islands),
             )
             row[tb.ENERGY_AFTER] += energy
-            if is_at_rest(i, control, bodies, islands):
+            if is_payer(last, i, control, bodies, islands):
                 row[tb.ENERGY_AT_REST] += energy
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
@@ -181,14 +183,20 @@ def find_surplus(
             row[tb.ENERGY_SURPLUS] = surplus if surplus > GRACE * row[tb.ENERGY_AFTER] else 0.0
 
 
-def is_at_rest(i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
-    """Return whether a body that contacts push moves less than forces would move it in a substep.
+def is_payer(last: bool, i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether a body that contacts push is at rest, or may pay as one of the last."""
+    moved = bodies.moved[i] == tb.MOVED
+    rests = moved and is_at_rest(i, control, bodies, islands)
+    rests = unless_joined(rests, i, i, bodies)
+    hangs = False
+    hangs = or_joined(hangs, i, bodies)
+    may_have = islands.energy[islands.links[i, tb.ROOT], tb.ENERGY_BOUND] > 0.0
+    return bool(rests or (last and moved and hangs and may_have))
 
-    What hangs on others is none.
-    """
+
+def is_at_rest(i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether a body moves less than forces would move it in a substep."""
     gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     mass, load = 1.0 / bodies.properties[i, tb.INVERSE_MASS], bodies.load[i]
     most = lift_work(mass, gravity, (load[0], load[1]), control.settings[tb.SUBSTEP])
-    slow = bodies.moved[i] == tb.MOVED and energy_from_support(i, bodies, islands) < most
-    slow = unless_joined(slow, i, i, bodies)
-    return bool(slow)
+    return energy_from_support(i, bodies, islands) < most
