@@ -466,7 +466,7 @@ def given_product(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD88, srs/models/island_energy.md:329.
+    Source: DD88, srs/models/island_energy.md:333.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -487,7 +487,7 @@ def energy_along_given(given_product: Scalar, change_energy: Scalar) -> Scalar:
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:332.
+    Source: DD88, srs/models/island_energy.md:336.
     """
     return given_product * given_product / (4 * change_energy)
 
@@ -505,13 +505,14 @@ def energy_along_given_charged(
 
     Args:
         energy_along_given: Energy of the motion of bodies along what contacts gave them, J
-        energy_surplus: Energy that contacts have given an island in all, as it was lifted, J
+        energy_surplus: Energy that contacts have given an island in all, beyond what it may
+            have, J
         energy_given: Energy that contacts have given a body in a step, negative if they took
             it, J
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD88, srs/models/island_energy.md:333.
+    Source: DD88, srs/models/island_energy.md:337.
     """
     return largest(energy_along_given - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -539,7 +540,7 @@ def velocity_repaid(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:335.
+    Source: DD88, srs/models/island_energy.md:339.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -572,7 +573,7 @@ def angular_velocity_repaid(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:337.
+    Source: DD88, srs/models/island_energy.md:341.
     """
     return (
         angular_velocity
@@ -590,7 +591,7 @@ def energy_given(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Sca
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD87, srs/models/island_energy.md:387.
+    Source: DD87, srs/models/island_energy.md:391.
     """
     return kinetic_energy - kinetic_energy_start - work
 
@@ -605,7 +606,7 @@ def rising_energy(mass: Scalar, velocity: Vector, acceleration: Vector) -> Scala
         velocity: Velocity of the centre of mass, m/s
         acceleration: Acceleration of the centre of mass, m/s^2
 
-    Source: DD87, srs/models/island_energy.md:388.
+    Source: DD87, srs/models/island_energy.md:392.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -627,13 +628,14 @@ def rising_energy_charged(
     Args:
         rising_energy: Energy of the motion of a body along the acceleration that forces give
             it, J
-        energy_surplus: Energy that contacts have given an island in all, as it was lifted, J
+        energy_surplus: Energy that contacts have given an island in all, beyond what it may
+            have, J
         energy_given: Energy that contacts have given a body in a step, negative if they took
             it, J
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD87, srs/models/island_energy.md:390.
+    Source: DD87, srs/models/island_energy.md:394.
     """
     return largest(rising_energy - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -650,7 +652,7 @@ def velocity_charged(velocity: Vector, acceleration: Vector, damped_share: Scala
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: DD87, srs/models/island_energy.md:392.
+    Source: DD87, srs/models/island_energy.md:396.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -683,7 +685,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:444.
+    Source: DD66, srs/models/island_energy.md:448.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -704,7 +706,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:445.
+    Source: DD66, srs/models/island_energy.md:449.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -735,7 +737,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:446.
+    Source: DD66, srs/models/island_energy.md:450.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -762,7 +764,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:513.
+    Source: IM17, srs/models/island_energy.md:517.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -786,7 +788,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:515.
+    Source: IM17, srs/models/island_energy.md:519.
     """
     return least(
         sqrt(
@@ -815,7 +817,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:518.
+    Source: IM17, srs/models/island_energy.md:522.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -847,7 +849,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:520.
+    Source: IM17, srs/models/island_energy.md:524.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

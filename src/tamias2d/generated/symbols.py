@@ -1958,7 +1958,7 @@ SYMBOLS: dict[str, Symbol] = {
     "energy_surplus": Symbol(
         "energy_surplus",
         "J",
-        "energy that contacts have given an island in all, as it was lifted",
+        "energy that contacts have given an island in all, beyond what it may have",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",

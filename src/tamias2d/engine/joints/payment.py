@@ -40,17 +40,13 @@ def sum_payment(first: int, last: int, islands: Islands, joints: Joints) -> None
 
 
 def repay_as_one(bodies: Bodies, islands: Islands, joints: Joints) -> None:
-    """Take from all of the motion of mechanisms what they have to pay beyond what they got.
-
-    One that is lifted out of an overlap, and may have no energy at all, pays no more: it would
-    stand where it is for ever.
-    """
+    """Take from all of the motion of mechanisms what they have to pay beyond what they got."""
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
         first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
         given = islands.given[joints.sparse[first, tb.N_BODY]]
         in_contact = joints.mechanisms[n, tb.M_STATUS] == tb.IN_CONTACT
-        if in_contact and given > 0.0 and row[tb.ENERGY_SURPLUS] * row[tb.ENERGY_BOUND] > 0.0:
+        if in_contact and given > 0.0 and row[tb.ENERGY_SURPLUS] > 0.0:
             energy = 0.0
             for node in range(first, last):
                 i = joints.sparse[node, tb.N_BODY]

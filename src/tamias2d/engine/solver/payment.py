@@ -5,7 +5,7 @@ Cost: three visits to each body, where some island has too much.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joined import or_joined, unless_joined
+from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.joints.payment import pay_together, repay_as_one
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
 from tamias2d.engine.solver.support import (
@@ -40,7 +40,7 @@ def charge_supported(
     """Take what chosen islands have too much from their bodies.
 
     Bodies at rest pay first. Where they cannot, those pay that got energy: from what they got, then
-    from all of their motion. What is left is taken from bodies at rest and from mechanisms.
+    from all of their motion. What is left is taken from all that contacts push.
     """
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
@@ -184,14 +184,10 @@ def find_surplus(
 
 
 def is_payer(last: bool, i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
-    """Return whether a body that contacts push is at rest, or may pay as one of the last."""
-    moved = bodies.moved[i] == tb.MOVED
-    rests = moved and is_at_rest(i, control, bodies, islands)
+    """Return whether a body that contacts push is at rest, or pays as one of the last."""
+    rests = is_at_rest(i, control, bodies, islands)
     rests = unless_joined(rests, i, i, bodies)
-    hangs = False
-    hangs = or_joined(hangs, i, bodies)
-    may_have = islands.energy[islands.links[i, tb.ROOT], tb.ENERGY_BOUND] > 0.0
-    return bool(rests or (last and moved and hangs and may_have))
+    return bool(bodies.moved[i] == tb.MOVED and (rests or last))
 
 
 def is_at_rest(i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
