@@ -5,9 +5,9 @@ have given it since. Where they have taken some, as overlaps are pushed apart ag
 bodies that rise pay for it (`lifting`). Each contact is solved by itself; where many hold the
 same bodies, together they may give more than there was.
 
-Of restitution an island keeps the largest share that the bound allows; of what is still too much
-its motion is damped. The bound is tested where there is restitution, or where there is more energy
-in all than there may be. Cost: some visits to each body.
+Of restitution an island keeps the largest share that the bound allows; what is still too much is
+paid from what contacts gave, or its motion is damped. The bound is tested where there is
+restitution, or where there is more energy in all than there may be. Cost: some visits to each body.
 """
 
 from tamias2d.engine import tables as tb
@@ -21,6 +21,7 @@ from tamias2d.engine.solver.island_damping import (
 )
 from tamias2d.engine.solver.joined_gains import note_gains
 from tamias2d.engine.solver.lifting import charge_rising
+from tamias2d.engine.solver.payment import charge_supported
 from tamias2d.engine.solver.support import (
     SUPPORTED_BY_MORE,
     find_references,
@@ -78,6 +79,7 @@ def bound_energy(
     if choose_islands_to_damp(islands):
         sum_island_motions(bodies, touching, constraints, islands)
         damp_islands(bodies, touching, constraints, islands)
+        charge_supported(control, bodies, touching, constraints, islands, joints)
         note_gains(control, islands, joints)
     charge_rising(control, bodies, touching, constraints, islands)
 

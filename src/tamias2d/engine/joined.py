@@ -25,6 +25,6 @@ def unless_joined(found: bool, i: int, j: int, bodies: Bodies) -> bool:
 
 
 @inlined
-def turned_or_joined(turned: bool, i: int, bodies: Bodies) -> bool:
-    """Return whether a body was turned, or joints hold it, which may turn it."""
-    return bool(turned | (bodies.properties[i, tb.JOINED] > 0.0))
+def or_joined(found: bool, i: int, bodies: Bodies) -> bool:
+    """Return whether something was found of a body, or joints hold it."""
+    return bool(found | (bodies.properties[i, tb.JOINED] > 0.0))

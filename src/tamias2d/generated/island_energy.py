@@ -1,6 +1,6 @@
 """Island energy: Work in a step; Motion seen from a support; Motion of an island as one body;
-Share of a bounce; Bound on the energy of an island; Energy for a lift; Angular momentum that
-contacts give; Angular momentum of a free island.
+Share of a bounce; Bound on the energy of an island; Payment from what contacts gave; Energy for
+a lift; Angular momentum that contacts give; Angular momentum of a free island.
 
 Generated from srs/models/island_energy.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -442,6 +442,145 @@ def angular_velocity_damped(
     return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)
 
 
+def given_product(
+    mass: Scalar,
+    velocity: Vector,
+    velocity_given: Vector,
+    inertia: Scalar,
+    angular_velocity: Scalar,
+    angular_velocity_given: Scalar,
+) -> Scalar:
+    """Product of the motion of bodies and of what contacts gave them, weighted by their masses and
+    inertias (J).
+
+    given_product = mass*dot(velocity, velocity_given) +
+    inertia*angular_velocity*angular_velocity_given
+
+    Args:
+        mass: Mass of a body, kg
+        velocity: Velocity of the centre of mass, m/s
+        velocity_given: What contacts have changed in the velocity of a body in all substeps,
+            m/s
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+        angular_velocity_given: What contacts have changed in the angular velocity of a body in
+            all substeps, rad/s
+
+    Source: DD88, srs/models/island_energy.md:333.
+    """
+    velocity_x, velocity_y = velocity
+    velocity_given_x, velocity_given_y = velocity_given
+    return (
+        mass * (velocity_x * velocity_given_x + velocity_y * velocity_given_y)
+        + inertia * angular_velocity * angular_velocity_given
+    )
+
+
+def energy_along_given(given_product: Scalar, change_energy: Scalar) -> Scalar:
+    """Energy of the motion of bodies along what contacts gave them (J).
+
+    energy_along_given = given_product**2/(4*change_energy)
+
+    Args:
+        given_product: Product of the motion of bodies and of what contacts gave them, weighted
+            by their masses and inertias, J
+        change_energy: Kinetic energy that bodies would have with a change of velocities alone,
+            J
+
+    Source: DD88, srs/models/island_energy.md:336.
+    """
+    return given_product * given_product / (4 * change_energy)
+
+
+def energy_along_given_charged(
+    energy_along_given: Scalar,
+    energy_surplus: Scalar,
+    energy_given: Scalar,
+    energy_given_all: Scalar,
+) -> Scalar:
+    """Energy of that motion after the bodies have paid for their island (J).
+
+    energy_along_given_charged = max(energy_along_given -
+    energy_surplus*energy_given/energy_given_all, 0[J])
+
+    Args:
+        energy_along_given: Energy of the motion of bodies along what contacts gave them, J
+        energy_surplus: Energy that contacts have given an island in all, beyond what it may
+            have, J
+        energy_given: Energy that contacts have given a body in a step, negative if they took
+            it, J
+        energy_given_all: Energy that contacts have given those bodies of an island that got
+            some, J
+
+    Source: DD88, srs/models/island_energy.md:337.
+    """
+    return largest(energy_along_given - energy_surplus * energy_given / energy_given_all, 0.0)
+
+
+def velocity_repaid(
+    velocity: Vector,
+    velocity_given: Vector,
+    damped_share: Scalar,
+    given_product: Scalar,
+    change_energy: Scalar,
+) -> Vector:
+    """Velocity of a body that has paid for its island (m/s).
+
+    velocity_repaid = velocity - (1 -
+    damped_share)*given_product/(2*change_energy)*velocity_given
+
+    Args:
+        velocity: Velocity of the centre of mass, m/s
+        velocity_given: What contacts have changed in the velocity of a body in all substeps,
+            m/s
+        damped_share: Part that an island keeps of what differs in its velocities from its
+            motion as one, 1
+        given_product: Product of the motion of bodies and of what contacts gave them, weighted
+            by their masses and inertias, J
+        change_energy: Kinetic energy that bodies would have with a change of velocities alone,
+            J
+
+    Source: DD88, srs/models/island_energy.md:339.
+    """
+    velocity_x, velocity_y = velocity
+    velocity_given_x, velocity_given_y = velocity_given
+    return (
+        velocity_x - (1 - damped_share) * given_product / (2 * change_energy) * velocity_given_x,
+        velocity_y - (1 - damped_share) * given_product / (2 * change_energy) * velocity_given_y,
+    )
+
+
+def angular_velocity_repaid(
+    angular_velocity: Scalar,
+    angular_velocity_given: Scalar,
+    damped_share: Scalar,
+    given_product: Scalar,
+    change_energy: Scalar,
+) -> Scalar:
+    """Angular velocity of a body that has paid for its island (rad/s).
+
+    angular_velocity_repaid = angular_velocity - (1 -
+    damped_share)*given_product/(2*change_energy)*angular_velocity_given
+
+    Args:
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+        angular_velocity_given: What contacts have changed in the angular velocity of a body in
+            all substeps, rad/s
+        damped_share: Part that an island keeps of what differs in its velocities from its
+            motion as one, 1
+        given_product: Product of the motion of bodies and of what contacts gave them, weighted
+            by their masses and inertias, J
+        change_energy: Kinetic energy that bodies would have with a change of velocities alone,
+            J
+
+    Source: DD88, srs/models/island_energy.md:341.
+    """
+    return (
+        angular_velocity
+        - (1 - damped_share) * given_product / (2 * change_energy) * angular_velocity_given
+    )
+
+
 def energy_given(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
     """Energy that contacts have given a body in a step, negative if they took it (J).
 
@@ -452,7 +591,7 @@ def energy_given(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Sca
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD87, srs/models/island_energy.md:329.
+    Source: DD87, srs/models/island_energy.md:391.
     """
     return kinetic_energy - kinetic_energy_start - work
 
@@ -467,7 +606,7 @@ def rising_energy(mass: Scalar, velocity: Vector, acceleration: Vector) -> Scala
         velocity: Velocity of the centre of mass, m/s
         acceleration: Acceleration of the centre of mass, m/s^2
 
-    Source: DD87, srs/models/island_energy.md:330.
+    Source: DD87, srs/models/island_energy.md:392.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -489,13 +628,14 @@ def rising_energy_charged(
     Args:
         rising_energy: Energy of the motion of a body along the acceleration that forces give
             it, J
-        energy_surplus: Energy that contacts have given an island in all, as it was lifted, J
+        energy_surplus: Energy that contacts have given an island in all, beyond what it may
+            have, J
         energy_given: Energy that contacts have given a body in a step, negative if they took
             it, J
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD87, srs/models/island_energy.md:332.
+    Source: DD87, srs/models/island_energy.md:394.
     """
     return largest(rising_energy - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -512,7 +652,7 @@ def velocity_charged(velocity: Vector, acceleration: Vector, damped_share: Scala
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: DD87, srs/models/island_energy.md:334.
+    Source: DD87, srs/models/island_energy.md:396.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -545,7 +685,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:386.
+    Source: DD66, srs/models/island_energy.md:448.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -566,7 +706,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:387.
+    Source: DD66, srs/models/island_energy.md:449.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -597,7 +737,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:388.
+    Source: DD66, srs/models/island_energy.md:450.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -624,7 +764,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:455.
+    Source: IM17, srs/models/island_energy.md:517.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -648,7 +788,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:457.
+    Source: IM17, srs/models/island_energy.md:519.
     """
     return least(
         sqrt(
@@ -677,7 +817,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:460.
+    Source: IM17, srs/models/island_energy.md:522.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -709,7 +849,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:462.
+    Source: IM17, srs/models/island_energy.md:524.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

@@ -1958,7 +1958,7 @@ SYMBOLS: dict[str, Symbol] = {
     "energy_surplus": Symbol(
         "energy_surplus",
         "J",
-        "energy that contacts have given an island in all, as it was lifted",
+        "energy that contacts have given an island in all, beyond what it may have",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
@@ -1991,6 +1991,49 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1241,
     ),
+    "given_product": Symbol(
+        "given_product",
+        "J",
+        "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
+        tex="K_{v\\Delta}",
+        file="srs/symbols.md",
+        line=1246,
+    ),
+    "energy_along_given": Symbol(
+        "energy_along_given",
+        "J",
+        "energy of the motion of bodies along what contacts gave them",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="K_c",
+        file="srs/symbols.md",
+        line=1252,
+    ),
+    "energy_along_given_charged": Symbol(
+        "energy_along_given_charged",
+        "J",
+        "energy of that motion after the bodies have paid for their island",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="K_{c-}",
+        file="srs/symbols.md",
+        line=1257,
+    ),
+    "velocity_repaid": Symbol(
+        "velocity_repaid",
+        "m/s",
+        "velocity of a body that has paid for its island",
+        shape="vector",
+        tex="\\mathbf{v}_{c-}",
+        file="srs/symbols.md",
+        line=1262,
+    ),
+    "angular_velocity_repaid": Symbol(
+        "angular_velocity_repaid",
+        "rad/s",
+        "angular velocity of a body that has paid for its island",
+        tex="\\omega_{c-}",
+        file="srs/symbols.md",
+        line=1267,
+    ),
     "change_energy": Symbol(
         "change_energy",
         "J",
@@ -1998,7 +2041,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1246,
+        line=1271,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2006,7 +2049,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1251,
+        line=1276,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2015,7 +2058,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1255,
+        line=1280,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2023,7 +2066,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1260,
+        line=1285,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2032,7 +2075,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1265,
+        line=1290,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2041,7 +2084,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1270,
+        line=1295,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2050,7 +2093,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1275,
+        line=1300,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2059,7 +2102,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1280,
+        line=1305,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2068,7 +2111,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1287,
+        line=1312,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2077,7 +2120,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1292,
+        line=1317,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2085,7 +2128,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1297,
+        line=1322,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2093,7 +2136,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1302,
+        line=1327,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2101,7 +2144,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1308,
+        line=1333,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2110,7 +2153,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1312,
+        line=1337,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2119,7 +2162,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1319,
+        line=1344,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2128,7 +2171,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1324,
+        line=1349,
     ),
     "energy": Symbol(
         "energy",
@@ -2136,7 +2179,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1329,
+        line=1354,
     ),
     "radius": Symbol(
         "radius",
@@ -2145,7 +2188,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1338,
+        line=1363,
     ),
     "length": Symbol(
         "length",
@@ -2154,7 +2197,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1343,
+        line=1368,
     ),
     "width": Symbol(
         "width",
@@ -2163,7 +2206,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1350,
+        line=1375,
     ),
     "height": Symbol(
         "height",
@@ -2172,7 +2215,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1355,
+        line=1380,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2181,7 +2224,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1360,
+        line=1385,
     ),
     "center": Symbol(
         "center",
@@ -2190,7 +2233,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1365,
+        line=1390,
     ),
     "offset": Symbol(
         "offset",
@@ -2198,7 +2241,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1370,
+        line=1395,
     ),
     "area": Symbol(
         "area",
@@ -2207,7 +2250,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1374,
+        line=1399,
     ),
     "way": Symbol(
         "way",
@@ -2216,7 +2259,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1379,
+        line=1404,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2224,7 +2267,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1384,
+        line=1409,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2233,7 +2276,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1388,
+        line=1413,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2242,7 +2285,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1393,
+        line=1418,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2250,7 +2293,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1398,
+        line=1423,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2258,7 +2301,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1402,
+        line=1427,
     ),
     "lean": Symbol(
         "lean",
@@ -2266,7 +2309,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1406,
+        line=1431,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2274,7 +2317,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1410,
+        line=1435,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2282,7 +2325,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1414,
+        line=1439,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2291,7 +2334,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1420,
+        line=1445,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2299,7 +2342,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1433,
+        line=1458,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2307,7 +2350,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1437,
+        line=1462,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2315,7 +2358,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1441,
+        line=1466,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2323,7 +2366,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1445,
+        line=1470,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2332,7 +2375,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1449,
+        line=1474,
     ),
     "slope": Symbol(
         "slope",
@@ -2341,7 +2384,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1454,
+        line=1479,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2350,7 +2393,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1459,
+        line=1484,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2359,7 +2402,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1464,
+        line=1489,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2368,7 +2411,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1469,
+        line=1494,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2376,7 +2419,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1474,
+        line=1499,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2384,7 +2427,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1478,
+        line=1503,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2392,7 +2435,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1482,
+        line=1507,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2401,7 +2444,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1486,
+        line=1511,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2409,7 +2452,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1491,
+        line=1516,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2417,7 +2460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1495,
+        line=1520,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2425,7 +2468,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1499,
+        line=1524,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2433,7 +2476,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1503,
+        line=1528,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2441,7 +2484,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1507,
+        line=1532,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2449,7 +2492,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1511,
+        line=1536,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2457,7 +2500,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1515,
+        line=1540,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2465,7 +2508,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1519,
+        line=1544,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2474,7 +2517,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1523,
+        line=1548,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2483,7 +2526,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1528,
+        line=1553,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2492,7 +2535,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1533,
+        line=1558,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2501,7 +2544,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1538,
+        line=1563,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2509,7 +2552,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1543,
+        line=1568,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2518,7 +2561,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1547,
+        line=1572,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2526,7 +2569,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1552,
+        line=1577,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2534,7 +2577,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1556,
+        line=1581,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2543,7 +2586,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1560,
+        line=1585,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2552,7 +2595,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1565,
+        line=1590,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2560,7 +2603,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1570,
+        line=1595,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2569,7 +2612,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1574,
+        line=1599,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2577,7 +2620,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1579,
+        line=1604,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2585,7 +2628,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1583,
+        line=1608,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2594,7 +2637,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1587,
+        line=1612,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2603,7 +2646,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1592,
+        line=1617,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2612,7 +2655,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1597,
+        line=1622,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2621,7 +2664,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1602,
+        line=1627,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2630,7 +2673,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1607,
+        line=1632,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2639,7 +2682,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1612,
+        line=1637,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2648,7 +2691,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1617,
+        line=1642,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2657,7 +2700,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1622,
+        line=1647,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2666,7 +2709,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1627,
+        line=1652,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2674,7 +2717,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1632,
+        line=1657,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2683,7 +2726,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1636,
+        line=1661,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2692,7 +2735,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1641,
+        line=1666,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2701,7 +2744,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1646,
+        line=1671,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2709,7 +2752,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1651,
+        line=1676,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2718,7 +2761,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1655,
+        line=1680,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2726,7 +2769,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1660,
+        line=1685,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2734,7 +2777,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1664,
+        line=1689,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2743,7 +2786,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1668,
+        line=1693,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2752,7 +2795,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1673,
+        line=1698,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2761,7 +2804,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1678,
+        line=1703,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2769,7 +2812,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1683,
+        line=1708,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2777,7 +2820,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1687,
+        line=1712,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2785,7 +2828,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1691,
+        line=1716,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2794,7 +2837,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1695,
+        line=1720,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2803,7 +2846,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1700,
+        line=1725,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2812,7 +2855,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1705,
+        line=1730,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2821,7 +2864,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1710,
+        line=1735,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2830,7 +2873,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1715,
+        line=1740,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2839,7 +2882,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1720,
+        line=1745,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2848,7 +2891,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1725,
+        line=1750,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2857,7 +2900,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1730,
+        line=1755,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2865,7 +2908,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1735,
+        line=1760,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2874,7 +2917,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1739,
+        line=1764,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2882,7 +2925,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1744,
+        line=1769,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2891,7 +2934,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1748,
+        line=1773,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2900,7 +2943,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1753,
+        line=1778,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2909,7 +2952,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1758,
+        line=1783,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2918,7 +2961,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1763,
+        line=1788,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2927,7 +2970,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1768,
+        line=1793,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2935,7 +2978,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1773,
+        line=1798,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2944,7 +2987,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1777,
+        line=1802,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2953,7 +2996,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1782,
+        line=1807,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2962,7 +3005,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1787,
+        line=1812,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2971,7 +3014,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1792,
+        line=1817,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2979,7 +3022,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1797,
+        line=1822,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2987,7 +3030,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1801,
+        line=1826,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2996,7 +3039,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1805,
+        line=1830,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3005,7 +3048,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1810,
+        line=1835,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3014,7 +3057,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1815,
+        line=1840,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3023,7 +3066,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1820,
+        line=1845,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3032,7 +3075,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1825,
+        line=1850,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3041,7 +3084,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1830,
+        line=1855,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3050,7 +3093,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1835,
+        line=1860,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3059,7 +3102,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1840,
+        line=1865,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3068,7 +3111,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1845,
+        line=1870,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3076,7 +3119,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1850,
+        line=1875,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3084,7 +3127,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1854,
+        line=1879,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3093,7 +3136,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1858,
+        line=1883,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3101,7 +3144,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1863,
+        line=1888,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3109,7 +3152,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1867,
+        line=1892,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3118,7 +3161,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1871,
+        line=1896,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3127,7 +3170,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1876,
+        line=1901,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3136,7 +3179,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1881,
+        line=1906,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3144,7 +3187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1886,
+        line=1911,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3153,7 +3196,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1890,
+        line=1915,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3161,7 +3204,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1895,
+        line=1920,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3170,7 +3213,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1899,
+        line=1924,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3178,7 +3221,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1904,
+        line=1929,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3187,7 +3230,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1908,
+        line=1933,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3195,7 +3238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1913,
+        line=1938,
     ),
     "change": Symbol(
         "change",
@@ -3204,7 +3247,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1917,
+        line=1942,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3213,7 +3256,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1922,
+        line=1947,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3222,7 +3265,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1927,
+        line=1952,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3230,7 +3273,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1932,
+        line=1957,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3239,7 +3282,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1936,
+        line=1961,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3247,7 +3290,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1941,
+        line=1966,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3255,7 +3298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1945,
+        line=1970,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3263,7 +3306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1949,
+        line=1974,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3272,7 +3315,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1953,
+        line=1978,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3280,7 +3323,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1958,
+        line=1983,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3289,6 +3332,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1962,
+        line=1987,
     ),
 }

@@ -3,7 +3,7 @@
 from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.early import note_early_joined
 from tamias2d.engine.islands import join_islands
-from tamias2d.engine.joined import mark_joined, turned_or_joined, unless_joined
+from tamias2d.engine.joined import mark_joined, or_joined, unless_joined
 from tamias2d.engine.joints.activity import (
     activate_joined,
     clear_of_joints,
@@ -12,6 +12,7 @@ from tamias2d.engine.joints.activity import (
     note_mechanisms,
 )
 from tamias2d.engine.joints.island_charge import charge_joined, support_joined
+from tamias2d.engine.joints.payment import pay_together, repay_as_one
 from tamias2d.engine.joints.placement import note_places
 from tamias2d.engine.joints.stages import (
     begin_joints,
@@ -49,9 +50,11 @@ JOINT_STAGES = (
     relax_joints,
     solve_joints,
     charge_joined,
+    pay_together,
+    repay_as_one,
     support_joined,
     joints_disagree,
-    turned_or_joined,
+    or_joined,
     unless_joined,
     wake_tied,
     without_kept_apart,

@@ -248,6 +248,7 @@ def keep_part_of_way(
 def damp_mechanism(first: int, last: int, row: Array, bodies: Bodies, joints: Joints) -> None:
     """Damp the motion of the nodes of a mechanism; the row says how much energy it may keep."""
     root = joints.sparse[first, tb.N_BODY]
+    row[tb.ENERGY_APART] = 0.0
     for k in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
         row[k] = 0.0
     for node in range(first, last):

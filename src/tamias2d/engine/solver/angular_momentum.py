@@ -12,9 +12,8 @@ from typing import NamedTuple
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.islands import update_islands
-from tamias2d.engine.joined import turned_or_joined
 from tamias2d.engine.solver.energy import mass_and_inertia
-from tamias2d.engine.solver.island_damping import add_to_island, place_from
+from tamias2d.engine.solver.island_damping import add_to_island, place_from, spin_is_changed
 from tamias2d.engine.solver.support import is_root
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Joints, Touching
 from tamias2d.generated.definitions import kinetic_energy, point_velocity
@@ -148,12 +147,12 @@ def keep_angular_momentum(
         i = touching.active[k]
         if is_pushed_and_free(i, bodies, islands):
             add_moment_of(i, bodies, rows[i])
-            sum_pushed(i, links[i, tb.ROOT], bodies, rows[i], rows[links[i, tb.ROOT]])
+            sum_pushed(i, links[i, tb.ROOT], bodies, islands)
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         row = rows[links[i, tb.ROOT]]
         if is_pushed_and_free(i, bodies, islands) and row[tb.ANGULAR_MOMENTUM_GIVEN] != 0.0:
-            return_of_island(i, links[i, tb.ROOT], bodies, rows[i], row)
+            return_of_island(i, links[i, tb.ROOT], bodies, islands)
 
 
 def add_given_by_joints(islands: Islands, joints: Joints) -> None:
@@ -171,8 +170,9 @@ def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
     return bool(pushed & (islands.held[i] == 0))
 
 
-def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:
+def sum_pushed(i: int, root: int, bodies: Bodies, islands: Islands) -> None:
     """Add the motion of a body, and what contacts have given it, to those of its island."""
+    given, row = islands.energy[i], islands.energy[root]
     mass, inertia = mass_and_inertia(i, bodies.properties)
     start = (
         bodies.pose[i, tb.X] - bodies.pose[root, tb.X],
@@ -187,16 +187,15 @@ def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> N
         inertia,
         given[tb.ANGULAR_VELOCITY_GIVEN],
     )
-    turned = bool(given[tb.ANGULAR_VELOCITY_GIVEN] != 0.0)
-    turned = turned_or_joined(turned, i, bodies)
-    inertia = inertia if turned else 0.0
+    inertia = inertia if spin_is_changed(i, bodies, islands) else 0.0
     velocity = velocity_seen((now[tb.VX], now[tb.VY]), (row[tb.REFERENCE], row[tb.REFERENCE + 1]))
     add_to_island(mass, inertia, place, velocity, now[tb.SPIN], row)
     row[tb.ENERGY_PUSHED] += kinetic_energy(mass, velocity, inertia, now[tb.SPIN])
 
 
-def return_of_island(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:
+def return_of_island(i: int, root: int, bodies: Bodies, islands: Islands) -> None:
     """Give a body the motion that it has where its island has its angular momentum."""
+    row = islands.energy[root]
     mass, inertia = mass_and_inertia(i, bodies.properties)
     now, reference = bodies.motion[i], (row[tb.REFERENCE], row[tb.REFERENCE + 1])
     one = as_one(
@@ -208,8 +207,7 @@ def return_of_island(i: int, root: int, bodies: Bodies, given: Array, row: Array
     )
     seen = velocity_seen((now[tb.VX], now[tb.VY]), reference)
     before = kinetic_energy(mass, seen, inertia, now[tb.SPIN])
-    turned = bool(given[tb.ANGULAR_VELOCITY_GIVEN] != 0.0)
-    turned = turned_or_joined(turned, i, bodies)
+    turned = spin_is_changed(i, bodies, islands)
     if not can_turn(one, row[tb.MOMENT_OF_INERTIA]):
         return
     now[tb.VX], now[tb.VY] = seen

@@ -1,12 +1,13 @@
-"""Damping: islands with too much energy come nearer to moving as one (DD37).
+"""Damping: free islands with too much energy come nearer to moving as one (IM11).
 
-A free island comes nearer to its rigid motion, with its momentum and angular momentum, an island
-with a support to the motion of that. Cost: some visits to each body.
+What contacts pushed comes nearer to its rigid motion, with its momentum and angular momentum; so
+does a mechanism to the motion of what ties it. Cost: some visits to each body.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joined import or_joined
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
-from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_MORE, reference_at
+from tamias2d.engine.solver.support import FREE, LEAST_SHARE, SUPPORTED_BY_MORE
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
 from tamias2d.generated.definitions import (
     angular_momentum,
@@ -28,7 +29,7 @@ from tamias2d.generated.island_energy import (
 )
 from tamias2d.state import Array, Vector
 
-LEAST_SHARE = 2.0**-600  # of the energy: what may keep less ends, before squares underflow
+ROUNDED_TURN = 2.0**-80  # of the energy of a change of velocities: a turn by rounding has less
 
 
 def choose_islands_to_damp(islands: Islands) -> bool:
@@ -48,25 +49,58 @@ def sum_island_motions(
 ) -> None:
     """Find the rigid motion of the chosen islands, and how far they are damped."""
     for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        row[tb.ENERGY_APART] = 0.0
         for at in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
-            islands.energy[islands.roots[n], at] = 0.0
+            row[at] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        row = islands.energy[islands.links[i, tb.ROOT]]
-        if bodies.kind[i] == tb.DYNAMIC and row[tb.DAMPED_SHARE] != 1.0 and row[tb.SUPPORT] == FREE:
-            sum_body_motion(i, islands.links[i, tb.ROOT], bodies, row)
+        if is_damped(i, bodies, islands):
+            sum_body_motion(i, islands.links[i, tb.ROOT], bodies, islands)
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
-        if row[tb.DAMPED_SHARE] != 1.0:
+        if row[tb.DAMPED_SHARE] != 1.0 and row[tb.SUPPORT] == FREE:
             find_rigid_motion(row)
 
 
-def sum_body_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:
-    """Add mass, momentum and moments of a body to those of its island, as seen from the root."""
+def is_damped(i: int, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether a body is of a free island that has too much energy."""
+    row = islands.energy[islands.links[i, tb.ROOT]]
+    free = row[tb.DAMPED_SHARE] != 1.0 and row[tb.SUPPORT] == FREE
+    return bool(bodies.kind[i] == tb.DYNAMIC and free)
+
+
+def sum_body_motion(i: int, root: int, bodies: Bodies, islands: Islands) -> None:
+    """Add mass, momentum and moments of a body to those of its island, as seen from the root.
+
+    What contacts have not pushed is apart from it, and so is a spin that they have not changed.
+    """
+    row = islands.energy[root]
     mass, inertia = mass_and_inertia(i, bodies.properties)
     now, place = bodies.motion[i], place_from(root, i, bodies)
     velocity = velocity_seen((now[tb.VX], now[tb.VY]), (row[tb.REFERENCE], row[tb.REFERENCE + 1]))
+    if bodies.moved[i] != tb.MOVED:
+        row[tb.ENERGY_APART] += kinetic_energy(mass, velocity, inertia, now[tb.SPIN])
+        return
+    if not spin_is_changed(i, bodies, islands):
+        row[tb.ENERGY_APART] += kinetic_energy(mass, (0.0, 0.0), inertia, now[tb.SPIN])
+        inertia = 0.0
     add_to_island(mass, inertia, place, velocity, now[tb.SPIN], row)
+
+
+def spin_is_changed(i: int, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether the spin of a body has been changed, as far as is known."""
+    turned = islands.held[i] != 0 or more_than_rounding(i, bodies, islands.energy[i])
+    turned = or_joined(turned, i, bodies)
+    return bool(turned)
+
+
+def more_than_rounding(i: int, bodies: Bodies, given: Array) -> bool:
+    """Return whether contacts have turned a body: smooth discs are turned by rounding alone."""
+    mass, inertia = mass_and_inertia(i, bodies.properties)
+    velocity = (given[tb.VELOCITY_GIVEN], given[tb.VELOCITY_GIVEN + 1])
+    turning = kinetic_energy(mass, (0.0, 0.0), inertia, given[tb.ANGULAR_VELOCITY_GIVEN])
+    return bool(turning > ROUNDED_TURN * kinetic_energy(mass, velocity, 0.0, 0.0))
 
 
 def add_to_island(
@@ -98,7 +132,7 @@ def find_rigid_motion(row: Array) -> None:
         spin = 0.0
         if inertia > 0.0:
             spin = angular_velocity_island(row[tb.ANGULAR_MOMENTUM], mass, place, velocity, inertia)
-        least = kinetic_energy(mass, velocity, inertia, spin)
+        least = kinetic_energy(mass, velocity, inertia, spin) + row[tb.ENERGY_APART]
         by_x, by_y = point_velocity(velocity, spin, (-place[0], -place[1]))
         row[tb.REFERENCE] += by_x
         row[tb.REFERENCE + 1] += by_y
@@ -112,29 +146,18 @@ def find_rigid_motion(row: Array) -> None:
 def damp_islands(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
-    """Scale the motion of bodies relative to the reference of their island."""
+    """Scale the motion of what contacts pushed in free islands relative to their motion as one."""
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if bodies.kind[i] == tb.DYNAMIC:
-            factor = islands.energy[islands.links[i, tb.ROOT], tb.DAMPED_SHARE]
-            if factor < 1.0:
-                velocity, spin = motion_as_one(i, bodies, islands)
-                now = bodies.motion[i]
-                now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), velocity, factor)
-                now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, factor)
-
-
-def motion_as_one(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, float]:
-    """Return the velocity, at a body, and the spin of the motion to which its island comes nearer.
-
-    A free island has its angular momentum where it is at the end of the step.
-    """
-    root = islands.links[i, tb.ROOT]
-    row = islands.energy[root]
-    if row[tb.SUPPORT] != FREE:
-        return reference_at(i, bodies, islands)
-    velocity, spin = (row[tb.REFERENCE], row[tb.REFERENCE + 1]), row[tb.REFERENCE + 2]
-    return point_velocity(velocity, spin, place_from(root, i, bodies)), float(spin)
+        if is_damped(i, bodies, islands) and bodies.moved[i] == tb.MOVED:
+            root = islands.links[i, tb.ROOT]
+            row = islands.energy[root]
+            spin, share, now = row[tb.REFERENCE + 2], row[tb.DAMPED_SHARE], bodies.motion[i]
+            velocity = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
+            velocity = point_velocity(velocity, spin, place_from(root, i, bodies))
+            now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), velocity, share)
+            if spin_is_changed(i, bodies, islands):
+                now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
 
 
 def place_from(root: int, i: int, bodies: Bodies) -> Vector:

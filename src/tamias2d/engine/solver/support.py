@@ -6,11 +6,20 @@ moved when the step began: there, gravity does no work that contacts could take 
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
-from tamias2d.generated.definitions import momentum, point_velocity
-from tamias2d.generated.island_energy import velocity_island
+from tamias2d.generated.definitions import kinetic_energy, momentum, point_velocity
+from tamias2d.generated.island_energy import (
+    angular_velocity_damped,
+    angular_velocity_seen,
+    damped_share,
+    velocity_damped,
+    velocity_island,
+    velocity_seen,
+)
 from tamias2d.state import Vector
 
+LEAST_SHARE = 2.0**-600  # of the energy: what may keep less ends, before squares underflow
 ALIKE = 1e-9  # of their sizes: differences of velocities that are none
 
 FREE, SUPPORTED_BY_ONE, SUPPORTED_BY_MORE = 0.0, 1.0, 2.0  # motions that support an island
@@ -101,3 +110,25 @@ def reference_at(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, floa
     )
     spin = row[tb.REFERENCE + 2]
     return point_velocity((row[tb.REFERENCE], row[tb.REFERENCE + 1]), spin, (x, y)), spin
+
+
+def energy_from_support(i: int, bodies: Bodies, islands: Islands) -> float:
+    """Return the kinetic energy of a body as seen from its support, J."""
+    mass, inertia = mass_and_inertia(i, bodies.properties)
+    by, spin = reference_at(i, bodies, islands)
+    now = bodies.motion[i]
+    velocity = velocity_seen((now[tb.VX], now[tb.VY]), by)
+    return kinetic_energy(mass, velocity, inertia, angular_velocity_seen(now[tb.SPIN], spin))
+
+
+def damp_to_support(i: int, share: float, bodies: Bodies, islands: Islands) -> None:
+    """Leave a body a share of its motion as seen from its support."""
+    by, spin = reference_at(i, bodies, islands)
+    now = bodies.motion[i]
+    now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), by, share)
+    now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
+
+
+def share_left(energy: float, left: float) -> float:
+    """Return which share of a motion has an energy that is left, J; slight ones end."""
+    return damped_share(energy, left, 0.0) if left > LEAST_SHARE * energy else 0.0

@@ -1,0 +1,198 @@
+"""What an island on a support has too much is paid from what contacts gave its bodies (DD88).
+
+Whoever got nothing pays nothing: a body that slides on the same plank, or flies on a slack rope.
+Cost: three visits to each body, where some island has too much.
+"""
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.joints.payment import pay_together, repay_as_one
+from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
+from tamias2d.engine.solver.support import (
+    FREE,
+    damp_to_support,
+    energy_from_support,
+    reference_at,
+    share_left,
+)
+from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
+from tamias2d.generated.definitions import coordinate_velocity_later, kinetic_energy
+from tamias2d.generated.island_energy import (
+    angular_velocity_repaid,
+    angular_velocity_seen,
+    energy_along_given,
+    energy_along_given_charged,
+    given_product,
+    lift_work,
+    velocity_repaid,
+    velocity_seen,
+)
+
+
+def charge_supported(
+    control: Control,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+    joints: Joints,
+) -> None:
+    """Take what chosen islands have too much from their bodies.
+
+    Bodies at rest pay first. Where they cannot, those pay that got energy: from what they got, then
+    from all of their motion. What is left is taken from all that contacts push.
+    """
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        chosen = row[tb.DAMPED_SHARE] != 1.0 and row[tb.SUPPORT] != FREE
+        row[tb.ENERGY_SURPLUS] = row[tb.ENERGY_KEPT] - row[tb.ENERGY_BOUND] if chosen else 0.0
+    damp_resting(False, control, bodies, touching, constraints, islands)
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        if is_charged(i, bodies, islands):
+            note_given(i, control, bodies, islands)
+    pay_together(islands, joints)
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        if is_charged(i, bodies, islands) and islands.given[i] > 0.0:
+            repay(i, bodies, islands)
+    find_surplus(False, control, bodies, touching, constraints, islands)
+    repay_as_one(bodies, islands, joints)
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        if is_charged(i, bodies, islands) and islands.given[i] > 0.0:
+            repay_from_all(i, bodies, islands)
+    damp_resting(True, control, bodies, touching, constraints, islands)
+
+
+def is_charged(i: int, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether a body is of an island that pays."""
+    surplus = islands.energy[islands.links[i, tb.ROOT], tb.ENERGY_SURPLUS]
+    return bool(bodies.kind[i] == tb.DYNAMIC and surplus > 0.0)
+
+
+def note_given(i: int, control: Control, bodies: Bodies, islands: Islands) -> None:
+    """Note what a body was given: the change of its velocities that forces alone do not make."""
+    row, then, now = islands.energy[i], bodies.substep_state[i], bodies.motion[i]
+    for n in range(3):
+        free = then[tb.STEP_START + n]
+        for _ in range(control.counts[tb.PART_SUBSTEPS]):
+            free = coordinate_velocity_later(then[tb.DRAG_FACTOR + n], free, then[tb.INCREMENT + n])
+        row[tb.VELOCITY_GIVEN + n] = now[n] - free
+    mass, inertia = mass_and_inertia(i, bodies.properties)
+    by, spin = reference_at(i, bodies, islands)
+    given = (row[tb.VELOCITY_GIVEN], row[tb.VELOCITY_GIVEN + 1])
+    turned = row[tb.ANGULAR_VELOCITY_GIVEN]
+    row[tb.CHANGE_ENERGY] = kinetic_energy(mass, given, inertia, turned)
+    row[tb.GIVEN_PRODUCT] = given_product(
+        mass,
+        velocity_seen((now[tb.VX], now[tb.VY]), by),
+        given,
+        inertia,
+        angular_velocity_seen(now[tb.SPIN], spin),
+        turned,
+    )
+
+
+def repay(i: int, bodies: Bodies, islands: Islands) -> None:
+    """Take from a body, along what it was given, what it has to pay."""
+    row, now = islands.energy[i], bodies.motion[i]
+    product, change = row[tb.GIVEN_PRODUCT], row[tb.CHANGE_ENERGY]
+    island = islands.energy[islands.links[i, tb.ROOT]]
+    if not (product > 0.0 and change > 0.0):
+        return
+    energy = energy_along_given(product, change)
+    left = energy_along_given_charged(
+        energy, island[tb.ENERGY_SURPLUS], islands.given[i], island[tb.ENERGY_GIVEN_ALL]
+    )
+    share = share_left(energy, left)
+    given = (row[tb.VELOCITY_GIVEN], row[tb.VELOCITY_GIVEN + 1])
+    now[tb.VX], now[tb.VY] = velocity_repaid(
+        (now[tb.VX], now[tb.VY]), given, share, product, change
+    )
+    turned = row[tb.ANGULAR_VELOCITY_GIVEN]
+    now[tb.SPIN] = angular_velocity_repaid(now[tb.SPIN], turned, share, product, change)
+
+
+def repay_from_all(i: int, bodies: Bodies, islands: Islands) -> None:
+    """Take from all of the motion of a body what it has to pay, unless it has paid with others.
+
+    Nobody pays with more than he got.
+    """
+    row, energy = islands.energy[islands.links[i, tb.ROOT]], energy_from_support(i, bodies, islands)
+    pays = energy > 0.0
+    pays = unless_joined(pays, i, i, bodies)
+    if pays:
+        left = energy_along_given_charged(
+            energy, row[tb.ENERGY_SURPLUS], islands.given[i], row[tb.ENERGY_GIVEN_ALL]
+        )
+        damp_to_support(i, share_left(energy, left), bodies, islands)
+
+
+def damp_resting(
+    last: bool,
+    control: Control,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+) -> None:
+    """Damp the bodies at rest of islands that have too much, if that suffices, or is the last."""
+    find_surplus(last, control, bodies, touching, constraints, islands)
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        surplus, theirs = row[tb.ENERGY_SURPLUS], row[tb.ENERGY_AT_REST]
+        row[tb.DAMPED_SHARE] = 1.0
+        if surplus > 0.0 and theirs > 0.0 and (theirs >= surplus or last):
+            row[tb.DAMPED_SHARE] = share_left(theirs, max(theirs - surplus, 0.0))
+            row[tb.ENERGY_SURPLUS] = 0.0
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        share = islands.energy[islands.links[i, tb.ROOT], tb.DAMPED_SHARE]
+        pays = is_payer(last, i, control, bodies, islands)
+        if bodies.kind[i] == tb.DYNAMIC and share < 1.0 and pays:
+            damp_to_support(i, share, bodies, islands)
+
+
+def find_surplus(
+    last: bool,
+    control: Control,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+) -> None:
+    """Find what islands that pay still have too much, and the energy of their bodies at rest, J."""
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        row[tb.ENERGY_AFTER] = row[tb.ENERGY_AT_REST] = 0.0
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        if is_charged(i, bodies, islands):
+            row, energy = (
+                islands.energy[islands.links[i, tb.ROOT]],
+                energy_from_support(i, bodies, islands),
+            )
+            row[tb.ENERGY_AFTER] += energy
+            if is_payer(last, i, control, bodies, islands):
+                row[tb.ENERGY_AT_REST] += energy
+    for n in range(islands.counts[tb.ROOTS]):
+        row = islands.energy[islands.roots[n]]
+        if row[tb.ENERGY_SURPLUS] > 0.0:
+            surplus = row[tb.ENERGY_AFTER] - row[tb.ENERGY_BOUND]
+            row[tb.ENERGY_SURPLUS] = surplus if surplus > GRACE * row[tb.ENERGY_AFTER] else 0.0
+
+
+def is_payer(last: bool, i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether a body that contacts push is at rest, or pays as one of the last."""
+    rests = is_at_rest(i, control, bodies, islands)
+    rests = unless_joined(rests, i, i, bodies)
+    return bool(bodies.moved[i] == tb.MOVED and (rests or last))
+
+
+def is_at_rest(i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether a body moves less than forces would move it in a substep."""
+    gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
+    mass, load = 1.0 / bodies.properties[i, tb.INVERSE_MASS], bodies.load[i]
+    most = lift_work(mass, gravity, (load[0], load[1]), control.settings[tb.SUBSTEP])
+    return energy_from_support(i, bodies, islands) < most
