@@ -12,6 +12,7 @@ restitution, or where there is more energy in all than there may be. Cost: some 
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.island_charge import charge_joined, support_joined
+from tamias2d.engine.payment import charge_supported
 from tamias2d.engine.solver.angular_momentum import keep_angular_momentum
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
@@ -21,7 +22,6 @@ from tamias2d.engine.solver.island_damping import (
 )
 from tamias2d.engine.solver.joined_gains import note_gains
 from tamias2d.engine.solver.lifting import charge_rising
-from tamias2d.engine.solver.payment import charge_supported
 from tamias2d.engine.solver.support import (
     SUPPORTED_BY_MORE,
     find_references,
