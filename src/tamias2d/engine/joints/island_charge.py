@@ -13,8 +13,6 @@ from tamias2d.generated.island_energy import kinetic_energy_most, lift_work
 from tamias2d.generated.joint_step import drive_work, kept_way
 from tamias2d.state import Array
 
-FOR_MOTION = 0.5  # of what overlaps may give back: without motion what is lifted would never fall
-
 
 def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
     """Let the islands of mechanisms that are tied to what nothing pushes be seen from there."""
@@ -137,11 +135,9 @@ def charge_for_mechanism(n: int, row: Array, joints: Joints) -> None:
     elif free or powered or may_get_any(n, row, joints):
         row[tb.WORK] = UNLIMITED
     elif row[tb.WORK] < 0.0:
-        for_way = (1.0 - FOR_MOTION) * row[tb.LIFT_WORK]
-        least = kept_way(row[tb.ENERGY_START], for_way, row[tb.WORK])
+        least = kept_way(row[tb.ENERGY_START], row[tb.LIFT_WORK], row[tb.WORK])
         row[tb.KEPT_WAY] = least if rests_on_ground(row) and not turned else 1.0
-        left = kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK])
-        row[tb.ENERGY_START] = max(left, FOR_MOTION * row[tb.LIFT_WORK])
+        row[tb.ENERGY_START] = kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK])
         row[tb.WORK] = 0.0
 
 
