@@ -244,7 +244,8 @@ def _with_nearest(found: list[Axis], a: Placed, b: Placed) -> list[Axis]:
         for j, (qx, qy) in enumerate(b.corners)
     ]
     (x, y), i, j = min(steps, key=lambda each: math.hypot(*each[0]))
-    slack = _AWAY * EPSILON * (abs(dx) + abs(dy) + a.core.size + b.core.size)
+    # thin ends at no distance have a direction by rounding alone
+    slack = _AWAY * EPSILON * (abs(dx) + abs(dy) + a.core.size + b.core.size) if base else 0.0
     if _leaves((x, y), a.corners, i, slack) and _leaves((-x, -y), b.corners, j, slack):
         return [_between((x, y), base, swapped=False)]
     return found

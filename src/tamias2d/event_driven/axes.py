@@ -113,7 +113,7 @@ def with_nearest(a: int, b: int, count: int, world: World) -> int:
             length = hypot(to_x, to_y)
             if length < least:
                 least, x, y, i, j = length, to_x, to_y, m, n
-    slack = AWAY * EPSILON * (abs(dx) + abs(dy) + p[tb.SIZE] + q[tb.SIZE])
+    slack = AWAY * EPSILON * (abs(dx) + abs(dy) + p[tb.SIZE] + q[tb.SIZE]) if base > 0.0 else 0.0
     if leaves(x, y, a, i, slack, world) and leaves(-x, -y, b, j, slack, world):
         return between(x, y, base, 0, world)
     return count
