@@ -121,7 +121,7 @@ class ScipyDop853:
         times = start + (end - start) * (_NODES + 1) / 2
         states = [between(time) for time in times]
         second = np.stack([tried(t, y)[size:] for t, y in zip(times, states, strict=True)])
-        if not np.isfinite(second).all():
+        if np.isfinite(states).all() and not np.isfinite(second).all():
             if not start < (middle := (start + end) / 2) < end:
                 raise self._failed(start, refusals)
             return self._step(field, start, middle, position, velocity)
