@@ -189,6 +189,17 @@ def test_the_closed_form_costs_nothing() -> None:
     assert run.certificate.kind == "exact"
 
 
+def test_a_run_too_short_for_float64_is_not_told_to_be_shorter() -> None:
+    """Its body goes hardly farther than places are rounded; over a longer time it goes on."""
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    scene.add_body(None, mass=1.0, position=(0.0, 1.0), velocity=(1.0, 0.0), linear_drag=0.1)
+    with pytest.raises(
+        ToleranceError, match=r"R5\)\. Let the run last longer, or give a tolerance"
+    ):
+        t2.simulate(scene, duration=1e-12, tolerance=1e-6)
+    assert t2.simulate(scene, duration=1e-9, tolerance=1e-6).certificate is not None
+
+
 def test_without_a_tolerance_there_is_no_certificate_and_the_same_run() -> None:
     scene = oscillator()
     run = t2.simulate(scene, duration=1.0)

@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Sequence
 
 from tamias2d.contact.core import Core, Placed, place, rounded
-from tamias2d.contact.gap import Axis, Gap, axes, from_side, gaps, resolution
+from tamias2d.contact.gap import Axis, Gap, axes, from_side, gaps, nearest_gap, resolution
 from tamias2d.contact.gap_acceleration import LeastGapAcceleration, least_of_centres
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.refusal import UndecidedContactError, named
@@ -187,9 +187,9 @@ class Pair:
         tolerance = resolution(a, b, time)
         if self._lasting:
             _, near = self._other_corners(self._lasting, a, b)
-        else:
-            near = gaps(a, b, max(self._axes(a, b, time, tolerance) or axes(a, b), key=_gap_of))
-        return min(near, key=lambda gap: gap.value), tolerance
+            return min(near, key=lambda gap: gap.value), tolerance
+        axis = max(self._axes(a, b, time, tolerance) or axes(a, b), key=_gap_of)
+        return nearest_gap(a, b, axis), tolerance
 
     def _safe_step(self, time: float, end: float) -> float | None:
         """Return how long no contact can come about, s, or None if one is there."""

@@ -13,7 +13,6 @@ from tamias2d.contact.manifold import (
     tangential_velocity,
 )
 from tamias2d.contact.modes import Mode, closed, closed_directions, effects, force_directions
-from tamias2d.contact.refusal import LastingContactError, named
 from tamias2d.generated import definitions, friction
 from tamias2d.state import Acceleration, State
 
@@ -107,20 +106,11 @@ class TurningFrictionConstraint:
         body: int,
         mode: Mode,
         placed: Mapping[int, Placed],
-        time: float,
     ) -> None:
-        """Take a mode.
-
-        Raises:
-            LastingContactError: a side rolls on something round.
-        """
         self._cores = cores
         self._body = body
         self._mode = mode
         self._placed = placed
-        for contact, along in closed(mode):
-            if along:
-                self._refuse_rocking(contact, time)
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:
         """Return the acceleration under which the closed contacts stay closed."""
@@ -141,19 +131,6 @@ class TurningFrictionConstraint:
             separating_direction, up, spin = acceleration
             acceleration = separating_direction + force * x, up + force * y, spin + force * turn
         return acceleration
-
-    def _refuse_rocking(self, contact: Contact, time: float) -> None:
-        p = contact.b if contact.axis.swapped else contact.a
-        q = contact.a if contact.axis.swapped else contact.b
-        rocks = p == self._body and (self._cores[q].radius or contact.axis.side is None)
-        if rocks and len(self._cores[p].corners) > 1:
-            names = named(self._cores[contact.a].name, self._cores[contact.b].name)
-            raise LastingContactError(
-                f"{names} at {time!r} s: a side or a corner rolls on something round with "
-                "friction, which located contacts do not cover (GD8). End the run before, take "
-                "method=Stepped(), or change the scene.",
-                time=time,
-            )
 
 
 def _contact_acceleration(

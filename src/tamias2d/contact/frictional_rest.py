@@ -169,7 +169,7 @@ class FrictionalIsland(Island):
             return {body: FrictionConstraint(self._cores, body, self._mode, self._projected)}
         self._refuse_coupled(body, moving, time)
         placed = {i: self._placed[i] for c in self.lasting for i in (c.a, c.b)}
-        return {body: TurningFrictionConstraint(self._cores, body, self._mode, placed, time)}
+        return {body: TurningFrictionConstraint(self._cores, body, self._mode, placed)}
 
     @property
     def _pressing(self) -> bool:

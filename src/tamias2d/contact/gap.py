@@ -13,7 +13,6 @@ normal velocity (DD11) of the corner of Q against P's point there, or against P'
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -26,6 +25,7 @@ EPSILON = 2.0**-52
 _LEAST = 5e-324
 _BEHIND = -0.5  # cosine between directions that separate a pair from either side
 _MANY = 256  # products, from which on numpy is faster
+_AWAY = 4  # of the rounding of a place: by how far a step that leaves a side turns away from it
 _IN_LINE = 1e-12  # of the sizes: by how much rounding may make collinear cores seem to cross
 
 
@@ -144,6 +144,24 @@ def gaps(a: Placed, b: Placed, axis: Axis) -> list[Gap]:
     return found
 
 
+def nearest_gap(a: Placed, b: Placed, axis: Axis) -> Gap:
+    """Return the least gap along an axis; of one from corner to corner, the gap between these.
+
+    Other corners may be as far along it: both of a side from whose end it starts.
+    """
+    found = gaps(a, b, axis)
+    if axis.side is not None:
+        return min(found, key=lambda gap: gap.value)
+    p, q = (b, a) if axis.swapped else (a, b)
+    (px, py), (qx, qy) = p.state.position, q.state.position
+
+    def distance(gap: Gap) -> float:
+        (wx, wy), (vx, vy) = gap.corner, gap.corner_p
+        return math.hypot(qx - px + wx - vx, qy - py + wy - vy)
+
+    return min(found, key=distance)
+
+
 def resolution(a: Placed, b: Placed, time: float) -> float:
     """Return the gap in m that float64 cannot tell from 0, at such positions and times."""
     (ax, ay), (bx, by) = a.state.position, b.state.position
@@ -220,26 +238,27 @@ def _with_nearest(found: list[Axis], a: Placed, b: Placed) -> list[Axis]:
         return found
     (ax, ay), (bx, by) = a.state.position, b.state.position
     dx, dy = bx - ax, by - ay
-    corners_b = [(dx + x, dy + y) for x, y in b.corners]
-    steps = [(qx - px, qy - py) for px, py in a.corners for qx, qy in corners_b]
-    nearest = min(steps, key=lambda step: math.hypot(*step))
-    to_sides = [_distance_to_sides(corner, corners_b) for corner in a.corners]
-    to_sides += [_distance_to_sides(corner, a.corners) for corner in corners_b]
-    if math.hypot(*nearest) > min(to_sides) or nearest == (0, 0):
-        return found
-    return [_between(nearest, base, swapped=False)]
+    steps = [
+        ((dx + qx - px, dy + qy - py), i, j)
+        for i, (px, py) in enumerate(a.corners)
+        for j, (qx, qy) in enumerate(b.corners)
+    ]
+    (x, y), i, j = min(steps, key=lambda each: math.hypot(*each[0]))
+    # thin ends at no distance have a direction by rounding alone
+    slack = _AWAY * EPSILON * (abs(dx) + abs(dy) + a.core.size + b.core.size) if base else 0.0
+    if _leaves((x, y), a.corners, i, slack) and _leaves((-x, -y), b.corners, j, slack):
+        return [_between((x, y), base, swapped=False)]
+    return found
 
 
-def _distance_to_sides(point: Vector, corners: Sequence[Vector]) -> float:
-    """Return the distance of a point from the nearest side that it stands beside, or infinity."""
-    best = math.inf
-    for (px, py), (qx, qy) in pairwise((*corners, corners[0])):
-        ex, ey = qx - px, qy - py
-        along = (point[0] - px) * ex + (point[1] - py) * ey
-        square = ex * ex + ey * ey
-        if 0 < along < square:
-            best = min(best, abs((point[0] - px) * ey - (point[1] - py) * ex) / math.sqrt(square))
-    return best
+def _leaves(step: Vector, corners: Sequence[Vector], k: int, slack: float) -> bool:
+    """Return whether a step from a corner turns away from both sides there.
+
+    A comparison of distances would tell that only to the root of rounding.
+    """
+    x, y = corners[k]
+    sides = [(u - x, v - y) for u, v in (corners[k - 1], corners[(k + 1) % len(corners)])]
+    return all(step[0] * u + step[1] * v < -slack * math.hypot(u, v) for u, v in sides)
 
 
 def _between(difference: Vector, base: float, *, swapped: bool) -> Axis:

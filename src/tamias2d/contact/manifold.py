@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from tamias2d.contact.core import Core, Placed
-from tamias2d.contact.gap import EPSILON, Axis, Gap, axes, from_side, gaps
+from tamias2d.contact.gap import EPSILON, Axis, Gap, axes, from_side, gaps, nearest_gap
 from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.contact.terrain import normals
 from tamias2d.generated import definitions, friction, impact, rest
@@ -67,7 +67,7 @@ def manifold(
         contact = _corner_on_corner(a, b, axis, directions, time, noise)
         return [] if contact is None else [contact]
     if axis.side is None:
-        return [_contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))]
+        return [_contact(a, b, axis, nearest_gap(a, b, axis))]
     touching = _touching_corners(a, b, axis, tolerance, lasting)
     if len(touching) == 1:
         return [_contact(a, b, axis, touching[0])]
@@ -339,7 +339,7 @@ def _corner_on_corner(
     Raises:
         UndecidedContactError: they neither approach nor part.
     """
-    contact = _contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))
+    contact = _contact(a, b, axis, nearest_gap(a, b, axis))
     at_a, at_b = (
         definitions.point_velocity(body.state.velocity, body.state.angular_velocity, arm)
         for body, arm in ((a, contact.arm_a), (b, contact.arm_b))

@@ -3,7 +3,7 @@
 It is what `tamias2d.contact.gap` does, operation by operation.
 """
 
-from math import inf, sqrt
+from math import inf
 
 from tamias2d.event_driven import tables as tb
 from tamias2d.event_driven.length import hypot
@@ -11,6 +11,8 @@ from tamias2d.event_driven.tables import World
 from tamias2d.generated import impact
 from tamias2d.kernels.assembled import inlined
 
+EPSILON = 2.0**-52
+AWAY = 4  # of the rounding of a place: by how far a step that leaves a side turns away from it
 IN_LINE = 1e-12  # of the sizes: by how much rounding may make collinear cores seem to cross
 
 
@@ -102,7 +104,7 @@ def with_nearest(a: int, b: int, count: int, world: World) -> int:
     if crossed or world.hulls.forms[a, tb.CORNERS] == 0 or world.hulls.forms[b, tb.CORNERS] == 0:
         return count
     dx, dy = q[tb.X] - p[tb.X], q[tb.Y] - p[tb.Y]
-    least, x, y = inf, 0.0, 0.0
+    least, x, y, i, j = inf, 0.0, 0.0, 0, 0
     for m in range(world.hulls.forms[a, tb.CORNERS]):
         for n in range(world.hulls.forms[b, tb.CORNERS]):
             one, other = world.hulls.placed[a, m], world.hulls.placed[b, n]
@@ -110,38 +112,22 @@ def with_nearest(a: int, b: int, count: int, world: World) -> int:
             to_y = dy + other[tb.PLACED_Y] - one[tb.PLACED_Y]
             length = hypot(to_x, to_y)
             if length < least:
-                least, x, y = length, to_x, to_y
-    if (x == 0.0 and y == 0.0) or least > distance_to_sides(a, b, dx, dy, world):
-        return count
-    return between(x, y, base, 0, world)
+                least, x, y, i, j = length, to_x, to_y, m, n
+    slack = AWAY * EPSILON * (abs(dx) + abs(dy) + p[tb.SIZE] + q[tb.SIZE]) if base > 0.0 else 0.0
+    if leaves(x, y, a, i, slack, world) and leaves(-x, -y, b, j, slack, world):
+        return between(x, y, base, 0, world)
+    return count
 
 
-@inlined
-def distance_to_sides(a: int, b: int, dx: float, dy: float, world: World) -> float:
-    """Return how far the corners of each of two bodies are from sides that they stand beside, m."""
-    best = inf
-    for m in range(world.hulls.forms[a, tb.CORNERS]):
-        x, y = world.hulls.placed[a, m, tb.PLACED_X], world.hulls.placed[a, m, tb.PLACED_Y]
-        best = min(best, distance_to_outline(x, y, b, dx, dy, world))
-    for n in range(world.hulls.forms[b, tb.CORNERS]):
-        x = dx + world.hulls.placed[b, n, tb.PLACED_X]
-        y = dy + world.hulls.placed[b, n, tb.PLACED_Y]
-        best = min(best, distance_to_outline(x, y, a, 0.0, 0.0, world))
-    return best
-
-
-def distance_to_outline(x: float, y: float, body: int, dx: float, dy: float, world: World) -> float:
-    """Return the distance of a point from the nearest side that it stands beside, or infinity."""
-    best, count = inf, world.hulls.forms[body, tb.CORNERS]
-    for k in range(count):
-        first, last = world.hulls.placed[body, k], world.hulls.placed[body, (k + 1) % count]
-        px, py = dx + first[tb.PLACED_X], dy + first[tb.PLACED_Y]
-        ex, ey = dx + last[tb.PLACED_X] - px, dy + last[tb.PLACED_Y] - py
-        along = (x - px) * ex + (y - py) * ey
-        square = ex * ex + ey * ey
-        if 0.0 < along < square:
-            best = min(best, abs((x - px) * ey - (y - py) * ex) / sqrt(square))
-    return best
+def leaves(x: float, y: float, body: int, k: int, slack: float, world: World) -> bool:
+    """Return whether a step from a corner turns away from both sides there."""
+    count, corner = world.hulls.forms[body, tb.CORNERS], world.hulls.placed[body, k]
+    found = True
+    for other in ((k + count - 1) % count, (k + 1) % count):
+        row = world.hulls.placed[body, other]
+        u, v = row[tb.PLACED_X] - corner[tb.PLACED_X], row[tb.PLACED_Y] - corner[tb.PLACED_Y]
+        found = found and x * u + y * v < -slack * hypot(u, v)
+    return found
 
 
 def find_gaps(axis: int, a: int, b: int, world: World) -> int:
@@ -176,6 +162,22 @@ def find_gaps(axis: int, a: int, b: int, world: World) -> int:
             row[tb.Q_X], row[tb.Q_Y], row[tb.P_X], row[tb.P_Y] = wx, wy, vx, vy
             count += 1
     return count
+
+
+def nearest_gap(axis: int, a: int, b: int, count: int, world: World) -> int:
+    """Return which of the gaps listed is the least; from corner to corner, that between these."""
+    p, q = (b, a) if world.hulls.owners[axis, tb.SWAPPED] == 1 else (a, b)
+    body, other = world.hulls.stands[p], world.hulls.stands[q]
+    dx, dy = other[tb.X] - body[tb.X], other[tb.Y] - body[tb.Y]
+    nearest, least = 0, inf
+    for k in range(count):
+        row = world.hulls.gaps[k]
+        size = row[tb.GAP]
+        if world.hulls.owners[axis, tb.SIDE] < 0:
+            size = hypot(dx + row[tb.Q_X] - row[tb.P_X], dy + row[tb.Q_Y] - row[tb.P_Y])
+        if size < least:
+            nearest, least = k, size
+    return nearest
 
 
 def reach_of(place: int, row: int, world: World) -> float:

@@ -9,7 +9,7 @@ from tamias2d.event_driven.approach import (
     size_of,
     state_at,
 )
-from tamias2d.event_driven.axes import best_axis, find_axes, find_gaps
+from tamias2d.event_driven.axes import best_axis, find_axes, find_gaps, nearest_gap
 from tamias2d.event_driven.cells import gather
 from tamias2d.event_driven.kinds import has_hull, is_pushed
 from tamias2d.event_driven.meeting import meets
@@ -48,11 +48,10 @@ def touch_of_hulls(i: int, j: int, time: float, world: World) -> tuple[Point, in
     good = gap <= tolerance
     for axis in range(count):
         good = good and (axis == best or world.hulls.axes[axis, tb.AXIS_GAP] < gap - tolerance)
-    nearest, touching = 0, 0
-    for k in range(find_gaps(best, tb.FIRST_STAND, tb.SECOND_STAND, world)):
+    found, touching = find_gaps(best, tb.FIRST_STAND, tb.SECOND_STAND, world), 0
+    for k in range(found):
         touching += 1 if world.hulls.gaps[k, tb.GAP] <= gap + tolerance else 0
-        if world.hulls.gaps[k, tb.GAP] < world.hulls.gaps[nearest, tb.GAP]:
-            nearest = k
+    nearest = nearest_gap(best, tb.FIRST_STAND, tb.SECOND_STAND, found, world)
     good = good and not (sided == 1 and touching > 1)
     axis, row = world.hulls.axes[best], world.hulls.gaps[nearest]
     point = (axis[tb.AXIS_X], axis[tb.AXIS_Y], row[tb.Q_X], row[tb.Q_Y], row[tb.P_X], row[tb.P_Y])

@@ -3,6 +3,7 @@
 Only this module of `motion` imports scipy.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
@@ -66,17 +67,26 @@ class ScipyDop853:
     def _step(
         self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
     ) -> DenseStep:
-        """Take one step, of the length that the tolerance allows."""
+        """Take one step, of the length that the tolerance and finite forces allow."""
         from scipy.integrate import DOP853
 
         shape = position.shape
         size = position.size
 
         def rate(time: float, y: Array) -> Array:
-            if not np.isfinite(y).all():
-                return np.full_like(y, np.nan)  # the step is too long: it is taken again, shorter
             q, v = y[:size].reshape(shape), y[size:].reshape(shape)
-            return np.concatenate((y[size:], field(time, q, v).ravel()))
+            return np.concatenate((y[size:], field(float(time), q, v).ravel()))
+
+        refusals: list[SimulationError] = []
+
+        def tried(time: float, y: Array) -> Array:
+            if np.isfinite(y).all():
+                refusals.clear()
+                try:
+                    return rate(time, y)
+                except SimulationError as refusal:
+                    refusals.append(refusal)
+            return np.full_like(y, np.nan)  # the step is too long: it is taken again, shorter
 
         y = np.concatenate((position.ravel(), velocity.ravel()))
         if not np.isfinite(y).all():
@@ -84,9 +94,10 @@ class ScipyDop853:
                 f"run at {start!r} s: its state is beyond what float64 holds, about 1e308 (R4). "
                 "Give smaller loads, or a shorter duration."
             )
+        rate(start, y)  # where no force is finite here, no step is short enough
         hint = self._proposed.get(size)
         solver = DOP853(
-            rate,
+            tried,
             start,
             y,
             limit,
@@ -102,18 +113,28 @@ class ScipyDop853:
         before = solver.nfev
         solver.step()
         if solver.status == "failed":
-            raise NoStepError(
-                f"run at {start!r} s: no step of the reference meets its tolerance {self._rtol:g} "
-                "(R5). Give loads that change less suddenly, or a larger rtol."
-            )
+            raise self._failed(start, refusals)
         field.tally.rejected += (solver.nfev - before) // _STAGES - 1
         self._proposed[size] = float(solver.h_abs)
         between = solver.dense_output()
         end = float(solver.t)
         times = start + (end - start) * (_NODES + 1) / 2
         states = [between(time) for time in times]
-        second = np.stack([rate(t, y)[size:] for t, y in zip(times, states, strict=True)])
+        second = np.stack([tried(t, y)[size:] for t, y in zip(times, states, strict=True)])
+        if np.isfinite(states).all() and not np.isfinite(second).all():
+            if not start < (middle := (start + end) / 2) < end:
+                raise self._failed(start, refusals)
+            return self._step(field, start, middle, position, velocity)
         return _dense_step(start, end, position, velocity, second.reshape(-1, *shape))
+
+    def _failed(self, start: float, refusals: Sequence[SimulationError]) -> SimulationError:
+        """Return the error of no step at all: where the last trial met no finite force, that."""
+        if refusals:
+            return refusals[-1]
+        return NoStepError(
+            f"run at {start!r} s: no step of the reference meets its tolerance {self._rtol:g} "
+            "(R5). Give loads that change less suddenly, or a larger rtol."
+        )
 
     def _tolerance(self, bodies: int) -> Array:
         length, time = self._scale

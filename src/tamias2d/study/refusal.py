@@ -28,20 +28,27 @@ class ToleranceError(SimulationError):
         until: float | None = None,
         otherwise: str = "",
         of: str = "tolerance",
+        too_short: bool = False,
     ) -> None:
         end = "before" if until is None else f"at {until:g} s"
-        remedies = [f"End the run {end}"]
+        remedies = ["Let the run last longer" if too_short else f"End the run {end}"]
         if reachable is not None:
             remedies.append(f"give a {of} of {reachable:.2g} or more")
         super().__init__(f"{found} {', or '.join([*remedies, otherwise])}." if otherwise else found)
         self.reachable = reachable
         self.until = until
         self._found, self._otherwise, self._of = found, otherwise, of
+        self._too_short = too_short
 
     def offering(self, reachable: float | None, until: float | None) -> "ToleranceError":
         """Return the error with other offers."""
         return type(self)(
-            self._found, reachable, until=until, otherwise=self._otherwise, of=self._of
+            self._found,
+            reachable,
+            until=until,
+            otherwise=self._otherwise,
+            of=self._of,
+            too_short=self._too_short,
         )
 
 
@@ -60,7 +67,9 @@ def chaotic(tolerance: float, lost_at: float, reached: float) -> ChaosError:
     )
 
 
-def refusal(tolerance: float, reachable: float, *, until: float | None = None) -> ToleranceError:
+def refusal(
+    tolerance: float, reachable: float, *, until: float | None = None, too_short: bool = False
+) -> ToleranceError:
     """Return the error that says what can be reached instead, and until when, s, if it is known."""
     found = f"tolerance {tolerance:g}: no method meets it"
     if not math.isfinite(reachable):
@@ -76,8 +85,15 @@ def refusal(tolerance: float, reachable: float, *, until: float | None = None) -
             "(R5).",
             until=until,
             otherwise=BOUND_LESS,
+            too_short=too_short,
         )
-    return ToleranceError(f"{found} (R5).", offer, until=until, otherwise="run without a tolerance")
+    return ToleranceError(
+        f"{found} (R5).",
+        offer,
+        until=until,
+        otherwise="run without a tolerance",
+        too_short=too_short,
+    )
 
 
 def sooner(time: float) -> float:

@@ -108,7 +108,7 @@ def _aimed(asked: Asked) -> Run:
     if not solved(asked.scene) and (run := unweighed(asked)) is not None:
         return run
     plan = located_plan(asked.scene, asked.duration, tolerance, asked.work_limit)
-    reached, lost = math.inf, math.inf
+    reached, lost, rounded = math.inf, math.inf, False
     for estimate in plan.estimates:
         for attempt in range(TRIES):
             if not math.isfinite(estimate.force_evaluations):
@@ -118,13 +118,19 @@ def _aimed(asked: Asked) -> Run:
                 return _noted(run, tolerance, attempt)
             reached = min(reached, reached_by(run.certificate))
             lost = min(lost, _lost(run.certificate))
+            rounded = rounded or _is_rounding(run)
             finer = _finer(estimate, reached_by(run.certificate) / tolerance)
             if finer is None:
                 break
             estimate = finer
     if lost < math.inf:
         raise _PastHorizonError(refusal(tolerance, reached, until=sooner(lost)))
-    raise refusal(tolerance, reached)
+    raise refusal(tolerance, reached, too_short=rounded)
+
+
+def _is_rounding(run: Run) -> bool:
+    """Return whether a run errs by rounding alone: the farther bodies go, the less it counts."""
+    return bool(run.certificate and run.certificate.kind == "exact" and not len(run.impacts))
 
 
 def _lost(certificate: Certificate | None) -> float:
