@@ -52,10 +52,16 @@ def box_of_discs(
 
 def told(sim: Simulator) -> list[bytes]:
     """Return all that users can see of the last step."""
-    found, began = sim.contacts, sim.began
-    values = (sim.position, sim.orientation, sim.velocity, sim.angular_velocity, sim.ended)
+    found = sim.contacts
+    values = (sim.position, sim.orientation, sim.velocity, sim.angular_velocity)
     contacts = (found.bodies, found.point, found.normal, found.impulse, found.separation)
-    return [np.array(v).tobytes() for v in (*values, *contacts, began.bodies, began.impulse)]
+    return [np.array(v).tobytes() for v in (*values, *contacts)]
+
+
+def events_of(sim: Simulator) -> list[bytes]:
+    """Return what began and ceased to touch in the steps of the last call."""
+    began = sim.began
+    return [np.array(v).tobytes() for v in (began.bodies, began.impulse, sim.ended)]
 
 
 @pytest.mark.parametrize("restitution", [0.95, 0.8, 0.5])
@@ -197,13 +203,20 @@ def followed(sim: Simulator, seed: int, one: bool, path: Path | None = None) -> 
     random, seen = np.random.default_rng(1000 + seed), []
     for leg, steps in enumerate((7, 1, 5, 9, 1, 12, 20, 3, 8, 1, 1, 14, 30)):
         disturb(sim, leg, random)
+        events: list[bytes] = []
         for _ in range(steps if one else 1):
             sim.step(1 if one else steps)
+            events = joined(events, events_of(sim))
         if path is not None and leg % 3 == 2:
             sim.save(path)
             sim = Simulator.restore(path, compiled=False)
-        seen.append(told(sim))
+        seen.append([*told(sim), *events])
     return seen
+
+
+def joined(one: list[bytes], other: list[bytes]) -> list[bytes]:
+    """Return the events of two calls as those of one."""
+    return [a + b for a, b in zip(one, other, strict=True)] if one else other
 
 
 @pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")  # discs are put into others

@@ -14,7 +14,7 @@ REWRITTEN = (
     "constraints.blocks", "constraints.scratch", "constraints.colour_counts", "islands.energy",
     "events.scratch", "events.met_points", "events.due", "events.touched", "events.ahead",
     "events.partners", "events.reaches", "bodies.path", "chunks.course", "chunks.stream",
-    "chunks.asleep",
+    "chunks.asleep", "log.rows", "log.manifolds",
 )  # fmt: skip
 
 
