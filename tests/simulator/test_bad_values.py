@@ -38,6 +38,7 @@ def small() -> t2.Simulator:
 @settings(max_examples=150)
 @given(st.dictionaries(st.sampled_from(ADDED), VALUE, max_size=3))
 @example({"category": {}})
+@example({"inertia": [math.nan, np.zeros((2, 3))]})
 def test_adding_is_refused_by_name_or_done(values: dict[str, Any]) -> None:
     sim = small()
     before = sim.digest()

@@ -254,6 +254,12 @@ def test_the_joint_that_cannot_hold_is_named() -> None:
         sim.step(30)
 
 
+def take_one_by_one(sim: Simulator, count: int) -> None:
+    """Take some steps as a game does: what is told of joints is looked at after each."""
+    for _ in range(count):
+        sim.step()
+
+
 def test_a_taut_bridge_that_tears_is_told_to_hang_slack_since_nothing_drives_it() -> None:
     sim = Simulator(Scene(gravity=(0.0, -10.0)))
     for k in range(12):
@@ -265,5 +271,5 @@ def test_a_taut_bridge_that_tears_is_told_to_hang_slack_since_nothing_drives_it(
     sim.add_joint(Revolute(), "p11", (12.0, 0.0), anchor=(0.5, 0.0))
     sim.add(Box(width=1.0, height=1.0), mass=30.0, position=(5.0, 3.0), **SURFACE)
     with pytest.warns(StepWarning, match=r"Nothing drives it.*\(DD86\).*some slack"):
-        sim.step(60)
+        take_one_by_one(sim, 60)
     assert not any("bring what drives it" in text for text in sim.warnings)

@@ -103,7 +103,8 @@ def checked_name(name: object, taken: Container[str]) -> str:
 def remedy_of_inertia(value: object) -> str:
     """Return what to do about an inertia, or several; an infinite one has a joint instead."""
     remedy = "Give a positive inertia in kg m^2, or leave it out."
-    if any(one == math.inf for one in np.ravel(np.asarray(value, dtype=object))):
+    each = np.ravel(np.asarray(value, dtype=object))
+    if any(isinstance(one, float) and one == math.inf for one in each):
         remedy += " A body that is not to turn is tied to the plane by "
         remedy += "add_joint(Rotary(motor=Motor(speed=0.0)), (0.0, 0.0), body)."
     return remedy
