@@ -23,7 +23,7 @@ def mark_out_of_bounds(control: Control, bodies: Bodies, broad_phase: BroadPhase
             far = 1
             out = out or will_leave(i, time, bodies, broad_phase)
         broad_phase.left[i] = 1 if out else 0
-        left += broad_phase.left[i]
+        left += 1 if out else 0  # not a sum of bytes, which a hundred and more would pass
     control.counts[tb.GOES_FAR] = far
     return left
 

@@ -29,8 +29,9 @@ def mark_leaving_bounds(bodies: Bodies, broad_phase: BroadPhase) -> int:
     """Mark bodies that go far and leave the bounds in which their pairs are known; count them."""
     left = 0
     for i in range(len(bodies.kind)):
-        broad_phase.left[i] = 1 if leaves_bounds(i, bodies, broad_phase) else 0
-        left += broad_phase.left[i]
+        leaves = leaves_bounds(i, bodies, broad_phase)
+        broad_phase.left[i] = 1 if leaves else 0
+        left += 1 if leaves else 0
     return left
 
 

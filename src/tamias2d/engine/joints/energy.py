@@ -22,6 +22,7 @@ from tamias2d.engine.joints.yielding import energy_driven, mass_of_mechanism, yi
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
     add_to_island,
+    begin_motion,
     find_rigid_motion,
     place_from,
 )
@@ -248,9 +249,7 @@ def keep_part_of_way(
 def damp_mechanism(first: int, last: int, row: Array, bodies: Bodies, joints: Joints) -> None:
     """Damp the motion of the nodes of a mechanism; the row says how much energy it may keep."""
     root = joints.sparse[first, tb.N_BODY]
-    row[tb.ENERGY_APART] = 0.0
-    for k in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
-        row[k] = 0.0
+    begin_motion(0.0, row)
     for node in range(first, last):
         add_motion(joints.sparse[node, tb.N_BODY], root, bodies, row)
     find_rigid_motion(row)

@@ -47,20 +47,48 @@ def choose_islands_to_damp(islands: Islands) -> bool:
 def sum_island_motions(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
-    """Find the rigid motion of the chosen islands, and how far they are damped."""
+    """Find the rigid motion of the chosen islands, and how far they are damped.
+
+    What contacts have not pushed or turned counts where there is too much energy without it.
+    """
+    for n in range(islands.counts[tb.ROOTS]):
+        begin_motion(0.0, islands.energy[islands.roots[n]])
+    add_motions_of(0.0, bodies, touching, constraints, islands)
+    some = False
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
-        row[tb.ENERGY_APART] = 0.0
-        for at in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
-            row[at] = 0.0
-    for k in range(constraints.counts[tb.ACTIVE]):
-        i = touching.active[k]
-        if is_damped(i, bodies, islands):
-            sum_body_motion(i, islands.links[i, tb.ROOT], bodies, islands)
+        chosen = row[tb.DAMPED_SHARE] != 1.0 and row[tb.SUPPORT] == FREE
+        if chosen and energy_as_one(row) > row[tb.ENERGY_BOUND]:
+            begin_motion(1.0, row)
+            some = True
+    if some:
+        add_motions_of(1.0, bodies, touching, constraints, islands)
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
         if row[tb.DAMPED_SHARE] != 1.0 and row[tb.SUPPORT] == FREE:
             find_rigid_motion(row)
+
+
+def begin_motion(all_count: float, row: Array) -> None:
+    """Begin with no body in the motion of an island as one, and with nothing apart from it."""
+    row[tb.ALL_COUNT], row[tb.ENERGY_APART] = all_count, 0.0
+    for at in range(tb.ISLAND_MASS, tb.MOMENT_OF_INERTIA + 1):
+        row[at] = 0.0
+
+
+def add_motions_of(
+    all_count: float,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    islands: Islands,
+) -> None:
+    """Add the motions of all bodies to those of islands in which all count, or do not."""
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        root = islands.links[i, tb.ROOT]
+        if is_damped(i, bodies, islands) and islands.energy[root, tb.ALL_COUNT] == all_count:
+            sum_body_motion(i, root, bodies, islands)
 
 
 def is_damped(i: int, bodies: Bodies, islands: Islands) -> bool:
@@ -79,13 +107,18 @@ def sum_body_motion(i: int, root: int, bodies: Bodies, islands: Islands) -> None
     mass, inertia = mass_and_inertia(i, bodies.properties)
     now, place = bodies.motion[i], place_from(root, i, bodies)
     velocity = velocity_seen((now[tb.VX], now[tb.VY]), (row[tb.REFERENCE], row[tb.REFERENCE + 1]))
-    if bodies.moved[i] != tb.MOVED:
+    if not is_pushed(i, row, bodies):
         row[tb.ENERGY_APART] += kinetic_energy(mass, velocity, inertia, now[tb.SPIN])
         return
-    if not spin_is_changed(i, bodies, islands):
+    if row[tb.ALL_COUNT] == 0.0 and not spin_is_changed(i, bodies, islands):
         row[tb.ENERGY_APART] += kinetic_energy(mass, (0.0, 0.0), inertia, now[tb.SPIN])
         inertia = 0.0
     add_to_island(mass, inertia, place, velocity, now[tb.SPIN], row)
+
+
+def is_pushed(i: int, row: Array, bodies: Bodies) -> bool:
+    """Return whether contacts have pushed a body of an island, or all of it counts."""
+    return bool(bodies.moved[i] == tb.MOVED or row[tb.ALL_COUNT] == 1.0)
 
 
 def spin_is_changed(i: int, bodies: Bodies, islands: Islands) -> bool:
@@ -125,14 +158,8 @@ def find_rigid_motion(row: Array) -> None:
     """Make the rigid motion of an island its reference; write the factor of all other motion."""
     least = 0.0
     if row[tb.SUPPORT] == FREE:
-        mass = row[tb.ISLAND_MASS]
-        place = position_island((row[tb.MOMENT_X], row[tb.MOMENT_Y]), mass)
-        velocity = velocity_island((row[tb.MOMENTUM_X], row[tb.MOMENTUM_Y]), mass)
-        inertia = inertia_island(row[tb.MOMENT_OF_INERTIA], mass, place)
-        spin = 0.0
-        if inertia > 0.0:
-            spin = angular_velocity_island(row[tb.ANGULAR_MOMENTUM], mass, place, velocity, inertia)
-        least = kinetic_energy(mass, velocity, inertia, spin) + row[tb.ENERGY_APART]
+        place, velocity, spin = motion_of_all(row)
+        least = energy_as_one(row)
         by_x, by_y = point_velocity(velocity, spin, (-place[0], -place[1]))
         row[tb.REFERENCE] += by_x
         row[tb.REFERENCE + 1] += by_y
@@ -143,20 +170,42 @@ def find_rigid_motion(row: Array) -> None:
         row[tb.DAMPED_SHARE] = damped_share(row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND], least)
 
 
+def motion_of_all(row: Array) -> tuple[Vector, Vector, float]:
+    """Return place, m, velocity, m/s, and spin, rad/s, of an island as one."""
+    mass = row[tb.ISLAND_MASS]
+    if not mass > 0.0:
+        return (0.0, 0.0), (0.0, 0.0), 0.0
+    place = position_island((row[tb.MOMENT_X], row[tb.MOMENT_Y]), mass)
+    velocity = velocity_island((row[tb.MOMENTUM_X], row[tb.MOMENTUM_Y]), mass)
+    inertia = inertia_island(row[tb.MOMENT_OF_INERTIA], mass, place)
+    spin = 0.0
+    if inertia > 0.0:
+        spin = angular_velocity_island(row[tb.ANGULAR_MOMENTUM], mass, place, velocity, inertia)
+    return place, velocity, spin
+
+
+def energy_as_one(row: Array) -> float:
+    """Return the kinetic energy of an island as one, and of what is apart from it, J."""
+    place, velocity, spin = motion_of_all(row)
+    mass = row[tb.ISLAND_MASS]
+    inertia = inertia_island(row[tb.MOMENT_OF_INERTIA], mass, place) if spin != 0.0 else 0.0
+    return kinetic_energy(mass, velocity, inertia, spin) + row[tb.ENERGY_APART]
+
+
 def damp_islands(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
     """Scale the motion of what contacts pushed in free islands relative to their motion as one."""
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if is_damped(i, bodies, islands) and bodies.moved[i] == tb.MOVED:
-            root = islands.links[i, tb.ROOT]
-            row = islands.energy[root]
+        root = islands.links[i, tb.ROOT]
+        row = islands.energy[root]
+        if is_damped(i, bodies, islands) and is_pushed(i, row, bodies):
             spin, share, now = row[tb.REFERENCE + 2], row[tb.DAMPED_SHARE], bodies.motion[i]
             velocity = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
             velocity = point_velocity(velocity, spin, place_from(root, i, bodies))
             now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), velocity, share)
-            if spin_is_changed(i, bodies, islands):
+            if row[tb.ALL_COUNT] == 1.0 or spin_is_changed(i, bodies, islands):
                 now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
 
 
