@@ -70,8 +70,7 @@ class ScipyDop853:
         """Take one step, of the length that the tolerance and finite forces allow."""
         from scipy.integrate import DOP853
 
-        shape = position.shape
-        size = position.size
+        shape, size = position.shape, position.size
 
         def rate(time: float, y: Array) -> Array:
             q, v = y[:size].reshape(shape), y[size:].reshape(shape)
