@@ -92,34 +92,36 @@ def note_located(p: int, piece: int, contacts: Contacts, shapes: Shapes) -> None
 
     Round a corner that sticks out by more than a right angle, and round an end, one may.
     """
-    flags, manifold = contacts.flags[p], contacts.manifolds[p]
+    flags = contacts.flags[p]
     if flags[tb.KNOWN_SIDE] == 1 or flags[tb.FEATURE] == BESIDE:
         return
-    hx, hy = manifold[tb.NX], manifold[tb.NY]
-    if contacts.pairs[p, 0] != piece:
-        hx, hy = -hx, -hy
+    known = side_of_normal(p, piece, tb.NX, contacts, shapes)
     core, vertices = core_of(piece, shapes), shapes.world_vertices
-    right = seen_from(0, piece, core, vertices, shapes)
-    left = seen_from(1, piece, core, vertices, shapes)
-    known = known_side(hx, hy, right, left)
-    side = right if known == 1 else left
+    side = seen_from(0 if known == 1 else 1, piece, core, vertices, shapes)
     shown = shows(side.start_cosine, side.start_sine) and shows(side.end_cosine, side.end_sine)
     if known != 0 and shown:
         know_side(p, piece, known == 1, contacts, shapes)
 
 
-def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
-    """Add the piece of a contact to those that its other shape touches from one side."""
-    manifold = contacts.manifolds[p]
-    at = tb.IMPACT_NORMAL if contacts.flags[p, tb.POINT_COUNT] == 0 else tb.NX
-    at = tb.SIDE_NORMAL if contacts.flags[p, tb.KNOWN_SIDE] == 1 else at
-    hx, hy = manifold[at], manifold[at + 1]
+def side_of_normal(p: int, piece: int, at: int, contacts: Contacts, shapes: Shapes) -> int:
+    """Return the side of a piece to which a normal of a contact points, as `known_side` does.
+
+    The normal stands in the manifold from some column on.
+    """
+    hx, hy = contacts.manifolds[p, at], contacts.manifolds[p, at + 1]
     if contacts.pairs[p, 0] != piece:
         hx, hy = -hx, -hy
     core, vertices = core_of(piece, shapes), shapes.world_vertices
     right = seen_from(0, piece, core, vertices, shapes)
     left = seen_from(1, piece, core, vertices, shapes)
-    known = known_side(hx, hy, right, left)
+    return known_side(hx, hy, right, left)
+
+
+def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
+    """Add the piece of a contact to those that its other shape touches from one side."""
+    at = tb.IMPACT_NORMAL if contacts.flags[p, tb.POINT_COUNT] == 0 else tb.NX
+    at = tb.SIDE_NORMAL if contacts.flags[p, tb.KNOWN_SIDE] == 1 else at
+    known = side_of_normal(p, piece, at, contacts, shapes)
     if known == 0:
         return
     know_side(p, piece, known == 1, contacts, shapes)
