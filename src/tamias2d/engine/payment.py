@@ -1,7 +1,7 @@
 """What an island on a support has too much is paid from what contacts gave its bodies (DD88).
 
-Whoever got nothing pays nothing: a body that slides on the same plank, or flies on a slack rope.
-Cost: three visits to each body, where some island has too much.
+A body that got nothing pays nothing: one slides on the same plank, or flies on a slack rope.
+Cost: some visits to each body, where some island has too much.
 """
 
 from tamias2d.engine import tables as tb
@@ -46,7 +46,7 @@ def charge_supported(
         row = islands.energy[islands.roots[n]]
         chosen = row[tb.DAMPED_SHARE] != 1.0 and row[tb.SUPPORT] != FREE
         row[tb.ENERGY_SURPLUS] = row[tb.ENERGY_KEPT] - row[tb.ENERGY_BOUND] if chosen else 0.0
-    damp_resting(False, control, bodies, touching, constraints, islands)
+    damp_payers(False, control, bodies, touching, constraints, islands)
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_charged(i, bodies, islands):
@@ -62,7 +62,7 @@ def charge_supported(
         i = touching.active[k]
         if is_charged(i, bodies, islands) and islands.given[i] > 0.0:
             repay_from_all(i, bodies, islands)
-    damp_resting(True, control, bodies, touching, constraints, islands)
+    damp_payers(True, control, bodies, touching, constraints, islands)
 
 
 def is_charged(i: int, bodies: Bodies, islands: Islands) -> bool:
@@ -117,7 +117,7 @@ def repay(i: int, bodies: Bodies, islands: Islands) -> None:
 def repay_from_all(i: int, bodies: Bodies, islands: Islands) -> None:
     """Take from all of the motion of a body what it has to pay, unless it has paid with others.
 
-    Nobody pays with more than he got.
+    No body pays with more than it got.
     """
     row, energy = islands.energy[islands.links[i, tb.ROOT]], energy_from_support(i, bodies, islands)
     pays = energy > 0.0
@@ -129,7 +129,7 @@ def repay_from_all(i: int, bodies: Bodies, islands: Islands) -> None:
         damp_to_support(i, share_left(energy, left), bodies, islands)
 
 
-def damp_resting(
+def damp_payers(
     last: bool,
     control: Control,
     bodies: Bodies,
@@ -137,11 +137,14 @@ def damp_resting(
     constraints: Constraints,
     islands: Islands,
 ) -> None:
-    """Damp the bodies at rest of islands that have too much, if that suffices, or is the last."""
+    """Damp bodies that pay with all of their motion, if that suffices, or nothing else is left.
+
+    At first these are bodies at rest, in the end all that contacts push.
+    """
     find_surplus(last, control, bodies, touching, constraints, islands)
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
-        surplus, theirs = row[tb.ENERGY_SURPLUS], row[tb.ENERGY_AT_REST]
+        surplus, theirs = row[tb.ENERGY_SURPLUS], row[tb.ENERGY_OF_PAYERS]
         row[tb.DAMPED_SHARE] = 1.0
         if surplus > 0.0 and theirs > 0.0 and (theirs >= surplus or last):
             row[tb.DAMPED_SHARE] = share_left(theirs, max(theirs - surplus, 0.0))
@@ -162,10 +165,10 @@ def find_surplus(
     constraints: Constraints,
     islands: Islands,
 ) -> None:
-    """Find what islands that pay still have too much, and the energy of their bodies at rest, J."""
+    """Find what islands that pay still have too much, and the energy of their payers, J."""
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
-        row[tb.ENERGY_AFTER] = row[tb.ENERGY_AT_REST] = 0.0
+        row[tb.ENERGY_AFTER] = row[tb.ENERGY_OF_PAYERS] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if is_charged(i, bodies, islands):
@@ -175,7 +178,7 @@ def find_surplus(
             )
             row[tb.ENERGY_AFTER] += energy
             if is_payer(last, i, control, bodies, islands):
-                row[tb.ENERGY_AT_REST] += energy
+                row[tb.ENERGY_OF_PAYERS] += energy
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
         if row[tb.ENERGY_SURPLUS] > 0.0:
