@@ -3,7 +3,6 @@
 Only this module of `motion` imports scipy.
 """
 
-from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
@@ -24,6 +23,34 @@ class NoStepError(SimulationError):
     """The reference cannot step on; `run` is the history up to there."""
 
     code = "no-step"
+
+
+class _Trials:
+    """The rate of a state of bodies, which scipy asks for in the trials of a step.
+
+    A trial that meets no finite state or force is no number: the step is taken again, shorter.
+    """
+
+    def __init__(self, field: MemoisedField, shape: tuple[int, ...]) -> None:
+        self._field, self._shape = field, shape
+        self.refusal: SimulationError | None = None
+        """Why the last trial met no finite force, if it did not."""
+
+    def rate(self, time: float, y: Array) -> Array:
+        """Return the rate of a state: velocities (n, 3), then accelerations, both in one row."""
+        half = len(y) // 2
+        q, v = y[:half].reshape(self._shape), y[half:].reshape(self._shape)
+        return np.concatenate((y[half:], self._field(float(time), q, v).ravel()))
+
+    def __call__(self, time: float, y: Array) -> Array:
+        """Return the rate of a state, or no numbers."""
+        if np.isfinite(y).all():
+            self.refusal = None
+            try:
+                return self.rate(time, y)
+            except SimulationError as refusal:
+                self.refusal = refusal
+        return np.full_like(y, np.nan)
 
 
 class ScipyDop853:
@@ -71,32 +98,17 @@ class ScipyDop853:
         from scipy.integrate import DOP853
 
         shape, size = position.shape, position.size
-
-        def rate(time: float, y: Array) -> Array:
-            q, v = y[:size].reshape(shape), y[size:].reshape(shape)
-            return np.concatenate((y[size:], field(float(time), q, v).ravel()))
-
-        refusals: list[SimulationError] = []
-
-        def tried(time: float, y: Array) -> Array:
-            if np.isfinite(y).all():
-                refusals.clear()
-                try:
-                    return rate(time, y)
-                except SimulationError as refusal:
-                    refusals.append(refusal)
-            return np.full_like(y, np.nan)  # the step is too long: it is taken again, shorter
-
+        trials = _Trials(field, shape)
         y = np.concatenate((position.ravel(), velocity.ravel()))
         if not np.isfinite(y).all():
             raise NoStepError(
                 f"run at {start!r} s: its state is beyond what float64 holds, about 1e308 (R4). "
                 "Give smaller loads, or a shorter duration."
             )
-        rate(start, y)  # where no force is finite here, no step is short enough
+        trials.rate(start, y)  # where no force is finite here, no step is short enough
         hint = self._proposed.get(size)
         solver = DOP853(
-            tried,
+            trials,
             start,
             y,
             limit,
@@ -112,24 +124,24 @@ class ScipyDop853:
         before = solver.nfev
         solver.step()
         if solver.status == "failed":
-            raise self._failed(start, refusals)
+            raise self._failed(start, trials.refusal)
         field.tally.rejected += (solver.nfev - before) // _STAGES - 1
         self._proposed[size] = float(solver.h_abs)
         between = solver.dense_output()
         end = float(solver.t)
         times = start + (end - start) * (_NODES + 1) / 2
         states = [between(time) for time in times]
-        second = np.stack([tried(t, y)[size:] for t, y in zip(times, states, strict=True)])
+        second = np.stack([trials(t, y)[size:] for t, y in zip(times, states, strict=True)])
         if np.isfinite(states).all() and not np.isfinite(second).all():
             if not start < (middle := (start + end) / 2) < end:
-                raise self._failed(start, refusals)
+                raise self._failed(start, trials.refusal)
             return self._step(field, start, middle, position, velocity)
         return _dense_step(start, end, position, velocity, second.reshape(-1, *shape))
 
-    def _failed(self, start: float, refusals: Sequence[SimulationError]) -> SimulationError:
+    def _failed(self, start: float, refusal: SimulationError | None) -> SimulationError:
         """Return the error of no step at all: where the last trial met no finite force, that."""
-        if refusals:
-            return refusals[-1]
+        if refusal is not None:
+            return refusal
         return NoStepError(
             f"run at {start!r} s: no step of the reference meets its tolerance {self._rtol:g} "
             "(R5). Give loads that change less suddenly, or a larger rtol."
