@@ -50,7 +50,7 @@ def test_a_flier_that_is_tied_slackly_to_what_lands_falls_freely(tie: str) -> No
 
 
 def test_a_smooth_slider_goes_on_while_a_chain_lands_on_the_same_plank() -> None:
-    """By a twentieth of what it lost, at worst, when all that hangs together paid alike."""
+    """It lost up to 2 m/s when all bodies of the island paid alike; 0.05 m/s is left at worst."""
     surface: Any = {"friction": 0.0, "restitution": 0.0}
     for seed in range(25):
         sim = t2.Simulator(t2.Scene(gravity=(0.0, -PULL)))

@@ -23,6 +23,7 @@ def as_lines() -> Iterator[None]:
         file: TextIO | None = None,
         line: str | None = None,
     ) -> None:
+        """Print a message once; the arguments are those of `warnings.showwarning`."""
         if not issubclass(category, StepWarning):
             as_ever(message, category, filename, lineno, file, line)
         elif str(message) not in told:
