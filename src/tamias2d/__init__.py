@@ -54,6 +54,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         VelocityVerlet as VelocityVerlet,
         Yoshida4 as Yoshida4,
     )
+    from tamias2d.record.recorder import Recorder as Recorder
     from tamias2d.run import Run as Run
     from tamias2d.run_data import Impacts as Impacts
     from tamias2d.scene import (
@@ -108,6 +109,7 @@ _HOMES = {
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag JointError "
     "JointEvent JointEvents Legacy2018 Reactions Reference RungeKutta4 SemiImplicitEuler "
     "StabilityError StepSizeError Stepped VelocityVerlet Yoshida4",
+    "record.recorder": "Recorder",
     "run": "Run",
     "run_data": "Impacts",
     "scene": "Body Box Capsule Chain Compound Disc Distance Equation Gear Groove HalfPlane "

@@ -34,6 +34,10 @@ class RecordingError(TamiasError):
     """A recording cannot be written, read or recomputed."""
 
 
+class FrameLoopError(RecordingError):
+    """A recording is one of a frame loop, to be looked at: no run can be made of it."""
+
+
 class MissingExtraError(RecordingError):
     """A library is missing that an extra of the package brings."""
 

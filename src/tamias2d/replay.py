@@ -1,11 +1,12 @@
 """Look at a recording, or compute it again and compare every bit of its numbers."""
 
 import tempfile
+from contextlib import suppress
 from dataclasses import dataclass, fields
 from pathlib import Path
 
 from tamias2d.certificate import Certificate
-from tamias2d.errors import InputError, RecordingError, SimulationError
+from tamias2d.errors import FrameLoopError, InputError, RecordingError, SimulationError
 from tamias2d.record import files, header as headers, history
 from tamias2d.record.difference import Difference, first_difference
 from tamias2d.record.header import Header
@@ -129,7 +130,8 @@ def replay(path: str | Path) -> None:
         RecordingError: the file cannot be read, rerun is not installed, or no window opens.
     """
     path = Path(path)
-    files.stored(path)  # so that a damaged file is told here, not by an empty window
+    with suppress(FrameLoopError):  # there is nothing but what the viewer shows
+        files.stored(path)  # so that a damaged file is told here, not by an empty window
     viewer = files.rerun(path, "the viewer", otherwise="check the file by `replay --check`")
     if path.suffix == ".rrd":
         viewer.view(path, named=path)

@@ -26,11 +26,13 @@ STRIP = 4.0  # median bounding radii of bodies: the width of a strip of the cano
 class BodyPool:
     """The taken and the free rows of an engine."""
 
-    def __init__(self, store: Store, rank: IntArray) -> None:
-        """Find what a store holds; bodies have ranks (n,), -1 where absent."""
+    def __init__(self, store: Store, rank: IntArray, generation: IntArray) -> None:
+        """Find what a store holds; its bodies have these ranks and generations (n,)."""
         self.store = store
         self.rank = rank
         """(n,), place of each body in the canonical order; -1 for one that is absent or new"""
+        self.generation = generation
+        """(n,), how many bodies each row has held so far, one that is there included"""
         state, shapes = store.world.state, store.world.shapes
         self._shapes = int(np.count_nonzero(shapes.vertex_count))  # rows ever taken
         self._vertices = int(shapes.vertex_count.sum())
@@ -58,6 +60,7 @@ class BodyPool:
         state.properties[rows, tb.INVERSE_MASS] = 1 / batch.mass
         state.properties[rows, tb.INVERSE_INERTIA] = 1 / batch.inertia
         state.kind[rows] = batch.kind
+        self.generation[rows] += 1
         self._propagators.assign(rows, batch.drag_rates)
         self._add_shapes(batch, rows)
         self.store.forget_pairs()
@@ -183,6 +186,7 @@ class BodyPool:
             used += range(store.size, store.size + more)
             store.size += more
             self.rank = np.concatenate((self.rank, np.full(more, -1)))
+            self.generation = np.concatenate((self.generation, np.zeros(more, dtype=np.int64)))
         return np.array(used, dtype=np.int64)
 
     def _take_shape(self, vertices: int) -> int:

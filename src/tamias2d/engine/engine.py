@@ -56,16 +56,16 @@ class Engine(Store):
         control.settings[tb.GRAVITY_X : tb.GRAVITY_Y + 1] = gravity
         control.settings[tb.TIME_STEP], control.counts[tb.SUBSTEPS] = time_step, substeps
         self.world.broad_phase.counts[tb.HORIZON] = 4
-        self.begin(np.zeros(0, dtype=np.int64))
+        self.begin(np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64))
 
-    def begin(self, rank: NDArray[np.int64]) -> None:
-        """Find out what the arrays hold; bodies have ranks (n,), -1 where absent."""
+    def begin(self, rank: NDArray[np.int64], generation: NDArray[np.int64]) -> None:
+        """Find out what the arrays hold; bodies have ranks and generations (n,), as told below."""
         self._library: SimpleNamespace | None = None  # what steps are taken with, once they are
         self._take: _Take | None = None  # takes steps with the arrays as they are
         self._alone = True  # whether it is worth while to try ballistic motion
         self._course_known = False  # whether chunks know where bodies may be
         self._steps_per_call, self._ballistic_steps_per_call = StepsPerCall(), StepsPerCall()
-        self._pool = BodyPool(self, rank)
+        self._pool = BodyPool(self, rank, generation)
         self._pool.publish_order()
         self._corners = OpenCorners()
         self.queries = QueryTree(self)
@@ -131,6 +131,11 @@ class Engine(Store):
     def rank(self) -> NDArray[np.int64]:
         """Place of each body in the canonical order, -1 for one that is absent or new: (n,)."""
         return self._pool.rank
+
+    @property
+    def generation(self) -> NDArray[np.int64]:
+        """How many bodies each row has held so far, one that is there included: (n,)."""
+        return self._pool.generation
 
     @property
     def steps(self) -> int:

@@ -114,6 +114,10 @@ def _check_bodies(arrays: Arrays) -> None:
     require(rank >= -1, "rank", "must be -1 or more")
     require(rank < 2**62, "rank", "is too large")
     require(len(np.unique(there)) == len(there), "rank", "must differ")
+    generation = arrays.get("generation")
+    if generation is None or generation.dtype != np.int64 or generation.shape != rank.shape:
+        raise UnfitError("generation: must be int64, one for each body")
+    require(generation >= present[: len(rank)], "generation", "must count the bodies of a row")
     properties = arrays["state.properties"]
     require(properties[~present] == 0.0, "state.properties", "must be 0 where there is no body")
     inverse = properties[:, [tb.INVERSE_MASS, tb.INVERSE_INERTIA]]

@@ -30,7 +30,7 @@ def saved_arrays(engine: Engine) -> dict[str, NDArray[Any]]:
     found["broad_phase.candidates"][...] = 0
     found["touching.counts"][[tb.ARRANGED, tb.ISLANDS_KNOWN]] = 0
     found["broad_phase.counts"][[tb.BUFFER, tb.CONTACTS]] = 0, size
-    return {**found, "rank": engine.rank.copy()}
+    return {**found, "rank": engine.rank.copy(), "generation": engine.generation.copy()}
 
 
 def restored_engine(
@@ -50,7 +50,7 @@ def restored_engine(
     engine.world.control.settings[tb.TIME_STEP] = time_step
     engine.world.control.counts[tb.STEPS_TAKEN] = steps
     engine.size = len(arrays["rank"])
-    engine.begin(arrays["rank"].copy())
+    engine.begin(arrays["rank"].copy(), arrays["generation"].copy())
     if engine.world.broad_phase.counts[tb.LIST_HOLDS]:
         _derive_list(engine.world)
     return engine

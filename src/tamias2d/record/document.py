@@ -10,6 +10,7 @@ from tamias2d.record import header as headers
 
 if TYPE_CHECKING:
     from tamias2d.run_data import RunData
+    from tamias2d.simulator import Simulator
 
 
 def about(run: RunData) -> str:
@@ -29,6 +30,19 @@ def about(run: RunData) -> str:
         ", ".join(f"{name} {version}" for name, version in headers.versions().items()),
     ]
     return "\n\n".join(line for line in lines if line)
+
+
+def about_frames(sim: Simulator) -> str:
+    """Return what a recording of a frame loop is, and how it was stepped."""
+    x, y = sim.gravity.tolist()
+    lines = [
+        "# A frame loop",
+        f"Steps of {sim.time_step:g} s in {sim.substeps} substeps. Gravity ({x:g}, {y:g}) m/s².",
+        "Bodies and joints come and go as the program let them. What it did between steps is not "
+        "in here, so that this cannot be computed again; positions are float32, to be looked at.",
+        ", ".join(f"{name} {version}" for name, version in headers.versions().items()),
+    ]
+    return "\n\n".join(lines)
 
 
 def _certificate(run: RunData) -> str:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,8 +20,10 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from tamias2d.record.drawn import Drawn
     from tamias2d.run_data import RunData
-    from tamias2d.scene import Body, Part
+    from tamias2d.scene import Body, Compound, Part
+    from tamias2d.scene.shapes import Single
 
     Points = NDArray[np.float64]
 
@@ -35,6 +38,8 @@ STATIC_COLOUR: Colour = (130, 135, 140)
 KINEMATIC_COLOUR: Colour = (125, 145, 180)
 CIRCLE_SIDES = 72
 HATCHES = 48
+_KEPT = 256  # shapes: bodies that come and go in a loop are of few kinds
+_LARGER = 1.2  # times what a view that grows has to hold
 FILL_LINES, COARSE_LINES, COARSE_BOX_LINES = 24, 8, 3
 
 
@@ -79,7 +84,7 @@ def strokes(body: Body, view: View) -> list[Points]:
     if isinstance(body.shape, Chain):
         one_sided = body.shape.one_sided and not body.sensor
         return [*lines, *(ticks(lines[0], mark / 2) if one_sided else ())]
-    return lines if body.static else [*lines, _spoke(body)]
+    return lines if body.static else [*lines, _spoke(outlines(body)[0])]
 
 
 def outlines(body: Body) -> list[Points]:
@@ -133,15 +138,21 @@ def look(body: Body, view: View, *, crowd: bool = False) -> Look:
     """
     if body.shape is None or isinstance(body.shape, HalfPlane) or is_hollow(body):
         return Look([], [], [], strokes(body, view))
-    found = Look([], [], [], [] if body.static else [_spoke(body)])
-    for piece in pieces_of(body.shape):
+    return _look_of(body.shape, spoke=not body.static, crowd=crowd)
+
+
+@lru_cache(_KEPT)
+def _look_of(shape: Single | Compound, *, spoke: bool, crowd: bool) -> Look:
+    """Take a shape apart, perhaps with a spoke."""
+    rims = [_outline(piece) for piece in pieces_of(shape)]
+    found = Look([], [], [], [_spoke(rims[0])] if spoke else [])
+    for piece, rim in zip(pieces_of(shape), rims, strict=True):
         if crowd and isinstance(piece.shape, Disc | Capsule):
             ends = np.array(piece.core)
             found.discs.extend((end, piece.shape.radius) for end in ends)
             if len(ends) > 1:
                 found.bands.append((ends, piece.shape.radius))
         else:
-            rim = _outline(piece)
             found.lines.append(rim)
             if np.ptp(rim[:, 1]):
                 found.areas.append(_filling(rim, _lines_of(piece, crowd=crowd)))
@@ -159,8 +170,7 @@ def _lines_of(piece: Part, *, crowd: bool) -> int:
     return FILL_LINES
 
 
-def _spoke(body: Body) -> Points:
-    rim = outlines(body)[0]
+def _spoke(rim: Points) -> Points:
     return np.array([(0.0, 0.0), (rim[1] + rim[2]) / 2])
 
 
@@ -213,16 +223,46 @@ def placed(points: Points, position: Points, orientation: float) -> Points:
     return points @ rotation(orientation).T + position
 
 
-def view_of(run: RunData) -> View:
+def view_of(run: Drawn) -> View:
     """The view that holds every bounded body during the whole run, with a margin of 8 %."""
     low, high = _extent(run)
     span = float((high - low).max()) or 2.0  # one particle at rest: 2 m around it
     half = 0.54 * np.maximum(high - low, span / 4)  # in a narrow strip nothing could be seen
-    center = low / 2 + high / 2
+    return _view(low / 2 + high / 2, half)
+
+
+def grown(view: View, other: View) -> View:
+    """Return a view that holds another one, too: a larger one at once, so that it seldom grows."""
+    low, high = _corners(view)
+    other_low, other_high = _corners(other)
+    if np.all(other_low >= low) and np.all(other_high <= high):
+        return view
+    center, half = _between(np.minimum(low, other_low), np.maximum(high, other_high))
+    return _view(center, _LARGER * half)
+
+
+def within(view: View, other: View, times: float) -> View:
+    """Return what of a view is within another one that is made so many times as large."""
+    least, most = _corners(View(other.center, (times * other.half[0], times * other.half[1])))
+    low, high = _corners(view)
+    return _view(*_between(np.clip(low, least, most), np.clip(high, least, most)))
+
+
+def _corners(view: View) -> tuple[Points, Points]:
+    center, half = np.array(view.center), np.array(view.half)
+    return center - half, center + half
+
+
+def _between(low: Points, high: Points) -> tuple[Points, Points]:
+    """Return the centre of what is between two corners, and half of its size."""
+    return low / 2 + high / 2, high / 2 - low / 2
+
+
+def _view(center: Points, half: Points) -> View:
     return View((float(center[0]), float(center[1])), (float(half[0]), float(half[1])))
 
 
-def _extent(run: RunData) -> tuple[Points, Points]:
+def _extent(run: Drawn) -> tuple[Points, Points]:
     """Lower left and upper right corner (2,) of where bounded bodies have been, in metres.
 
     What holds them to the plane is within, too.
@@ -240,7 +280,7 @@ def _extent(run: RunData) -> tuple[Points, Points]:
     return np.min(lows, axis=0), np.max(highs, axis=0)
 
 
-def _fixed(run: RunData) -> Iterator[tuple[float, float]]:
+def _fixed(run: Drawn) -> Iterator[tuple[float, float]]:
     """Points of the plane at which joints and springs hold, in metres."""
     for joint in run.scene.joints:
         if joint.model == "pulley" and joint.ends[2] is None:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from tamias2d.record.drawing import View
+    from tamias2d.record.drawn import Drawn
     from tamias2d.run_data import RunData
     from tamias2d.scene import Freedom, Joint
 
@@ -52,8 +53,8 @@ def on_white(kind: str) -> tuple[float, ...]:
     return tuple(_DARKER * (channel / 255) for channel in COLOURS[kind])
 
 
-def lines(run: RunData, view: View) -> Iterator[Line]:
-    """Yield all lines of all joints and springs of a run; a joint that has broken has none."""
+def lines(run: Drawn, view: View) -> Iterator[Line]:
+    """Yield all lines of all joints and springs; a joint that has broken has none."""
     broken = {e.joint: e.time for e in run.joint_events if e.what == BREAKS}
     for number, joint in enumerate(run.scene.joints):
         gone = run.times >= broken.get(number, np.inf)
@@ -91,7 +92,7 @@ def reactions(run: RunData, view: View) -> tuple[Points, Points] | None:
 class _Drawn:
     """A joint with the places of its anchors."""
 
-    def __init__(self, run: RunData, joint: Joint, view: View) -> None:
+    def __init__(self, run: Drawn, joint: Joint, view: View) -> None:
         self.run, self.joint, self.view = run, joint, view
         self.a, self.b = (_point(run, joint.ends[k], joint.anchors[k]) for k in (0, 1))
         body = joint.ends[0]
@@ -172,7 +173,7 @@ def _slide(drawn: _Drawn) -> Iterator[tuple[str, Points]]:
     yield "joint", _ring(drawn.b, drawn.view)
 
 
-def _point(run: RunData, body: int | None, at: Any) -> Points:
+def _point(run: Drawn, body: int | None, at: Any) -> Points:
     """Return where a point of a body, or of the plane, is at each sample, (k, 2)."""
     if body is None:
         return np.tile(np.array(at, dtype=np.float64), (len(run.times), 1))

@@ -1,6 +1,8 @@
 """What happened in the last step, and what is where."""
 
 from tamias2d.engine.contact_report import Contacts
+from tamias2d.scene import Body
+from tamias2d.simulator.body_now import body_now
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.queries import Hits, bodies_at_point, bodies_in_box, cast_rays
 from tamias2d.simulator.stepping import Stepping
@@ -41,6 +43,20 @@ class Asking(Stepping):
         What began and ended within the call is in both. What was removed is in none of them.
         """
         return self._report().ended
+
+    @exclusive
+    def body(self, body: int | str) -> Body:
+        """Return what a body is made of, where it is and how it moves now, by index or name.
+
+        It is a copy, of which `add` could make another one; a polygon is given about its centre,
+        to rounding. A body without a name has that of its row. Forces of laws, fields and springs
+        are not in its `force`.
+
+        Raises:
+            InputError: the body is not there.
+        """
+        (row,) = self._rows(body).tolist()
+        return body_now(self._engine, row, self._names.of_row.get(row, f"body {row}"))
 
     @exclusive
     def ray_cast(self, start: object, end: object, *, mask: int | None = None) -> Hits:

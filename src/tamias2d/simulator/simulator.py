@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.saved_checks import UnfitError
 from tamias2d.engine.saved_state import restored_engine, rewind, saved_arrays
-from tamias2d.engine.tables import DYNAMIC
+from tamias2d.engine.tables import ABSENT, DYNAMIC, STATIC
 from tamias2d.errors import RecordingError
 from tamias2d.recording_file import checked_path
 from tamias2d.scene import Scene, scene_text
@@ -32,6 +32,7 @@ from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.pushing import Pushing
 from tamias2d.simulator.saved_joints import restored_joints
 from tamias2d.simulator.settings import checked_flag, checked_substeps, checked_time_step
+from tamias2d.simulator.snapshot import Snapshot
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.simulator.touching_rules import TouchingRules
 from tamias2d.simulator.varying_loads import VaryingLoads
@@ -211,6 +212,28 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
         for values in (engine.pose, engine.velocity, engine.load):
             total.update(np.ascontiguousarray(values[order] + 0.0).tobytes())
         return total.hexdigest()
+
+    @exclusive
+    def _snapshot(self) -> Snapshot:
+        """Return what there is to see now."""
+        self._settle_between()
+        engine = self._engine
+        rows = np.flatnonzero(engine.kind != ABSENT)
+        springs = () if self._scene is None else tuple(self._scene.springs)
+        return Snapshot(
+            time=self.time,
+            revision=engine.revision,
+            rows=rows,
+            generation=engine.generation[rows],
+            static=np.equal(engine.kind[rows], STATIC).astype(np.int64),
+            pose=engine.pose[rows],
+            velocity=engine.velocity[rows],
+            inverse_mass=engine.inverse_mass[rows],
+            inverse_inertia=engine.inverse_inertia[rows],
+            joints=tuple(self._joints),
+            springs=tuple(s for s in springs if self._staying.issuperset(s.bodies)),
+            contact_points=self._report().contacts.point.copy(),
+        )
 
     def __repr__(self) -> str:
         return f"<Simulator of {len(self)} bodies at {self.time:.6g} s>"

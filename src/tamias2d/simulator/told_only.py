@@ -13,6 +13,7 @@ REMEDIES = {
     "mass": "Remove the body, and add it with another mass.",
     "present": "Call add or remove.",
     "dynamic": "Remove the body, and add it by add, add_static or add_kinematic.",
+    "generation": "Call add: it counts the bodies that a row has held.",
     "asleep": "Call wake; what is slow falls asleep by itself.",
     "contacts": _PUSH,
     "began": _PUSH,

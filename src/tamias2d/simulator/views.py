@@ -13,7 +13,7 @@ from tamias2d.scene.rules import RuleError, refuse_masked
 from tamias2d.simulator.exclusive import between_calls, exclusive
 from tamias2d.simulator.lent import is_held, lent
 from tamias2d.simulator.told_only import REMEDIES, refuses_assignment
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
 
 _POSITION, _ORIENTATION, _VELOCITY, _ANGULAR_VELOCITY, _FORCE, _TORQUE, _GRAVITY = range(7)
 
@@ -135,6 +135,16 @@ class Views:
     def dynamic(self) -> NDArray[np.bool_]:
         """Which rows hold a body that can be pushed: a read-only copy (n,)."""
         return _told(np.equal(self._engine.kind, DYNAMIC), "dynamic")
+
+    @property
+    @between_calls
+    def generation(self) -> IntArray:
+        """How many bodies each row has held so far, one that is there included: a copy (n,).
+
+        An index with its generation is a handle that knows when it is stale: the body is still
+        there as long as the row is present and of that generation.
+        """
+        return _told(self._engine.generation.copy(), "generation")
 
     @property
     @between_calls

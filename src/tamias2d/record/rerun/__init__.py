@@ -6,8 +6,9 @@ Only this package knows rerun, which is an extra, large and slow to import. What
 float32, so the float64 states go beside it, as the component group `tamias2d.State`.
 """
 
+from tamias2d.record.rerun.frames import FrameStream
 from tamias2d.record.rerun.program import view
 from tamias2d.record.rerun.reading import read
 from tamias2d.record.rerun.writing import write
 
-__all__ = ["read", "view", "write"]
+__all__ = ["FrameStream", "read", "view", "write"]

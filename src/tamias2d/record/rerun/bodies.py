@@ -17,11 +17,12 @@ from tamias2d.record import drawing
 from tamias2d.record.rerun import exact, layout
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
 
     from numpy.typing import NDArray
 
     from tamias2d.record.drawing import Colour, View
+    from tamias2d.record.drawn import Drawn
     from tamias2d.run_data import RunData
 
     Times = Callable[[slice], list[rr.TimeColumn]]
@@ -33,7 +34,7 @@ _ORDER = {"rims": 20.0, "areas": 21.0, "lines": 22.0}  # what is later covers wh
 
 
 @dataclass
-class _Batch:
+class Batch:
     """Parts with v points each, in the frames of their bodies; v is 1 for discs."""
 
     points: list[Any] = field(default_factory=list)
@@ -43,6 +44,7 @@ class _Batch:
     colours: list[Colour] = field(default_factory=list)
 
     def add(self, points: Any, body: int, radius: float, colour: Colour) -> None:
+        """Add one part of a body."""
         self.points.append(points)
         self.bodies.append(body)
         self.radii.append(radius)
@@ -53,45 +55,19 @@ Key = tuple[bool, str, int]  # whether it stands still, its layer, and its numbe
 
 
 def draw(stream: rr.RecordingStream, run: RunData, view: View, times: Times) -> None:
-    """Send all bodies: those that stand still once, the others at each sample."""
-    for key, batch in sorted(_batches(run, view).items()):
-        still, layer, size = key
-        kind: Any = rr.Points2D if size == 1 else rr.LineStrips2D
-        entity = f"{layout.BODIES}/{'static' if still else 'moving'}/{layer}{size}"
-        stream.log(entity, _look(kind, run, batch, layer=layer, still=still), static=True)
-        points = np.array(batch.points, dtype=np.float64)
-        for part in [slice(1)] if still else exact.blocks(len(run.times), 8 * points.size):
-            seen = _placed(run, batch, points, part).astype(np.float32)
-            rows = seen.reshape(-1, 2) if size == 1 else seen.reshape(-1, size, 2)
-            columns = kind.columns(**{"positions" if size == 1 else "strips": rows})
-            lengths = [len(points)] * len(seen)
-            stream.send_columns(entity, [] if still else times(part), columns.partition(lengths))
-
-
-def _look(kind: Any, run: RunData, batch: _Batch, *, layer: str, still: bool) -> Any:
-    return kind.from_fields(
-        radii=batch.radii,
-        colors=batch.colours,
-        labels=[run.scene.bodies[k].name for k in batch.bodies],
-        show_labels=False,
-        draw_order=_ORDER[layer] - 10.0 * still,
-    )
-
-
-def _placed(run: RunData, batch: _Batch, points: NDArray[Any], part: slice) -> NDArray[Any]:
-    """World coordinates (samples, parts, v, 2) of a batch, in m."""
-    angle = run.orientation[part, batch.bodies][..., None]
-    x, y = points[..., 0], points[..., 1]
-    turned = np.stack(
-        [np.cos(angle) * x - np.sin(angle) * y, np.sin(angle) * x + np.cos(angle) * y], axis=-1
-    )
-    return np.asarray(turned + run.position[part, batch.bodies][:, :, None, :])
-
-
-def _batches(run: RunData, view: View) -> dict[Key, _Batch]:
-    found: dict[Key, _Batch] = defaultdict(_Batch)
+    """Send all bodies of a run: those that stand still once, the others at each sample."""
     crowd = sum(not body.static for body in run.scene.bodies) > CROWD
-    for k, (body, colour) in enumerate(zip(run.scene.bodies, drawing.colours(run), strict=True)):
+    found = layers(run, view, drawing.colours(run), crowd=crowd)
+    for key, batch in sorted(found.items()):
+        stream.log(entity(key), look(key, batch, run), static=True)
+        still = key[0]
+        send(stream, key, batch, run, (lambda _: []) if still else times)
+
+
+def layers(drawn: Drawn, view: View, colours: Sequence[Colour], *, crowd: bool) -> dict[Key, Batch]:
+    """Return the parts of all bodies, each with its colour, by the entities that show them."""
+    found: dict[Key, Batch] = defaultdict(Batch)
+    for k, (body, colour) in enumerate(zip(drawn.scene.bodies, colours, strict=True)):
         shade = tuple(channel // 2 for channel in colour)
         width = -1.0 if body.static else -0.5 if crowd else -1.5
         for layer, points, radius in _parts(drawing.look(body, view, crowd=crowd), width):
@@ -100,16 +76,60 @@ def _batches(run: RunData, view: View) -> dict[Key, _Batch]:
     return dict(found)
 
 
-def _parts(look: drawing.Look, width: float) -> Iterator[tuple[str, Any, float]]:
+def entity(key: Key) -> str:
+    """Return the path of what shows the parts of a key."""
+    still, layer, size = key
+    return f"{layout.BODIES}/{'static' if still else 'moving'}/{layer}{size}"
+
+
+def look(key: Key, batch: Batch, drawn: Drawn) -> Any:
+    """Return what of parts does not change from sample to sample."""
+    still, layer, _ = key
+    return _kind(key).from_fields(
+        radii=batch.radii,
+        colors=batch.colours,
+        labels=[drawn.scene.bodies[k].name for k in batch.bodies],
+        show_labels=False,
+        draw_order=_ORDER[layer] - 10.0 * still,
+    )
+
+
+def send(stream: rr.RecordingStream, key: Key, batch: Batch, drawn: Drawn, times: Times) -> None:
+    """Send where parts are at each sample, or at the first one if they stand still."""
+    still, _, size = key
+    points = np.array(batch.points, dtype=np.float64)
+    for part in [slice(1)] if still else exact.blocks(len(drawn.times), 8 * points.size):
+        seen = _placed(drawn, batch, points, part).astype(np.float32)
+        rows = seen.reshape(-1, 2) if size == 1 else seen.reshape(-1, size, 2)
+        columns = _kind(key).columns(**{"positions" if size == 1 else "strips": rows})
+        lengths = [len(points)] * len(seen)
+        stream.send_columns(entity(key), times(part), columns.partition(lengths))
+
+
+def _kind(key: Key) -> Any:
+    return rr.Points2D if key[2] == 1 else rr.LineStrips2D
+
+
+def _placed(drawn: Drawn, batch: Batch, points: NDArray[Any], part: slice) -> NDArray[Any]:
+    """World coordinates (samples, parts, v, 2) of a batch, in m."""
+    angle = drawn.orientation[part, batch.bodies][..., None]
+    x, y = points[..., 0], points[..., 1]
+    turned = np.stack(
+        [np.cos(angle) * x - np.sin(angle) * y, np.sin(angle) * x + np.cos(angle) * y], axis=-1
+    )
+    return np.asarray(turned + drawn.position[part, batch.bodies][:, :, None, :])
+
+
+def _parts(seen: drawing.Look, width: float) -> Iterator[tuple[str, Any, float]]:
     """Layer, points (v, 2) and half-width of each part of a body; lines have the width given."""
-    for center, radius in look.discs:
+    for center, radius in seen.discs:
         yield "rims", [center], radius
         yield "areas", [center], _CORE * radius
-    for line, half in look.bands:
+    for line, half in seen.bands:
         yield "rims", line, half
         yield "areas", line, _CORE * half
-    for lines, half in look.areas:
+    for lines, half in seen.areas:
         for line in lines:
             yield "areas", line, half
-    for line in look.lines:
+    for line in seen.lines:
         yield "lines", line, width

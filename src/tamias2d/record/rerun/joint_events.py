@@ -17,7 +17,7 @@ def draw(stream: rr.RecordingStream, run: RunData, times: list[rr.TimeColumn]) -
     """Send a line of text for each event of a joint, and its numbers."""
     events = run.joint_events
     texts = [document.joint_line(run, k) for k in range(len(events))]
-    stream.send_columns(f"{layout.IMPACT_LOG}/joints", times, rr.TextLog.columns(text=texts))
+    stream.send_columns(layout.JOINT_LOG, times, rr.TextLog.columns(text=texts))
     numbers = {name: exact.column(getattr(events, name)) for name in history.OF_JOINT_EVENTS}
     columns = rr.DynamicArchetype.columns(layout.JOINT_EVENT, components=numbers)
     stream.send_columns(layout.JOINT_EVENTS, times, columns)

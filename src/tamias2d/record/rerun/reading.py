@@ -11,7 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from tamias2d.errors import RecordingError
+from tamias2d.errors import FrameLoopError, RecordingError
 from tamias2d.record import history
 from tamias2d.record.rerun.program import verify
 
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from tamias2d.record.history import Arrays
 
 UNPACKING = "tamias2d.record.rerun.unpacking"
-REFUSED = 3
-"""With this code the other process ends when it has said what is wrong."""
+REFUSED, FRAME_LOOP = 3, 4
+"""With these codes the other process ends when it has said what is wrong, and of frame loops."""
 
 
 def read(path: Path) -> tuple[Header, Arrays]:
@@ -38,6 +38,11 @@ def read(path: Path) -> tuple[Header, Arrays]:
             errors="replace",
             check=False,
         )
+        if done.returncode == FRAME_LOOP:
+            raise FrameLoopError(
+                f"{path}: records a frame loop: what the program did between its steps is not in "
+                f"it, so that it cannot be computed again. Look at it by `tamias2d replay {path}`."
+            )
         if done.returncode == REFUSED:
             raise RecordingError(done.stdout)
         if done.returncode:

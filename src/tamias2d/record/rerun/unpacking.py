@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rerun.chunk import RrdReader
 
-from tamias2d.errors import RecordingError
+from tamias2d.errors import FrameLoopError, RecordingError
 from tamias2d.record import header as headers, history
 from tamias2d.record.rerun import exact, layout
-from tamias2d.record.rerun.reading import REFUSED
+from tamias2d.record.rerun.reading import FRAME_LOOP, REFUSED
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -30,6 +30,8 @@ def main(source: str, target: str) -> None:
     """Write the history in `source` to `target`, or say in one line why that cannot be done."""
     try:
         header, arrays = unpack(Path(source))
+    except FrameLoopError:
+        sys.exit(FRAME_LOOP)
     except RecordingError as fault:
         print(fault, end="")
         sys.exit(REFUSED)
@@ -65,6 +67,8 @@ def _columns(path: Path) -> tuple[str | None, Columns]:
     for chunk in RrdReader(path).stream():
         batch = chunk.to_record_batch()
         for name in batch.schema.names:
+            if name.startswith(f"{layout.FRAME_LOOP}:"):
+                raise FrameLoopError(str(path))
             if name.startswith(f"{layout.HEADER}:"):
                 header = batch.column(name)[0][0].as_py()
             elif name.startswith("tamias2d."):

@@ -10,7 +10,16 @@ import rerun as rr
 from tamias2d.balance import kinetic_energy
 from tamias2d.errors import RecordingError
 from tamias2d.record import document, drawing, header as headers, history
-from tamias2d.record.rerun import bodies, exact, impacts, joint_events, joints, layout
+from tamias2d.record.rerun import (
+    bodies,
+    exact,
+    impacts,
+    joint_events,
+    joints,
+    layout,
+    plots,
+    timelines,
+)
 from tamias2d.recording_file import aside, refuse_place
 from tamias2d.scene import scene_text
 
@@ -20,7 +29,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from tamias2d.record.drawing import Colour, View
     from tamias2d.run_data import RunData
 
 NAMED = 12
@@ -33,7 +41,7 @@ def write(run: RunData, path: Path) -> None:
     While it is written it takes about ten times the memory of its positions and velocities.
     """
     refuse_place(path)  # before rerun holds data: dropping them it prints a warning
-    clock = _nanoseconds(run.times, path)
+    clock = timelines.nanoseconds(run.times, path, "Save it as .npz.")
     timeline = layout.TIME if np.all(np.diff(clock) > 0) else layout.STEP
     rr.set_strict_mode(True)  # else a bad shape is only a warning, and the data are gone
     view = drawing.view_of(run)
@@ -50,34 +58,24 @@ def write(run: RunData, path: Path) -> None:
     stream.flush()  # the header is first in the file: of a cut one it is left
 
     def times(part: slice) -> list[rr.TimeColumn]:
-        return _times(clock[part], np.arange(len(clock))[part])
+        return timelines.columns(clock[part], np.arange(len(clock))[part])
 
     stream.log(layout.WORLD, rr.Transform3D(scale=[1, -1, 1]), static=True)  # y is down there
     bodies.draw(stream, run, view, times)
     joints.draw(stream, run, view, times)
-    _scale_bar(stream, view)
+    plots.scale_bar(stream, view)
     _plots(stream, run, times(slice(None)))
     _history(stream, run, times)
     if len(run.impacts):
         instants = np.rint(run.impacts.time * 1e9).astype(np.int64)
         samples = np.searchsorted(run.times, run.impacts.time)
-        impacts.draw(stream, run, view, _times(instants, samples))
+        impacts.draw(stream, run, view, timelines.columns(instants, samples))
     if len(run.joint_events):
         instants = np.rint(run.joint_events.time * 1e9).astype(np.int64)
-        joint_events.draw(stream, run, _times(instants, np.arange(len(instants))))
+        joint_events.draw(stream, run, timelines.columns(instants, np.arange(len(instants))))
     # Written by us: rerun's own writer can wait for ever for a disk that is full.
     with aside(path) as draft:
         draft.write_bytes(encoded.read() or b"")
-
-
-def _nanoseconds(times: NDArray[np.float64], path: Path) -> NDArray[np.int64]:
-    """Round times in s to the viewer's clock, which counts nanoseconds in 64 bits."""
-    if times[-1] > 9e9:
-        raise RecordingError(
-            f"{path}: a run of {times[-1]:g} s is beyond the viewer's clock, which ends at 9e9 s. "
-            "Save it as .npz."
-        )
-    return np.rint(times * 1e9).astype(np.int64)
 
 
 def _texts(stream: rr.RecordingStream, run: RunData, header: headers.Header) -> None:
@@ -93,58 +91,23 @@ def _texts(stream: rr.RecordingStream, run: RunData, header: headers.Header) -> 
         stream.log(path, rr.TextDocument(text, media_type=rr.MediaType.MARKDOWN), static=True)
 
 
-def _scale_bar(stream: rr.RecordingStream, view: View) -> None:
-    """A bar of a round length in the upper left corner of the view, with its length."""
-    length = drawing.round_length(view.half[0] / 3)
-    x, y = view.center[0] - 0.95 * view.half[0], view.center[1] + 0.9 * view.half[1]
-    bar = rr.LineStrips2D(
-        [[(x, y), (x + length, y)]],
-        colors=[drawing.STATIC_COLOUR],
-        radii=rr.Radius.ui_points(1.5),
-        labels=[f"{length:g} m"],
-        show_labels=True,
-        draw_order=30.0,
-    )
-    stream.log(f"{layout.WORLD}/scale", bar, static=True)
-
-
-def _times(clock: NDArray[np.int64], steps: NDArray[np.int64]) -> list[rr.TimeColumn]:
-    return [
-        rr.TimeColumn(layout.TIME, duration=clock.astype("timedelta64[ns]")),
-        rr.TimeColumn(layout.STEP, sequence=steps),
-    ]
-
-
 def _plots(stream: rr.RecordingStream, run: RunData, times: list[rr.TimeColumn]) -> None:
     kinetic = kinetic_energy(run.scene, run.velocity, run.angular_velocity)
     energies = np.column_stack([run.energy, kinetic, run.energy - kinetic])
     values = {layout.ENERGY: energies, layout.MOMENTUM: run.momentum}
     values[layout.SPIN] = run.angular_momentum
     for path, names in layout.SERIES.items():
-        _plot(stream, path, names, drawing.PALETTE[: len(names)], times, values[path])
+        plots.plot(stream, path, names, drawing.PALETTE[: len(names)], times, values[path])
     moving = [k for k, body in enumerate(run.scene.bodies) if body.dynamic]
     speeds = np.hypot(*np.moveaxis(run.velocity[:, moving], -1, 0))
     if 0 < len(moving) <= NAMED:
         colours = drawing.colours(run)
         for k, speed in zip(moving, speeds.T, strict=True):
             name = run.scene.bodies[k].name
-            _plot(stream, layout.speed_path(name), [name], [colours[k]], times, speed)
+            plots.plot(stream, layout.speed_path(name), [name], [colours[k]], times, speed)
     elif moving:
         extremes = np.column_stack([speeds.max(axis=1), speeds.mean(axis=1)])
-        _plot(stream, layout.SPEED, ["fastest", "mean"], drawing.PALETTE[:2], times, extremes)
-
-
-def _plot(
-    stream: rr.RecordingStream,
-    path: str,
-    names: list[str],
-    colours: Sequence[Colour],
-    times: list[rr.TimeColumn],
-    values: NDArray[np.float64],
-) -> None:
-    look = rr.SeriesLines(names=names, colors=colours, widths=[1.5] * len(names))
-    stream.log(path, look, static=True)
-    stream.send_columns(path, times, rr.Scalars.columns(scalars=values))
+        plots.plot(stream, layout.SPEED, ["fastest", "mean"], drawing.PALETTE[:2], times, extremes)
 
 
 def _history(stream: rr.RecordingStream, run: RunData, times: bodies.Times) -> None:
