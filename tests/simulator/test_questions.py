@@ -181,3 +181,87 @@ def test_a_body_that_is_nowhere_cannot_be_asked_for(ask: str) -> None:
     sim.position[3, 1] = np.nan
     with pytest.raises(t2.InputError, match=r"position or orientation\[3\]: must be finite"):
         sim.ray_cast((0.0, 0.0), (1.0, 0.0)) if ask == "ray" else sim.at_point((0.0, 0.0))
+
+
+def gap(one: np.ndarray, other: np.ndarray) -> float:
+    """Between two convex shapes without rounding, by their sides at many points; 0 if they meet."""
+    share = np.linspace(0, 1, 400)[:, None]
+    points = np.concatenate(
+        [a + share * (b - a) for a, b in zip(other, np.roll(other, -1, axis=0), strict=True)]
+    )
+    return float(distance(one, points).min())
+
+
+@settings(max_examples=60)
+@given(st.integers(0, 2**32 - 1))
+def test_bodies_in_a_shape_are_those_that_come_near_enough(
+    crowded: tuple[t2.Scene, t2.Simulator], seed: int
+) -> None:
+    scene, sim = crowded
+    chance = np.random.default_rng(seed)
+    size = chance.uniform(0.05, 2.0)
+    corners = [(0.0, 0.0), (size, 0.1), (0.3, size)]
+    shape: object = [
+        t2.Disc(radius=size),
+        t2.Box(width=size, height=0.3),
+        t2.Capsule(length=size, radius=0.1),
+        t2.Polygon(vertices=corners),
+        t2.Segment(length=size),
+        t2.Compound(
+            parts=[t2.Part(shape=t2.Disc(radius=0.2)),
+                   t2.Part(shape=t2.Box(width=0.2, height=0.4), position=(size, 0.0))]
+        ),
+    ][seed % 6]  # fmt: skip
+    place, angle = chance.uniform(-9, 9, 2), chance.uniform(-4, 4)
+    asked = t2.Scene(gravity=(0.0, 0.0))
+    asked.add_body(shape, mass=1.0, position=place, orientation=angle, restitution=0.0)  # type: ignore[arg-type]
+    pieces = outline(asked.bodies[0], place, angle)
+    found = set(sim.in_shape(shape, position=place, orientation=angle).tolist())  # type: ignore[arg-type]
+    for k, body in enumerate(scene.bodies):
+        if isinstance(body.shape, t2.HalfPlane):
+            apart = min(
+                (core @ np.array(body.shape.normal)).min() - body.shape.offset - r
+                for core, r in pieces
+            )
+        else:
+            apart = min(
+                min(gap(core, other), gap(other, core)) - r - s
+                for core, r in pieces
+                for other, s in outline(body, sim.position[k], sim.orientation[k])
+            )
+        if abs(apart) > 0.02 and not body.sensor:  # of which the points on sides can tell
+            assert (k in found) == (apart < 0), (k, apart)
+
+
+def test_a_shape_that_is_asked_for_touches_what_is_just_there() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(t2.Box(width=2.0, height=2.0), mass=1.0, position=(3.0, 0.0), restitution=0.0)
+    scene.add_static(t2.Disc(radius=0.5), position=(0.0, 4.0), restitution=0.0, category=2)
+    sim = t2.Simulator(scene)
+    disc = t2.Disc(radius=2.0)
+    assert sim.in_shape(disc, position=(0.0, 0.0)).tolist() == [0]
+    assert sim.in_shape(disc, position=(-1e-9, 0.0)).tolist() == []
+    assert sim.in_shape(disc, position=(0.0, 1.5)).tolist() == [1]
+    assert sorted(sim.in_shape(t2.Disc(radius=9.0), position=(0.0, 0.0)).tolist()) == [0, 1]
+    assert sim.in_shape(t2.Disc(radius=9.0), position=(0.0, 0.0), mask=2).tolist() == [1]
+    assert sim.in_shape(t2.Disc(radius=0.1), position=(3.0, 0.0)).tolist() == [0]
+    sim.position[0] = (30.0, 0.0)
+    assert sim.in_shape(disc, position=(0.0, 0.0)).tolist() == []
+
+
+@pytest.mark.parametrize(
+    ("shape", "given", "says"),
+    [
+        (t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), {}, r"shape of the question: .*bounded"),
+        (None, {}, r"shape of the question: found None"),
+        (t2.Disc(radius=1.0), {"position": (np.nan, 0.0)}, "position"),
+        (t2.Disc(radius=1.0), {"orientation": "up"}, "orientation"),
+        (t2.Disc(radius=1.0), {"mask": 1.5}, "mask"),
+    ],
+)
+def test_a_shape_that_cannot_be_asked_for_is_refused(
+    crowded: tuple[t2.Scene, t2.Simulator], shape: object, given: dict[str, object], says: str
+) -> None:
+    asked: dict[str, object] = {"position": (0.0, 0.0), **given}
+    with pytest.raises(t2.InputError, match=says):
+        crowded[1].in_shape(shape, **asked)  # type: ignore[arg-type]

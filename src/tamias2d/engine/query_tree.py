@@ -4,9 +4,11 @@ The tree that is asked is not that of the step, because users move bodies betwee
 n log n for a tree after a body was moved, added or removed, then log n for each query.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.menu import QUERY, functions
@@ -48,8 +50,26 @@ class QueryTree:
         total = self._library.shapes_in_box(
             self._argument, *low.tolist(), *high.tolist(), mask, found
         )
-        shapes = found[:total][np.argsort(world.broad_phase.canonical[tb.RANK, found[:total]])]
-        rows = world.state.body_of_shape[shapes].tolist()
+        return self._bodies_of(found[:total])
+
+    def bodies_in_shape(self, pieces: Sequence[tuple[Array, float]], mask: int) -> IntArray:
+        """Return the bodies (k,) that reach into pieces in the world, by rank.
+
+        A piece is all within a radius of a convex core (c, 2), m.
+        """
+        world, found = self._store.world, []
+        for core, radius in pieces:
+            room = np.empty((int(world.shapes.vertex_count.max(initial=1)), 2))
+            shapes = np.empty(len(world.state.body_of_shape), dtype=np.uint32)
+            total = self._library.shapes_in_shape(self._argument, core, radius, mask, room, shapes)
+            found.append(shapes[:total])
+        return self._bodies_of(np.unique(np.concatenate(found)))
+
+    def _bodies_of(self, shapes: NDArray[np.uint32]) -> IntArray:
+        """Return the bodies (k,) of shapes, each once, by rank."""
+        world = self._store.world
+        ranked = shapes[np.argsort(world.broad_phase.canonical[tb.RANK, shapes])]
+        rows = world.state.body_of_shape[ranked].tolist()
         return np.array(list(dict.fromkeys(rows)), dtype=np.int64)
 
     def holds(self) -> bool:

@@ -2,9 +2,16 @@
 
 from tamias2d.engine.contact_report import Contacts
 from tamias2d.scene import Body
+from tamias2d.scene.compound import Shape
 from tamias2d.simulator.body_now import body_now
 from tamias2d.simulator.exclusive import exclusive
-from tamias2d.simulator.queries import Hits, bodies_at_point, bodies_in_box, cast_rays
+from tamias2d.simulator.queries import (
+    Hits,
+    bodies_at_point,
+    bodies_in_box,
+    bodies_in_shape,
+    cast_rays,
+)
 from tamias2d.simulator.stepping import Stepping
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.state import IntArray
@@ -76,6 +83,26 @@ class Asking(Stepping):
         """Return the bodies (k,) at a point (2,), m, but for sensors; `mask` as in `ray_cast`."""
         self._settle_between()
         return bodies_at_point(self._engine, point, mask)
+
+    @exclusive
+    def in_shape(
+        self,
+        shape: Shape,
+        *,
+        position: object,
+        orientation: object = 0.0,
+        mask: int | None = None,
+    ) -> IntArray:
+        """Return the bodies (k,) that reach into a shape at a position, m, turned by rad.
+
+        The shape is no body: a disc for an explosion, a box for a blow, a capsule for where one
+        might stand. Sensors are not among them; `mask` is as in `ray_cast`.
+
+        Raises:
+            InputError: it is a half-plane, or a value breaks a rule (R4).
+        """
+        self._settle_between()
+        return bodies_in_shape(self._engine, shape, position, orientation, mask)
 
     @exclusive
     def in_box(self, low: object, high: object, *, mask: int | None = None) -> IntArray:

@@ -1,5 +1,6 @@
 """Queries about places: what a ray meets first, what lies at a point or in a box."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,11 +8,14 @@ import numpy as np
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.query_tree import QueryTree
 from tamias2d.engine.state import LARGEST
+from tamias2d.scene import Box, Capsule, Chain, Compound, Disc, Polygon, Segment
+from tamias2d.scene.compound import pieces_of
 from tamias2d.scene.filters import checked_mask
-from tamias2d.scene.rules import RuleError
+from tamias2d.scene.rules import RuleError, number, shown
 from tamias2d.simulator.columns import as_array, vectors
 from tamias2d.state import Array, IntArray
 
+_BOUNDED = (Disc, Box, Polygon, Capsule, Segment, Compound, Chain)
 _POINT = "Give (x, y) in m."
 
 
@@ -78,6 +82,32 @@ def bodies_in_box(engine: Engine, low: object, high: object, mask: object) -> In
             "low",
         )
     return _within(engine, least, most, mask)
+
+
+def bodies_in_shape(
+    engine: Engine, shape: object, position: object, orientation: object, mask: object
+) -> IntArray:
+    """Return the bodies (k,) that reach into a shape at a position (2,), m, by rank.
+
+    Raises:
+        InputError: it is a half-plane or no shape, or a value breaks a rule (R4).
+    """
+    of = "the question"
+    if not isinstance(shape, _BOUNDED):
+        raise RuleError(
+            f"shape of {of}: found {shown(shape)}: must be bounded (R4). Give a shape such as "
+            "Disc(radius=2.0).",
+            "shape",
+        )
+    place = _point(position, "position", of)
+    angle = number(orientation, "orientation", of, "Give it in rad.", at=("orientation",))
+    c, s = math.cos(angle), math.sin(angle)
+    turn = np.array([[c, s], [-s, c]])
+    pieces = [
+        (np.array(piece.core) @ turn + place, float(piece.shape.rounding))
+        for piece in pieces_of(shape)
+    ]
+    return _tree(engine).bodies_in_shape(pieces, checked_mask(mask, of))
 
 
 def bodies_at_point(engine: Engine, point: object, mask: object) -> IntArray:
