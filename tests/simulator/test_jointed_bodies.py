@@ -34,7 +34,7 @@ def test_heap_of_ragdolls_gains_no_energy_and_holds() -> None:
     sim, size = Simulator(scene), 0.0
     mass = np.array([body.mass if body.dynamic else 0.0 for body in scene.bodies])
     lift = 4 * 0.5 * mass.sum() * (9.81 / 240) ** 2
-    for _ in range(420):
+    for _ in range(480):  # the last of them topples at 7 s
         before = energy(sim, scene)
         size = max(size, before)
         turned = np.abs(sim.angular_velocity).max() / 240

@@ -27,6 +27,7 @@ from tamias2d.engine.solver.support import (
     find_references,
     reference_at,
 )
+from tamias2d.engine.solver.support_work import add_support_work
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import kinetic_energy
 from tamias2d.generated.island_energy import (
@@ -105,6 +106,7 @@ def sum_island_energies(
             sum_body_energy(i, velocity, spin, work_of_body, bodies, islands)
             if constraints.counts[tb.BOUNCING] > 0:
                 sum_restitution_energy(i, velocity, spin, bodies, islands.energy[i], row)
+    add_support_work(bodies, constraints, islands)
 
 
 def work_seen(i: int, velocity: Vector, spin: float, control: Control, bodies: Bodies) -> float:
@@ -134,6 +136,8 @@ def sum_body_energy(
     seen = velocity_seen((then[tb.STEP_START], then[tb.STEP_START + 1]), velocity)
     spin_seen = angular_velocity_seen(then[tb.STEP_START + 2], spin)
     start = kinetic_energy(mass, seen, inertia, spin_seen)
+    islands.energy[i, tb.ENERGY_OWN] = kinetic_energy_most(start, max(work_of_body, 0.0))
+    islands.energy[i, tb.TIED] = 0.0
     seen = velocity_seen((now[tb.VX], now[tb.VY]), velocity)
     spin_seen = angular_velocity_seen(now[tb.SPIN], spin)
     after = kinetic_energy(mass, seen, inertia, spin_seen)

@@ -1,11 +1,12 @@
 """What an island on a support has too much is paid from what contacts gave its bodies (DD88).
 
-A body that got nothing pays nothing: one slides on the same plank, or flies on a slack rope.
+A body that got nothing pays nothing: one slides on the same plank, or flies on a slack rope. It
+keeps what it had as the step began, and what forces gave it, unless joints have pushed it.
 Cost: some visits to each body, where some island has too much.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.joints.acting import unless_tied
 from tamias2d.engine.joints.payment import pay_together, repay_as_one
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
 from tamias2d.engine.solver.support import (
@@ -40,7 +41,7 @@ def charge_supported(
     """Take what chosen islands have too much from their bodies.
 
     Bodies at rest pay first. Where they cannot, those pay that got energy: from what they got, then
-    from all of their motion. What is left is taken from all that contacts push.
+    from all of their motion. What is left is taken from all that contacts push, as far as it goes.
     """
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
@@ -105,7 +106,7 @@ def repay(i: int, bodies: Bodies, islands: Islands) -> None:
     left = energy_along_given_charged(
         energy, island[tb.ENERGY_SURPLUS], islands.given[i], island[tb.ENERGY_GIVEN_ALL]
     )
-    share = share_left(energy, left)
+    share = share_left(energy, max(left, energy - payable(False, i, bodies, islands)))
     given = (row[tb.VELOCITY_GIVEN], row[tb.VELOCITY_GIVEN + 1])
     now[tb.VX], now[tb.VY] = velocity_repaid(
         (now[tb.VX], now[tb.VY]), given, share, product, change
@@ -121,12 +122,25 @@ def repay_from_all(i: int, bodies: Bodies, islands: Islands) -> None:
     """
     row, energy = islands.energy[islands.links[i, tb.ROOT]], energy_from_support(i, bodies, islands)
     pays = energy > 0.0
-    pays = unless_joined(pays, i, i, bodies)
+    pays = unless_tied(pays, i, islands)
     if pays:
         left = energy_along_given_charged(
             energy, row[tb.ENERGY_SURPLUS], islands.given[i], row[tb.ENERGY_GIVEN_ALL]
         )
-        damp_to_support(i, share_left(energy, left), bodies, islands)
+        share = share_left(energy, max(left, energy - payable(False, i, bodies, islands)))
+        damp_to_support(i, share, bodies, islands)
+
+
+def payable(whole: bool, i: int, bodies: Bodies, islands: Islands) -> float:
+    """Return what a body can pay: the whole of its energy, or what is not its own, J."""
+    own = 0.0 if whole else islands.energy[i, tb.ENERGY_OWN]
+    return max(energy_from_support(i, bodies, islands) - own, 0.0)
+
+
+def pays_whole(last: bool, i: int, islands: Islands) -> bool:
+    """Return whether a body that pays keeps nothing: one at rest, unless some beside it are tied."""
+    row = islands.energy[islands.links[i, tb.ROOT]]
+    return bool(not last and row[tb.ACTING] == 0.0)
 
 
 def damp_payers(
@@ -137,7 +151,7 @@ def damp_payers(
     constraints: Constraints,
     islands: Islands,
 ) -> None:
-    """Damp bodies that pay with all of their motion, if that suffices, or nothing else is left.
+    """Damp bodies that pay with what they can, if that suffices, or nothing else is left.
 
     At first these are bodies at rest, in the end all that contacts push.
     """
@@ -145,16 +159,18 @@ def damp_payers(
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
         surplus, theirs = row[tb.ENERGY_SURPLUS], row[tb.ENERGY_OF_PAYERS]
-        row[tb.DAMPED_SHARE] = 1.0
+        row[tb.PAID_SHARE] = 0.0
         if surplus > 0.0 and theirs > 0.0 and (theirs >= surplus or last):
-            row[tb.DAMPED_SHARE] = share_left(theirs, max(theirs - surplus, 0.0))
+            row[tb.PAID_SHARE] = min(surplus / theirs, 1.0)
             row[tb.ENERGY_SURPLUS] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        share = islands.energy[islands.links[i, tb.ROOT], tb.DAMPED_SHARE]
+        share = islands.energy[islands.links[i, tb.ROOT], tb.PAID_SHARE]
         pays = is_payer(last, i, control, bodies, islands)
-        if bodies.kind[i] == tb.DYNAMIC and share < 1.0 and pays:
-            damp_to_support(i, share, bodies, islands)
+        if bodies.kind[i] == tb.DYNAMIC and share > 0.0 and pays:
+            energy = energy_from_support(i, bodies, islands)
+            paid = payable(pays_whole(last, i, islands), i, bodies, islands)
+            damp_to_support(i, share_left(energy, energy - share * paid), bodies, islands)
 
 
 def find_surplus(
@@ -178,7 +194,8 @@ def find_surplus(
             )
             row[tb.ENERGY_AFTER] += energy
             if is_payer(last, i, control, bodies, islands):
-                row[tb.ENERGY_OF_PAYERS] += energy
+                whole = pays_whole(last, i, islands)
+                row[tb.ENERGY_OF_PAYERS] += payable(whole, i, bodies, islands)
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
         if row[tb.ENERGY_SURPLUS] > 0.0:
@@ -189,7 +206,7 @@ def find_surplus(
 def is_payer(last: bool, i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
     """Return whether a body that contacts push is at rest, or pays as one of the last."""
     rests = is_at_rest(i, control, bodies, islands)
-    rests = unless_joined(rests, i, i, bodies)
+    rests = unless_tied(rests, i, islands)
     return bool(bodies.moved[i] == tb.MOVED and (rests or last))
 
 

@@ -1,6 +1,7 @@
 """Island energy: Work in a step; Motion seen from a support; Motion of an island as one body;
 Share of a bounce; Bound on the energy of an island; Payment from what contacts gave; Energy for
-a lift; Angular momentum that contacts give; Angular momentum of a free island.
+a lift; Lift beyond motion; Work of a support; Angular momentum that contacts give; Angular
+momentum of a free island.
 
 Generated from srs/models/island_energy.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -670,6 +671,40 @@ def velocity_charged(velocity: Vector, acceleration: Vector, damped_share: Scala
     )
 
 
+def lift_beyond_motion(energy_given: Scalar, kinetic_energy: Scalar) -> Scalar:
+    """Energy that lifting a body in a step took beyond the kinetic energy that it had (J).
+
+    lift_beyond_motion = max(energy_given - kinetic_energy, 0[J])
+
+    Args:
+        energy_given: Energy that contacts have given a body in a step, negative if they took
+            it, J
+        kinetic_energy: Energy of motion, turning included, J
+
+    Source: DD89, srs/models/island_energy.md:427.
+    """
+    return largest(energy_given - kinetic_energy, 0.0)
+
+
+def support_work(
+    total_impulse: Scalar, friction: Scalar, support_rate: Scalar, support_slip: Scalar
+) -> Scalar:
+    """Energy that a support may have given by a contact in a step, at most (J).
+
+    support_work = total_impulse*(max(-support_rate, 0[m/s]) + friction*abs(support_slip))
+
+    Args:
+        total_impulse: Impulse that a contact has given in a step along its normal, N*s
+        friction: Coefficient of dry friction: how much of the normal force the surface can hold
+            along itself, 1
+        support_rate: Normal velocity of a contact by the motion of its support alone, m/s
+        support_slip: Tangential velocity of a contact by the motion of its support alone, m/s
+
+    Source: DD90, srs/models/island_energy.md:458.
+    """
+    return total_impulse * (largest(-support_rate, 0.0) + friction * abs(support_slip))
+
+
 def moment_ahead_moved(
     moment_ahead: Scalar, velocity: Vector, velocity_change: Vector, time_step: Scalar
 ) -> Scalar:
@@ -685,7 +720,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:448.
+    Source: DD66, srs/models/island_energy.md:516.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -706,7 +741,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:449.
+    Source: DD66, srs/models/island_energy.md:517.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -737,7 +772,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:450.
+    Source: DD66, srs/models/island_energy.md:518.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -764,7 +799,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:517.
+    Source: IM17, srs/models/island_energy.md:585.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -788,7 +823,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:519.
+    Source: IM17, srs/models/island_energy.md:587.
     """
     return least(
         sqrt(
@@ -817,7 +852,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:522.
+    Source: IM17, srs/models/island_energy.md:590.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -849,7 +884,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:524.
+    Source: IM17, srs/models/island_energy.md:592.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

@@ -1938,13 +1938,56 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1212,
     ),
+    "support_work": Symbol(
+        "support_work",
+        "J",
+        "energy that a support may have given by a contact in a step, at most",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="W_{\\text{support}}",
+        file="srs/symbols.md",
+        line=1217,
+    ),
+    "total_impulse": Symbol(
+        "total_impulse",
+        "N*s",
+        "impulse that a contact has given in a step along its normal",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="J_{\\Sigma}",
+        file="srs/symbols.md",
+        line=1222,
+    ),
+    "support_rate": Symbol(
+        "support_rate",
+        "m/s",
+        "normal velocity of a contact by the motion of its support alone",
+        tex="u_s",
+        file="srs/symbols.md",
+        line=1227,
+    ),
+    "support_slip": Symbol(
+        "support_slip",
+        "m/s",
+        "tangential velocity of a contact by the motion of its support alone",
+        tex="v_s",
+        file="srs/symbols.md",
+        line=1231,
+    ),
+    "lift_beyond_motion": Symbol(
+        "lift_beyond_motion",
+        "J",
+        "energy that lifting a body in a step took beyond the kinetic energy that it had",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="W_{\\text{beyond}}",
+        file="srs/symbols.md",
+        line=1235,
+    ),
     "energy_given": Symbol(
         "energy_given",
         "J",
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1217,
+        line=1241,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -1953,7 +1996,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1221,
+        line=1245,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -1962,7 +2005,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1226,
+        line=1250,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -1971,7 +2014,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1231,
+        line=1255,
     ),
     "rising_energy_charged": Symbol(
         "rising_energy_charged",
@@ -1980,7 +2023,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1236,
+        line=1260,
     ),
     "velocity_charged": Symbol(
         "velocity_charged",
@@ -1989,7 +2032,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1241,
+        line=1265,
     ),
     "given_product": Symbol(
         "given_product",
@@ -1997,7 +2040,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1246,
+        line=1270,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2006,7 +2049,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1252,
+        line=1276,
     ),
     "energy_along_given_charged": Symbol(
         "energy_along_given_charged",
@@ -2015,7 +2058,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1257,
+        line=1281,
     ),
     "velocity_repaid": Symbol(
         "velocity_repaid",
@@ -2024,7 +2067,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1262,
+        line=1286,
     ),
     "angular_velocity_repaid": Symbol(
         "angular_velocity_repaid",
@@ -2032,7 +2075,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body that has paid for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1267,
+        line=1291,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2041,7 +2084,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1271,
+        line=1295,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2049,7 +2092,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1276,
+        line=1300,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2058,7 +2101,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1280,
+        line=1304,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2066,7 +2109,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1285,
+        line=1309,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2075,7 +2118,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1290,
+        line=1314,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2084,7 +2127,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1295,
+        line=1319,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2093,7 +2136,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1300,
+        line=1324,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2102,7 +2145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1305,
+        line=1329,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2111,7 +2154,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1312,
+        line=1336,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2120,7 +2163,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1317,
+        line=1341,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2128,7 +2171,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1322,
+        line=1346,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2136,7 +2179,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1327,
+        line=1351,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2144,7 +2187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1333,
+        line=1357,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2153,7 +2196,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1337,
+        line=1361,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2162,7 +2205,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1344,
+        line=1368,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2171,7 +2214,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1349,
+        line=1373,
     ),
     "energy": Symbol(
         "energy",
@@ -2179,7 +2222,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1354,
+        line=1378,
     ),
     "radius": Symbol(
         "radius",
@@ -2188,7 +2231,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1363,
+        line=1387,
     ),
     "length": Symbol(
         "length",
@@ -2197,7 +2240,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1368,
+        line=1392,
     ),
     "width": Symbol(
         "width",
@@ -2206,7 +2249,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1375,
+        line=1399,
     ),
     "height": Symbol(
         "height",
@@ -2215,7 +2258,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1380,
+        line=1404,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2224,7 +2267,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1385,
+        line=1409,
     ),
     "center": Symbol(
         "center",
@@ -2233,7 +2276,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1390,
+        line=1414,
     ),
     "offset": Symbol(
         "offset",
@@ -2241,7 +2284,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1395,
+        line=1419,
     ),
     "area": Symbol(
         "area",
@@ -2250,7 +2293,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1399,
+        line=1423,
     ),
     "way": Symbol(
         "way",
@@ -2259,7 +2302,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1404,
+        line=1428,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2267,7 +2310,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1409,
+        line=1433,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2276,7 +2319,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1413,
+        line=1437,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2285,7 +2328,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1418,
+        line=1442,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2293,7 +2336,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1423,
+        line=1447,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2301,7 +2344,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1427,
+        line=1451,
     ),
     "lean": Symbol(
         "lean",
@@ -2309,7 +2352,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1431,
+        line=1455,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2317,7 +2360,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1435,
+        line=1459,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2325,7 +2368,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1439,
+        line=1463,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2334,7 +2377,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1445,
+        line=1469,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2342,7 +2385,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1458,
+        line=1482,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2350,7 +2393,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1462,
+        line=1486,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2358,7 +2401,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1466,
+        line=1490,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2366,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1470,
+        line=1494,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2375,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1474,
+        line=1498,
     ),
     "slope": Symbol(
         "slope",
@@ -2384,7 +2427,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1479,
+        line=1503,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2393,7 +2436,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1484,
+        line=1508,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2402,7 +2445,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1489,
+        line=1513,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2411,7 +2454,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1494,
+        line=1518,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2419,7 +2462,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1499,
+        line=1523,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2427,7 +2470,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1503,
+        line=1527,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2435,7 +2478,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1507,
+        line=1531,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2444,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1511,
+        line=1535,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2452,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1516,
+        line=1540,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2460,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1520,
+        line=1544,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2468,7 +2511,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1524,
+        line=1548,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2476,7 +2519,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1528,
+        line=1552,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2484,7 +2527,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1532,
+        line=1556,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2492,7 +2535,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1536,
+        line=1560,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2500,7 +2543,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1540,
+        line=1564,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2508,7 +2551,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1544,
+        line=1568,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2517,7 +2560,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1548,
+        line=1572,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2526,7 +2569,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1553,
+        line=1577,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2535,7 +2578,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1558,
+        line=1582,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2544,7 +2587,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1563,
+        line=1587,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2552,7 +2595,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1568,
+        line=1592,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2561,7 +2604,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1572,
+        line=1596,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2569,7 +2612,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1577,
+        line=1601,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2577,7 +2620,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1581,
+        line=1605,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2586,7 +2629,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1585,
+        line=1609,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2595,7 +2638,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1590,
+        line=1614,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2603,7 +2646,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1595,
+        line=1619,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2612,7 +2655,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1599,
+        line=1623,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2620,7 +2663,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1604,
+        line=1628,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2628,7 +2671,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1608,
+        line=1632,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2637,7 +2680,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1612,
+        line=1636,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2646,7 +2689,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1617,
+        line=1641,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2655,7 +2698,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1622,
+        line=1646,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2664,7 +2707,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1627,
+        line=1651,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2673,7 +2716,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1632,
+        line=1656,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2682,7 +2725,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1637,
+        line=1661,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2691,7 +2734,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1642,
+        line=1666,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2700,7 +2743,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1647,
+        line=1671,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2709,7 +2752,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1652,
+        line=1676,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2717,7 +2760,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1657,
+        line=1681,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2726,7 +2769,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1661,
+        line=1685,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2735,7 +2778,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1666,
+        line=1690,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2744,7 +2787,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1671,
+        line=1695,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2752,7 +2795,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1676,
+        line=1700,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2761,7 +2804,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1680,
+        line=1704,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2769,7 +2812,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1685,
+        line=1709,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2777,7 +2820,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1689,
+        line=1713,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2786,7 +2829,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1693,
+        line=1717,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2795,7 +2838,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1698,
+        line=1722,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2804,7 +2847,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1703,
+        line=1727,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2812,7 +2855,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1708,
+        line=1732,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2820,7 +2863,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1712,
+        line=1736,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2828,7 +2871,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1716,
+        line=1740,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2837,7 +2880,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1720,
+        line=1744,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2846,7 +2889,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1725,
+        line=1749,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2855,7 +2898,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1730,
+        line=1754,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2864,7 +2907,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1735,
+        line=1759,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2873,7 +2916,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1740,
+        line=1764,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2882,7 +2925,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1745,
+        line=1769,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2891,7 +2934,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1750,
+        line=1774,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2900,7 +2943,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1755,
+        line=1779,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2908,7 +2951,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1760,
+        line=1784,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2917,7 +2960,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1764,
+        line=1788,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2925,7 +2968,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1769,
+        line=1793,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2934,7 +2977,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1773,
+        line=1797,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2943,7 +2986,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1778,
+        line=1802,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2952,7 +2995,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1783,
+        line=1807,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2961,7 +3004,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1788,
+        line=1812,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2970,7 +3013,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1793,
+        line=1817,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2978,7 +3021,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1798,
+        line=1822,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2987,7 +3030,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1802,
+        line=1826,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2996,7 +3039,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1807,
+        line=1831,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3005,7 +3048,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1812,
+        line=1836,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3014,7 +3057,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1817,
+        line=1841,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3022,7 +3065,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1822,
+        line=1846,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3030,7 +3073,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1826,
+        line=1850,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3039,7 +3082,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1830,
+        line=1854,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3048,7 +3091,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1835,
+        line=1859,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3057,7 +3100,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1840,
+        line=1864,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3066,7 +3109,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1845,
+        line=1869,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3075,7 +3118,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1850,
+        line=1874,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3084,7 +3127,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1855,
+        line=1879,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3093,7 +3136,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1860,
+        line=1884,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3102,7 +3145,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1865,
+        line=1889,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3111,7 +3154,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1870,
+        line=1894,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3119,7 +3162,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1875,
+        line=1899,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3127,7 +3170,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1879,
+        line=1903,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3136,7 +3179,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1883,
+        line=1907,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3144,7 +3187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1888,
+        line=1912,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3152,7 +3195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1892,
+        line=1916,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3161,7 +3204,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1896,
+        line=1920,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3170,7 +3213,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1901,
+        line=1925,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3179,7 +3222,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1906,
+        line=1930,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3187,7 +3230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1911,
+        line=1935,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3196,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1915,
+        line=1939,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3204,7 +3247,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1920,
+        line=1944,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3213,7 +3256,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1924,
+        line=1948,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3221,7 +3264,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1929,
+        line=1953,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3230,7 +3273,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1933,
+        line=1957,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3238,7 +3281,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1938,
+        line=1962,
     ),
     "change": Symbol(
         "change",
@@ -3247,7 +3290,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1942,
+        line=1966,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3256,7 +3299,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1947,
+        line=1971,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3265,7 +3308,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1952,
+        line=1976,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3273,7 +3316,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1957,
+        line=1981,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3282,7 +3325,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1961,
+        line=1985,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3290,7 +3333,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1966,
+        line=1990,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3298,7 +3341,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1970,
+        line=1994,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3306,7 +3349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1974,
+        line=1998,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3315,7 +3358,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1978,
+        line=2002,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3323,7 +3366,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1983,
+        line=2007,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3332,6 +3375,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1987,
+        line=2011,
     ),
 }

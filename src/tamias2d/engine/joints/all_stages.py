@@ -4,6 +4,7 @@ from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.early import note_early_joined
 from tamias2d.engine.islands import join_islands
 from tamias2d.engine.joined import mark_joined, or_joined, unless_joined
+from tamias2d.engine.joints.acting import unless_tied
 from tamias2d.engine.joints.activity import (
     activate_joined,
     clear_of_joints,
@@ -56,6 +57,7 @@ JOINT_STAGES = (
     joints_disagree,
     or_joined,
     unless_joined,
+    unless_tied,
     wake_tied,
     without_kept_apart,
 )

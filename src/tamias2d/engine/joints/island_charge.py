@@ -5,6 +5,7 @@ forces on it pays for that (IM15); one that is driven may give any, or what is l
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.acting import acts, note_tied
 from tamias2d.engine.joints.yielding import energy_driven, yields
 from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.solver.support import SUPPORTED_BY_MORE, SUPPORTED_BY_ONE, support_island
@@ -89,18 +90,19 @@ def charge_joined(
     """
     if joints.counts[tb.MECHANISMS] == 0:
         return
+    note_tied(bodies, touching, constraints, islands, joints)
     sum_masses_and_lift_work(control, bodies, touching, constraints, islands)
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
-        if is_likely(n, row, joints):
+        if is_likely(n, row, joints) and acts(n, joints):
             likely = energy_driven(n, row[tb.ISLAND_MASS], row, control, bodies, joints)
             row[tb.DRIVEN_ENERGY] = max(row[tb.DRIVEN_ENERGY], likely)
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
         row[tb.WORK] += work_of_motors(n, joints)
     for n in range(joints.counts[tb.MECHANISMS]):
-        row = islands.energy[root_of_mechanism(n, islands, joints)]
-        charge_for_mechanism(n, row, joints)
+        if acts(n, joints):
+            charge_for_mechanism(n, islands.energy[root_of_mechanism(n, islands, joints)], joints)
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
         if row[tb.DRIVEN_ENERGY] > 0.0 and row[tb.SUPPORT] == SUPPORTED_BY_MORE:
@@ -134,10 +136,11 @@ def charge_for_mechanism(n: int, row: Array, joints: Joints) -> None:
             row[tb.WORK] = UNLIMITED
     elif free or powered or may_get_any(n, row, joints):
         row[tb.WORK] = UNLIMITED
-    elif row[tb.WORK] < 0.0:
-        least = kept_way(row[tb.ENERGY_START], row[tb.LIFT_WORK], row[tb.WORK])
+    elif row[tb.WORK] + row[tb.LIFT_BEYOND_MOTION] < 0.0:
+        work = row[tb.WORK] + row[tb.LIFT_BEYOND_MOTION]
+        least = kept_way(row[tb.ENERGY_START], row[tb.LIFT_WORK], work)
         row[tb.KEPT_WAY] = least if rests_on_ground(row) and not turned else 1.0
-        row[tb.ENERGY_START] = kinetic_energy_most(row[tb.ENERGY_START], row[tb.WORK])
+        row[tb.ENERGY_START] = kinetic_energy_most(row[tb.ENERGY_START], work)
         row[tb.WORK] = 0.0
 
 

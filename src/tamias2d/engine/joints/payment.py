@@ -4,6 +4,7 @@ So their joints hold: what is taken is a share of one change, or of one motion.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.acting import acts
 from tamias2d.engine.joints.island_charge import root_of_mechanism
 from tamias2d.engine.solver.support import damp_to_support, energy_from_support, share_left
 from tamias2d.engine.tables import Bodies, Islands, Joints
@@ -14,8 +15,8 @@ def pay_together(islands: Islands, joints: Joints) -> None:
     """Let the bodies of a mechanism that contacts touch pay as one, so that its joints hold."""
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
-        in_contact = joints.mechanisms[n, tb.M_STATUS] == tb.IN_CONTACT
-        if in_contact and row[tb.ENERGY_SURPLUS] > 0.0:
+        acted = joints.mechanisms[n, tb.M_STATUS] == tb.IN_CONTACT and acts(n, joints)
+        if acted and row[tb.ENERGY_SURPLUS] > 0.0:
             sum_payment(
                 joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE], islands, joints
             )
@@ -45,8 +46,8 @@ def repay_as_one(bodies: Bodies, islands: Islands, joints: Joints) -> None:
         row = islands.energy[root_of_mechanism(n, islands, joints)]
         first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
         given = islands.given[joints.sparse[first, tb.N_BODY]]
-        in_contact = joints.mechanisms[n, tb.M_STATUS] == tb.IN_CONTACT
-        if in_contact and given > 0.0 and row[tb.ENERGY_SURPLUS] > 0.0:
+        acted = joints.mechanisms[n, tb.M_STATUS] == tb.IN_CONTACT and acts(n, joints)
+        if acted and given > 0.0 and row[tb.ENERGY_SURPLUS] > 0.0:
             energy = 0.0
             for node in range(first, last):
                 i = joints.sparse[node, tb.N_BODY]

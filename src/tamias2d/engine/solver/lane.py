@@ -94,13 +94,19 @@ def normal_speed(m: int, at: int, now: Velocities, row: Array) -> float:
 
 
 @inlined
-def friction_impulse(m: int, at: int, now: Velocities, row: Array) -> float:
-    """Return the tangent impulse of a point, N s, within what friction allows."""
+def tangent_speed(m: int, at: int, now: Velocities, row: Array) -> float:
+    """Return the tangential velocity of a point, m/s."""
     arm_a, arm_b = row[at + tb.P_TANGENT_ARM_A + m], row[at + tb.P_TANGENT_ARM_B + m]
     line = (-row[tb.R_NY + m], row[tb.R_NX + m])
+    return row_velocity(now.a, now.spin_a, arm_a, now.b, now.spin_b, arm_b, line)
+
+
+@inlined
+def friction_impulse(m: int, at: int, now: Velocities, row: Array) -> float:
+    """Return the tangent impulse of a point, N s, within what friction allows."""
     return limited_tangent_impulse(
         row[at + tb.P_TANGENT_IMPULSE + m],
-        row_velocity(now.a, now.spin_a, arm_a, now.b, now.spin_b, arm_b, line),
+        tangent_speed(m, at, now, row),
         row[at + tb.P_TANGENT_MASS + m],
         row[tb.R_FRICTION + m],
         row[at + tb.P_NORMAL_IMPULSE + m],

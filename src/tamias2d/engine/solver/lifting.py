@@ -46,7 +46,7 @@ def charge_rising(
 def surplus_of_lift(row: Array) -> float:
     """Return what an island on a steady support has too much for what it lifts, J."""
     steady = row[tb.SUPPORT] == SUPPORTED_BY_ONE and row[tb.REFERENCE + 2] == 0.0
-    if not steady or row[tb.WORK] >= 0.0:
+    if not steady or row[tb.SUPPORTS_DIFFER] == 1.0 or row[tb.WORK] >= 0.0:
         return 0.0
     kept = min(row[tb.ENERGY_KEPT], row[tb.ENERGY_BOUND])
     surplus = energy_given(kept, row[tb.ENERGY_START], row[tb.WORK])

@@ -1,7 +1,8 @@
 """The reference motion of islands: that of their support, or of their centre of mass.
 
-The energy of an island is measured as seen from its support, which may give any; an island whose
-supports move against each other has no bound. A free island is seen from its centre of mass as that
+The energy of an island is measured as seen from its support, which may give any. Contacts with
+supports that move against each other give what they do as seen from the ground (DD90); joints that
+tie an island to such may give any. A free island is seen from its centre of mass as that
 moved when the step began: there, gravity does no work that contacts could take for theirs.
 """
 
@@ -17,7 +18,7 @@ from tamias2d.generated.island_energy import (
     velocity_island,
     velocity_seen,
 )
-from tamias2d.state import Vector
+from tamias2d.state import Array, Vector
 
 LEAST_SHARE = 2.0**-600  # of the energy: what may keep less ends, before squares underflow
 ALIKE = 1e-9  # of their sizes: differences of velocities that are none
@@ -40,7 +41,18 @@ def find_references(
             i, j = j, i
         if bodies.kind[j] != tb.DYNAMIC:
             support_island(j, islands.links[i, tb.ROOT], bodies, islands)
+    for n in range(islands.counts[tb.ROOTS]):
+        see_from_ground(islands.energy[islands.roots[n]])
     find_free_references(bodies, touching, constraints, islands)
+
+
+def see_from_ground(row: Array) -> None:
+    """Let an island be seen from the ground where its supports move against each other (DD90)."""
+    differ = row[tb.SUPPORT] == SUPPORTED_BY_MORE
+    row[tb.SUPPORTS_DIFFER] = 1.0 if differ else 0.0
+    if differ:
+        row[tb.SUPPORT] = SUPPORTED_BY_ONE
+        row[tb.REFERENCE] = row[tb.REFERENCE + 1] = row[tb.REFERENCE + 2] = 0.0
 
 
 def find_free_references(
