@@ -15,3 +15,18 @@ def test_the_disk_is_asked_once_whether_a_kernel_is_kept(monkeypatch: pytest.Mon
     for _ in range(3):
         assert kernel.compiled(0.0) is None
     assert len(asked) == 1
+
+
+def test_reading_a_kernel_is_no_cost_of_its_calls(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is read once: as the cost of one call, it made a compiler of ten seconds pay for all."""
+    now = [0.0]
+
+    def read(_: str) -> dict[str, object]:
+        now[0] += 60.0  # s
+        return {"add": lambda: 1}
+
+    monkeypatch.setattr(choice, "plainly", read)
+    monkeypatch.setattr(choice, "perf_counter", lambda: now[0])
+    kernel = choice.Kernel(TEXT, TEXT, "add")
+    assert kernel.plain() == 1
+    assert kernel.compiled(1000) is None
