@@ -138,7 +138,7 @@ def payable(whole: bool, i: int, bodies: Bodies, islands: Islands) -> float:
 
 
 def pays_whole(last: bool, i: int, islands: Islands) -> bool:
-    """Return whether a body that pays keeps nothing: one at rest, unless some beside it are tied."""
+    """Return whether a body that pays keeps nothing: one at rest, unless others there are tied."""
     row = islands.energy[islands.links[i, tb.ROOT]]
     return bool(not last and row[tb.ACTING] == 0.0)
 
