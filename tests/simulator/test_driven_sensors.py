@@ -51,9 +51,7 @@ def approach(
 @pytest.mark.parametrize("sleeping", [False, True])
 @pytest.mark.parametrize("others", [0, 20])
 @pytest.mark.parametrize(("who", "sensor"), KINDS)
-def test_each_kind_is_told_by_each_once(
-    who: str, sensor: str, others: int, sleeping: bool
-) -> None:
+def test_each_kind_is_told_by_each_once(who: str, sensor: str, others: int, sleeping: bool) -> None:
     sim = approach(who, sensor, others=others, sleeping=sleeping)
     began: list[float] = []
     ended: list[float] = []

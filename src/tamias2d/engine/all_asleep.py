@@ -13,12 +13,13 @@ from tamias2d.engine.tables import Chunks, Islands, World
 def note_all_asleep(world: World) -> bool:
     """Note whether all bodies have slept through a step, and how users see them then.
 
+    What stands sleeps, so that a world in which nothing can be pushed may sleep, too.
     In the step in which the last of them fell asleep contacts were still solved, so that some may
     begin to touch or cease to; the one after it is the first that changes nothing.
     """
     control, chunks = world.control, world.chunks
     counts = control.counts
-    slept = world.islands.counts[tb.SLEEPING] > 0 and world.springs.counts[tb.SPRINGS] == 0
+    slept = world.islands.counts[tb.SLEEP_STEPS] > 0 and world.springs.counts[tb.SPRINGS] == 0
     slept = slept and nobody_awake(world.islands)
     if slept:
         for g in range(len(chunks.course)):
