@@ -2,7 +2,8 @@
 
 Between calls users may write into what they see. So each call compares that with what it was as all
 fell asleep, and takes all of its steps at once if it is the same. Where bodies come or go the list
-of pairs does not hold, and the next step looks at each of them.
+of pairs does not hold, and the next step looks at each of them. A world in which nothing can be
+pushed sleeps, too.
 Cost: of a call, a pass through what users see; of a step, nothing.
 """
 
@@ -13,7 +14,6 @@ from tamias2d.engine.tables import Chunks, Islands, World
 def note_all_asleep(world: World) -> bool:
     """Note whether all bodies have slept through a step, and how users see them then.
 
-    What stands sleeps, so that a world in which nothing can be pushed may sleep, too.
     In the step in which the last of them fell asleep contacts were still solved, so that some may
     begin to touch or cease to; the one after it is the first that changes nothing.
     """

@@ -80,6 +80,7 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
         sleeping: bool = False,
         compiled: bool = True,
     ) -> None:
+        joints: bool = False,
         """Start where a scene does; steps are of `time_step` in s, contacts solved in substeps.
 
         With `sleeping`, bodies that touch each other and have been slow for half a second stop and
@@ -90,6 +91,9 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
 
         Without `compiled`, steps and queries are plain Python: the same bits, some thousand times
         slower, for debuggers, and where nothing can be compiled.
+        With `joints`, some are expected to be added: the code for them is loaded now, which takes
+        about a second, and not at the first step after `add_joint`. The bits are the same.
+
 
         Raises:
             InputError: a value breaks a rule (R4).
@@ -114,6 +118,8 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
             engine.sleep_after(max(steps, 1))
         batch = scene_batch(scene)
         names = [f"'{body.name}'" for body in scene.bodies]
+        if checked_flag(joints, "joints"):
+            engine.expect_joints()
         known = scene.restitution_of_pairs
         apart = dict.fromkeys(kept_apart(scene.joints), 0.0)
         stated = {**apart, **known}
