@@ -93,7 +93,8 @@ class Stepping(Views):
         """Take so many steps.
 
         Raises:
-            InputError: a value that was set is not finite; the state is as it was before the step.
+            InputError: a value that was set is not finite, or was written into a view that was
+                taken before bodies were added, and is lost; the state is as it was before the step.
             SimulationError: a force that varies has no finite value.
 
         Warns:
@@ -107,6 +108,8 @@ class Stepping(Views):
         if not self._lock.acquire(False):
             raise busy("step")
         try:
+            if self._earlier:
+                self._earlier.look()
             self._begin_call()
             nothing_happens = False  # to joints, in the rest of this call
             while count:
