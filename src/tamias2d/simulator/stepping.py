@@ -16,7 +16,7 @@ from tamias2d.simulator.hand_placed import put_elsewhere
 from tamias2d.simulator.invalid_state import invalid_state
 from tamias2d.simulator.joint_set import JointSet
 from tamias2d.simulator.selection import Bodies, selected
-from tamias2d.simulator.settings import checked_count
+from tamias2d.simulator.settings import checked_steps
 from tamias2d.simulator.spring_rows import spring_rows
 from tamias2d.simulator.step_warnings import (
     SPRINGS,
@@ -104,7 +104,7 @@ class Stepping(Views):
                 where something thin moves, once.
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
-            count = checked_count(count, "count", 0)
+            count = checked_steps(count)
         if not self._lock.acquire(False):
             raise busy("step")
         try:
