@@ -117,7 +117,9 @@ def _why(header: Header, *, intact: bool) -> str:
         for name, version in here.items()
         if header.versions.get(name) != version
     ]
-    return "recorded with " + ", ".join(changed) if changed else "the program has changed"
+    if changed:
+        return "recorded with " + ", ".join(changed)
+    return "the program has changed, or it was not `simulate` that made the run"
 
 
 def replay(path: str | Path) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 
 import tamias2d as t2
+from tamias2d.attribute_suggestions import suggests_attributes
 from tamias2d.suggestions import nearest, suggests
 
 DISC = t2.Disc(radius=0.5)
@@ -130,3 +131,61 @@ def test_the_frame_loop_is_left_alone() -> None:
     with pytest.raises(TypeError, match=r"^Simulator\.step\(\) got an unexpected .* 'dt'"):
         t2.Simulator(EMPTY, compiled=False).step(dt=1 / 60)  # type: ignore[call-arg]
     assert hasattr(t2.Simulator.add, "__wrapped__")
+
+
+SIM = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)), compiled=False)
+MISSING: list[tuple[object, str, str | None]] = [
+    (SIM, "raycast", "ray_cast"),
+    (SIM, "angle", "orientation"),
+    (SIM, "positions", "position"),
+    (SIM, "inertia", "body(k).inertia"),
+    (SIM, "shape", "body(k).shape"),
+    (EMPTY, "add_box", "add_body(Box(...), ...)"),
+    (EMPTY, "add_circle", "add_body(Disc(...), ...)"),
+    (EMPTY, "add_halfplane", "add_static(HalfPlane(...))"),
+    (EMPTY, "gravitiy", "gravity"),
+    (t2.Scene(gravity=(0.0, 0.0)), "xylophone", None),
+]
+
+
+@pytest.mark.parametrize(("has_not", "name", "meant"), MISSING)
+def test_an_unknown_attribute_says_what_was_meant(
+    has_not: object, name: str, meant: str | None
+) -> None:
+    with pytest.raises(AttributeError) as told:
+        getattr(has_not, name)
+    hint = f"; did you mean '{meant}'?" if meant else ""
+    of = type(has_not).__name__
+    assert str(told.value) == f"'{of}' object has no attribute '{name}'{hint}"
+    assert type(told.value) is AttributeError
+    assert not hasattr(has_not, name)
+
+
+def test_a_body_says_so_too() -> None:
+    one = scene()
+    one.add_body(DISC, **BODY)
+    with pytest.raises(AttributeError, match="did you mean 'angular_velocity'"):
+        _ = one.bodies[0].omega  # type: ignore[attr-defined]
+    with pytest.raises(AttributeError, match="did you mean 'shape'"):
+        _ = one.bodies[0].shapes  # type: ignore[attr-defined]
+
+
+def test_private_names_and_errors_inside_properties_stay_what_they_are() -> None:
+    with pytest.raises(AttributeError, match=r"has no attribute '_positions'$"):
+        _ = SIM._positions  # type: ignore[attr-defined]
+
+    @suggests_attributes()
+    class Thing:
+        @property
+        def size(self) -> int:
+            return int(self.sise)  # type: ignore[attr-defined]
+
+    with pytest.raises(AttributeError, match="no attribute 'sise'; did you mean 'size'"):
+        _ = Thing().size
+
+
+def test_objects_that_suggest_can_be_copied() -> None:
+    one = scene()
+    one.add_body(DISC, **BODY)
+    assert copy.deepcopy(one).bodies == pickle.loads(pickle.dumps(one)).bodies == one.bodies
+    assert len(copy.copy(SIM)) == 0

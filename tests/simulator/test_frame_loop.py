@@ -243,7 +243,7 @@ BAD = {
     "half a substep": (lambda _: t2.Simulator(EMPTY, substeps=1.5), "substeps 1.5"),
     "no scene": (lambda _: t2.Simulator("pile"), "scene: found 'pile'"),
     "back": (lambda sim: sim.step(-1), "count -1: must be a whole number"),
-    "half a step": (lambda sim: sim.step(0.5), "count 0.5"),
+    "half a step": (lambda sim: sim.step(0.5), "count 0.5: .*time_step=1/60"),
     "shape": (lambda sim: setattr(sim, "velocity", np.zeros(7)), "found .7,.: must be numbers"),
     "text": (lambda sim: setattr(sim, "torque", "much"), "found str: must be numbers"),
     "unknown": (lambda sim: sim.apply_impulse(7, (0, 1)), "body 7: the simulator has none such"),
@@ -251,7 +251,10 @@ BAD = {
     "name": (lambda sim: sim.remove("ball"), "body 'ball': the simulator has none such"),
     "names": (lambda sim: sim.remove(["body 0", "x"]), "body 'x': the simulator has none"),
     "fraction": (lambda sim: sim.remove([0.5]), "must be whole numbers or names"),
-    "mask": (lambda sim: sim.remove([True]), "found 1 truth values: must be 3"),
+    "mask": (
+        lambda sim: sim.remove([True]),
+        "found 1 truth values: must be 3, one for each row, .* as many as len.sim.position.",
+    ),
     "impulse": (lambda sim: sim.apply_impulse(0, np.nan), "must be two components"),
     "no impulse": (
         lambda sim: sim.apply_impulse([0, 1], [(0, 1), (np.nan, 0)]),

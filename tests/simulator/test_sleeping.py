@@ -299,3 +299,34 @@ def test_a_pile_falls_asleep_and_a_bullet_wakes_it() -> None:
 def test_only_true_and_false_are_taken() -> None:
     with pytest.raises(t2.InputError, match="sleeping: found 1: must be True or False"):
         t2.Simulator(t2.Scene(gravity=(0.0, 0.0)), sleeping=1)  # type: ignore[arg-type]
+
+
+def standing(*, lift: bool) -> t2.Simulator:
+    """Return a world without anything that can be pushed, which may hold a lift that stands."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)), sleeping=True)
+    if lift:
+        sim.add_static(t2.Disc(radius=0.5), position=(0.0, -3.0), sensor=True)
+        sim.add_kinematic(BOX, position=(0.0, 0.0), **SURFACE)
+    return sim
+
+
+@pytest.mark.parametrize("lift", [False, True])
+def test_a_world_in_which_nothing_moves_sleeps(lift: bool) -> None:
+    sim = standing(lift=lift)
+    sim.step(2)
+    sim._engine.world.islands.counts[SLEEPING] = 77
+    sim.step(1000)
+    assert sim._engine.world.islands.counts[SLEEPING] == 77
+    assert sim.time == pytest.approx(1002 / 60)
+    box = sim.add(BOX, mass=1.0, position=(5.0, 0.0), **SURFACE)
+    sim.step(60)
+    assert sim.velocity[box, 1] == pytest.approx(-10.0)
+
+
+def test_a_lift_that_stood_alone_goes_when_it_is_told() -> None:
+    sim = standing(lift=True)
+    sim.step(100)
+    sim.velocity[1] = 0.0, -1.0
+    sim.step(150)
+    assert sim.position[1, 1] == pytest.approx(-2.5)
+    assert sim.began.bodies.tolist() == [[0, 1]]

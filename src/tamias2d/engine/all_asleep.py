@@ -2,7 +2,8 @@
 
 Between calls users may write into what they see. So each call compares that with what it was as all
 fell asleep, and takes all of its steps at once if it is the same. Where bodies come or go the list
-of pairs does not hold, and the next step looks at each of them.
+of pairs does not hold, and the next step looks at each of them. A world in which nothing can be
+pushed sleeps, too.
 Cost: of a call, a pass through what users see; of a step, nothing.
 """
 
@@ -18,7 +19,7 @@ def note_all_asleep(world: World) -> bool:
     """
     control, chunks = world.control, world.chunks
     counts = control.counts
-    slept = world.islands.counts[tb.SLEEPING] > 0 and world.springs.counts[tb.SPRINGS] == 0
+    slept = world.islands.counts[tb.SLEEP_STEPS] > 0 and world.springs.counts[tb.SPRINGS] == 0
     slept = slept and nobody_awake(world.islands)
     if slept:
         for g in range(len(chunks.course)):

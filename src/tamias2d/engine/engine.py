@@ -15,7 +15,7 @@ from tamias2d.engine.contact_events import ContactEvents
 from tamias2d.engine.contact_report import Contacts, contact_report
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.rows import kept_apart, set_joints
-from tamias2d.engine.menu import CONTACT, JOINTED, functions
+from tamias2d.engine.menu import JOINTED, chosen, functions
 from tamias2d.engine.open_corners import OpenCorners
 from tamias2d.engine.query_tree import QueryTree
 from tamias2d.engine.springs.rows import SpringRow, set_springs
@@ -61,6 +61,7 @@ class Engine(Store):
     def begin(self, rank: NDArray[np.int64], generation: NDArray[np.int64]) -> None:
         """Find out what the arrays hold; bodies have ranks and generations (n,), as told below."""
         self._library: SimpleNamespace | None = None  # what steps are taken with, once they are
+        self._expects_joints = False  # whether there were any, or may be
         self._take: _Take | None = None  # takes steps with the arrays as they are
         self._alone = True  # whether it is worth while to try ballistic motion
         self._course_known = False  # whether chunks know where bodies may be
@@ -247,11 +248,17 @@ class Engine(Store):
         them, what it knows of contacts fits them already.
         """
         places = set_joints(self, rows)
+        self._expects_joints |= len(rows) > 0
         self._library = self._take = None
         if not restored:
             self._pool.drop_pairs(kept_apart(self))
             self.forget_pairs()
         return places
+
+    def expect_joints(self) -> None:
+        """Load the code for joints, which takes a while, before there are any."""
+        self._expects_joints = True
+        functions(JOINTED, compiled=self.compiled)
 
     def settle(self) -> None:
         """Give what was added its place, and free what was removed; before a step or query."""
@@ -393,8 +400,9 @@ class Engine(Store):
     def _entries(self) -> SimpleNamespace:
         """The compiled functions, found when a step is taken: joints have to be known by then."""
         if self._library is None:
-            jointed = self.world.joints.counts[tb.JOINTS] > 0
-            self._library = functions(JOINTED if jointed else CONTACT, compiled=self.compiled)
+            joints = bool(self.world.joints.counts[tb.JOINTS])
+            library = chosen(joints=joints, had_joints=self._expects_joints)
+            self._library = functions(library, compiled=self.compiled)
         return self._library
 
     def _ballistic_steps(self, count: int, timed: bool) -> int:

@@ -21,6 +21,14 @@ QUERY = Library("queries", (build_query_tree, cast_rays, shapes_in_box, shapes_i
 MENU: tuple[Library, ...] = (CONTACT, JOINTED, QUERY)
 
 
+def chosen(*, joints: bool, had_joints: bool) -> Library:
+    """Return the engine for a world with joints, or without; their bits are the same.
+
+    One that has had joints loads no other for its last ones being gone: that takes a while.
+    """
+    return JOINTED if joints or (had_joints and not CONTACT.is_loaded()) else CONTACT
+
+
 @cache
 def functions(library: Library, *, compiled: bool) -> SimpleNamespace:
     """Return the entries of a library by their names: compiled, or as plain Python."""

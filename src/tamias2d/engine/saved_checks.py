@@ -188,8 +188,10 @@ def _check_contacts(arrays: Arrays, order: IntArray) -> None:
         pairs[:, tb.SLOT_A : tb.SLOT_B + 1] == slots, name, "must have the slots of their bodies"
     )
     require(body[:, 0] != body[:, 1], name, "must be of two bodies")
-    moving = (arrays["state.kind"][body] == tb.DYNAMIC).any(axis=1)
-    require(moving, name, "one of the bodies must move")
+    sensors = (arrays["shapes.filters"][shapes, tb.SENSOR] > 0).any(axis=1)
+    fastest = arrays["state.kind"][body].max(axis=1, initial=tb.ABSENT)
+    fits = fastest >= np.where(sensors, tb.KINEMATIC, tb.DYNAMIC)
+    require(fits, name, "one of the bodies must move, freely unless one is a sensor")
     ranks = order[shapes]
     require((ranks >= 0).all() and (ranks[:, 0] < ranks[:, 1]).all(), name, "must be by rank")
     code = ranks[:, 0] * len(order) + ranks[:, 1]
@@ -201,7 +203,6 @@ def _check_contacts(arrays: Arrays, order: IntArray) -> None:
     sides = flags[:, tb.CACHED_AXIS].astype(np.int64) // (STATES * TURNS)
     known = np.column_stack((sides % SIDES, sides // SIDES)) < arrays["shapes.vertex_count"][shapes]
     require(known, "contacts.flags", "names a side that a shape has not")
-    sensors = (arrays["shapes.filters"][shapes, tb.SENSOR] > 0).any(axis=1)
     require(sensors == flags[:, tb.SENSES], "contacts.flags", "must say which shapes are sensors")
 
 

@@ -6,8 +6,8 @@ solved. A body without contacts sleeps only if it does not move at all; an islan
 by a moving body does not sleep.
 
 An island wakes as a whole if a body that may wake others touches it, or comes so near that their
-contact has points; if a pose, a velocity, a load or gravity differs from that at rest; or if a body
-that supports it was moved.
+contact has points, unless one of them is a sensor; if a pose, a velocity, a load or gravity differs
+from that at rest; or if a body that supports it was moved.
 Cost: a pass over bodies and one over contacts in each step, where sleeping is wanted.
 """
 
@@ -51,7 +51,7 @@ def update_sleep(
         else:
             note_support(bodies.kind[i], bodies.pose[i], bodies.motion[i], links[i], rest[i])
     for p in range(broad_phase.counts[tb.CONTACTS]):
-        if contacts.flags[p, tb.POINT_COUNT] > 0:
+        if contacts.flags[p, tb.POINT_COUNT] > 0 and contacts.flags[p, tb.SENSES] == 0:
             wake_pair(contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B], links)
     wake_tied(islands, joints)
     count_sleeping(bodies, islands)

@@ -27,7 +27,7 @@ from tamias2d.scene import Scene
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator import Simulator
 from tamias2d.simulator.exclusive import exclusive
-from tamias2d.simulator.settings import checked_count
+from tamias2d.simulator.settings import checked_count, checked_steps
 from tamias2d.simulator.simulator import Start
 from tamias2d.state import Array
 from tamias2d.suggestions import suggests
@@ -130,7 +130,7 @@ class Simulators(Controls, WorldReports):
         Warns:
             StepWarning: as `Simulator` does, for each world.
         """
-        steps = checked_count(count, "count", 0)
+        steps = checked_steps(count)
 
         def advance(sim: Simulator) -> None:
             sim._seen = True  # its arrays are shared

@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass, field
 
+from tamias2d.attribute_suggestions import suggests_attributes
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL
 from tamias2d.scene.law import Law, Value, value_at, varies
@@ -10,6 +11,7 @@ from tamias2d.scene.rules import Vector
 from tamias2d.suggestions import suggests
 
 
+@suggests_attributes()
 @suggests
 @dataclass(frozen=True, kw_only=True)
 class Body:

@@ -7,6 +7,7 @@ from itertools import count
 from numbers import Integral
 from typing import Any
 
+from tamias2d.attribute_suggestions import suggests_attributes
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.checks import (
@@ -42,7 +43,20 @@ from tamias2d.scene.springs import checked_spring, refuse_spring
 from tamias2d.scene.writing import scene_text
 from tamias2d.suggestions import suggests
 
+_ADDED_BY = {
+    **{
+        f"add_{shape.lower()}": f"add_body({shape}(...), ...)"
+        for shape in ("Box", "Capsule", "Compound", "Disc", "Polygon", "Segment")
+    },
+    "add_circle": "add_body(Disc(...), ...)",
+    "add_chain": "add_static(Chain(...))",
+    "add_half_plane": "add_static(HalfPlane(...))",
+    "add_ground": "add_static(HalfPlane(...))",
+}
+"""What other libraries have a method for, and the call that does it here."""
 
+
+@suggests_attributes(_ADDED_BY)
 @suggests
 class Scene(SceneData):
     """The space in which bodies move and meet (R1), in SI units throughout."""

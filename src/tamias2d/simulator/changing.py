@@ -109,7 +109,7 @@ class Changing(Stepping):
         refuse_missing_restitution(self._engine, batch, self._name_of)
         rows = self._engine.add(batch)
         self._names.give(rows.tolist() if names else (), names)
-        self._look()
+        self._look_anew()
         self._unsettled = True
         one = len(rows) == 1 and np.ndim(position) == 1  # type: ignore[arg-type]
         return int(rows[0]) if one else rows

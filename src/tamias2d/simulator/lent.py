@@ -24,6 +24,14 @@ def is_held(arrays: Iterable[NDArray[Any]]) -> bool:
     return _most_references(arrays) > _UNHELD
 
 
+def which_are_held(arrays: Iterable[NDArray[Any]]) -> list[bool]:
+    """Return of each array whether anybody but one collection holds it, or a view of it."""
+    found = []
+    for array in arrays:
+        found.append(getrefcount(array) > _UNHELD)
+    return found
+
+
 def _most_references(arrays: Iterable[NDArray[Any]]) -> int:
     most = 0
     for array in arrays:

@@ -13,7 +13,7 @@ from tamias2d.state import IntArray
 
 Bodies: TypeAlias = int | str | Sequence[int] | Sequence[str] | NDArray[np.integer | np.bool_]
 """One body by index or name; many by a list or an array of them, or by a mask of truth values."""
-_REMEDY = "Give an index or a name, an array of indices, or a truth value for each body."
+_REMEDY = "Give an index or a name, an array of indices, or a truth value for each row."
 
 
 def selected(bodies: object, kind: NDArray[np.int8], names: Mapping[str, int]) -> IntArray:
@@ -32,8 +32,8 @@ def selected(bodies: object, kind: NDArray[np.int8], names: Mapping[str, int]) -
     elif given.dtype.kind == "b":
         if given.shape != kind.shape:
             raise RuleError(
-                f"bodies: found {given.size} truth values: must be {len(kind)}, one for each body "
-                f"(R1). {_REMEDY}",
+                f"bodies: found {given.size} truth values: must be {len(kind)}, one for each row, "
+                f"of which some may be empty: as many as len(sim.position) (R1). {_REMEDY}",
                 "bodies",
             )
         given = np.flatnonzero(given)

@@ -36,7 +36,15 @@ def checked_substeps(value: object) -> int:
     return count
 
 
-def checked_count(value: Any, key: str, least: int) -> int:
+def checked_steps(value: Any) -> int:
+    """Return how many steps are asked for, or raise `RuleError`."""
+    remedy = (
+        "Give how many steps; how long one is, Simulator is told as it is made: time_step=1/60."
+    )
+    return checked_count(value, "count", 0, remedy=remedy)
+
+
+def checked_count(value: Any, key: str, least: int, *, remedy: str = "Give one.") -> int:
     """Return a whole number that is at least some other one, or raise `RuleError`."""
     try:
         count = least - 1 if isinstance(value, bool) else index(value)
@@ -44,7 +52,7 @@ def checked_count(value: Any, key: str, least: int) -> int:
         count = least - 1
     if count < least:
         raise RuleError(
-            f"{key} {shown(value)}: must be a whole number of at least {least} (R4). Give one.", key
+            f"{key} {shown(value)}: must be a whole number of at least {least} (R4). {remedy}", key
         )
     if count > _MOST:
         raise RuleError(f"{key} {shown(value)}: must be less than 2**63 (R4). Give fewer.", key)

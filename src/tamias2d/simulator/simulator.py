@@ -3,20 +3,21 @@
 import hashlib
 from collections.abc import Mapping
 from copy import deepcopy
-from dataclasses import asdict
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.attribute_suggestions import suggests_attributes
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.saved_checks import UnfitError
 from tamias2d.engine.saved_state import restored_engine, rewind, saved_arrays
 from tamias2d.engine.tables import ABSENT, DYNAMIC, STATIC
 from tamias2d.errors import RecordingError
 from tamias2d.recording_file import checked_path
-from tamias2d.scene import Scene, scene_text
+from tamias2d.scene import Body, Scene, scene_text
 from tamias2d.scene.joints import Joint, kept_apart
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
@@ -52,6 +53,7 @@ _SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
 _LONGEST_WAIT = 2**31 - 1  # steps
 
 
+@suggests_attributes({field.name: f"body(k).{field.name}" for field in fields(Body)})
 @suggests
 @refuses_assignment
 class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
@@ -78,6 +80,7 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
         time_step: float = 1 / 60,
         substeps: int = 4,
         sleeping: bool = False,
+        joints: bool = False,
         compiled: bool = True,
     ) -> None:
         """Start where a scene does; steps are of `time_step` in s, contacts solved in substeps.
@@ -87,6 +90,9 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
         2 % of sqrt(g r), or of r a second without gravity, where r is how far a body reaches from
         its centre: a fall through 1/5000 of that makes it faster. A body that falls asleep loses
         what was left of its motion, so that a run with sleeping is another one than without.
+
+        With `joints`, some are expected to be added: the code for them is loaded now, which takes
+        about a second, and not at the first step after `add_joint`. The bits are the same.
 
         Without `compiled`, steps and queries are plain Python: the same bits, some thousand times
         slower, for debuggers, and where nothing can be compiled.
@@ -112,6 +118,8 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
         if checked_flag(sleeping, "sleeping"):
             steps = round(min(_SLOW_TIME / self._time_step, _LONGEST_WAIT))
             engine.sleep_after(max(steps, 1))
+        if checked_flag(joints, "joints"):
+            engine.expect_joints()
         batch = scene_batch(scene)
         names = [f"'{body.name}'" for body in scene.bodies]
         known = scene.restitution_of_pairs

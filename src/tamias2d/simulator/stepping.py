@@ -16,7 +16,7 @@ from tamias2d.simulator.hand_placed import put_elsewhere
 from tamias2d.simulator.invalid_state import invalid_state
 from tamias2d.simulator.joint_set import JointSet
 from tamias2d.simulator.selection import Bodies, selected
-from tamias2d.simulator.settings import checked_count
+from tamias2d.simulator.settings import checked_steps
 from tamias2d.simulator.spring_rows import spring_rows
 from tamias2d.simulator.step_warnings import (
     SPRINGS,
@@ -93,7 +93,8 @@ class Stepping(Views):
         """Take so many steps.
 
         Raises:
-            InputError: a value that was set is not finite; the state is as it was before the step.
+            InputError: a value that was set is not finite, or was written into a view that was
+                taken before bodies were added, and is lost; the state is as it was before the step.
             SimulationError: a force that varies has no finite value.
 
         Warns:
@@ -103,10 +104,12 @@ class Stepping(Views):
                 where something thin moves, once.
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
-            count = checked_count(count, "count", 0)
+            count = checked_steps(count)
         if not self._lock.acquire(False):
             raise busy("step")
         try:
+            if self._earlier:
+                self._earlier.look()
             self._begin_call()
             nothing_happens = False  # to joints, in the rest of this call
             while count:

@@ -10,35 +10,46 @@ from tamias2d.engine.engine import Engine
 from tamias2d.engine.tables import ABSENT, DYNAMIC
 from tamias2d.read_only import read_only
 from tamias2d.scene.rules import RuleError, refuse_masked
+from tamias2d.simulator.earlier_views import EarlierViews
 from tamias2d.simulator.exclusive import between_calls, exclusive
 from tamias2d.simulator.lent import is_held, lent
 from tamias2d.simulator.told_only import REMEDIES, refuses_assignment
 from tamias2d.state import Array, IntArray
 
 _POSITION, _ORIENTATION, _VELOCITY, _ANGULAR_VELOCITY, _FORCE, _TORQUE, _GRAVITY = range(7)
+_NAMES = ("position", "orientation", "velocity", "angular_velocity", "force", "torque", "gravity")
 
 
 @refuses_assignment
 class Views:
     """What can be read and written between steps; assigning to a view writes into it."""
 
-    __slots__ = ("_engine", "_lock", "_seen", "_views")
+    __slots__ = ("_earlier", "_engine", "_lock", "_seen", "_views")
+    _earlier: EarlierViews
     _engine: Engine
     _lock: Lock
     _seen: bool  # whether anybody has looked in between since the last step
     _views: tuple[Array, ...]  # kept: a step of few bodies takes little longer than making a view
 
     def _look(self) -> None:
+        """Look at the arrays of the engine for the first time, or where nobody has a view."""
+        self._earlier, self._views = EarlierViews(_NAMES), ()
+        self._look_anew()
+
+    def _look_anew(self) -> None:
         """Look at the arrays of the engine anew, which adding may put elsewhere."""
         engine = self._engine
         pose, velocity, load = engine.pose, engine.velocity, engine.load
         parts = [part for rows in (pose, velocity, load) for part in (rows[..., :2], rows[..., 2])]
-        self._seen, self._views = True, tuple(map(lent, (*parts, engine.gravity)))
+        views = tuple(map(lent, (*parts, engine.gravity)))
+        if self._views:
+            self._earlier.add(self._views, views)
+        self._seen, self._views = True, views
 
     @property
     def _untouched(self) -> bool:
         """Whether nobody can have written into what is seen since the last step."""
-        return not (self._seen or is_held(self._views))
+        return not (self._seen or self._earlier or is_held(self._views))
 
     @property
     @between_calls

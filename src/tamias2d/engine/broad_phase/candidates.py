@@ -121,9 +121,13 @@ def find_all_beside(
 
 
 def may_collide(s: int, t: int, bodies: Bodies, shapes: Shapes) -> bool:
-    """Return whether two shapes may collide by their bodies and filters."""
+    """Return whether two shapes may collide, or sense each other, by their bodies and filters.
+
+    Bodies that nothing pushes do not collide, but one that moves is sensed, and senses.
+    """
     i, j, filters = shapes.slot[s], shapes.slot[t], shapes.filters
-    if i == j or max(bodies.kind[i], bodies.kind[j]) != tb.DYNAMIC:
+    senses = filters[s, tb.SENSOR] + filters[t, tb.SENSOR] > 0
+    if i == j or max(bodies.kind[i], bodies.kind[j]) < (tb.KINEMATIC if senses else tb.DYNAMIC):
         return False
     group = filters[s, tb.GROUP]
     if group != 0 and group == filters[t, tb.GROUP]:
