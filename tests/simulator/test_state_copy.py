@@ -62,7 +62,7 @@ def mechanism() -> t2.Simulator:
     scene.add_joint(t2.Revolute(), (0.0, 0.0), 0, at=(0.0, 0.0))
     scene.add_joint(t2.Revolute(limits=limits), 0, 1, at=(1.0, 0.0))
     scene.add_joint(t2.Revolute(), 1, 2, at=(2.0, 0.0), break_force=60.0)
-    scene.add_joint(t2.Ratchet(pitch=0.05, restitution=0.0), (0.0, 0.0), 0)
+    scene.add_joint(t2.Ratchet(pitch=0.05, restitution=0.0), (0.0, 0.0), 3)
     scene.add_joint(t2.Revolute(motor=t2.Motor(speed=3.0)), (4.0, 0.0), 3, at=(4.0, 0.0))
     scene.add_joint(t2.Distance(spring=t2.JointSpring(stiffness=50.0)), 4, 5, name="spring")
     scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=-3.0), **SURFACE)
@@ -133,11 +133,14 @@ def test_it_goes_on_as_what_was_saved_then(
     state, saved, events = sim.copy_state(), pickle.dumps(sim), sim.joint_events
     twin = pickle.loads(saved)
     told = history(twin, 10), repr(twin.reactions), twin.joint_events
+    seen = {sim._snapshot().revision}
     longer = change is many_more  # then arrays stay longer, with nothing in it
     for _ in range(2):
         change(sim)
         sim.step(7)
+        seen.add(sim._snapshot().revision)
         sim.restore_state(state)
+        assert sim._snapshot().revision not in seen  # a recorder looks at all bodies anew
         assert sim.joint_events == events
         other = pickle.loads(saved)
         assert longer or everything(sim) == everything(other)
