@@ -85,6 +85,16 @@ def touches_of(store: Store) -> IntArray:
     return store.world.buffers.flags[side, :size, tb.TOUCHES].astype(np.int64)
 
 
+def sensed_by(store: Store, body: int) -> IntArray:
+    """Return the bodies (k,) that a sensor met in the last step, each as often as shapes did."""
+    counts = store.world.broad_phase.counts
+    flags = store.world.buffers.flags[counts[tb.BUFFER], : counts[tb.CONTACTS]]
+    met = (flags[:, tb.SENSES] == 1) & (flags[:, tb.TOUCHES] & tb.IS_TOUCHING != 0)
+    pairs = bodies_of(store, np.flatnonzero(met))
+    pairs = pairs[(pairs == body).any(axis=1)]
+    return pairs.sum(axis=1) - body
+
+
 def bodies_of(store: Store, rows: IntArray) -> IntArray:
     """Return the indices of bodies (k, 2) of some pairs on the contact list."""
     world = store.world

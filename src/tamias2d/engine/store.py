@@ -88,7 +88,11 @@ class Store:
             max(self.size + count, self.capacities.slots * 3 // 2) // tb.CHUNK * tb.CHUNK + tb.CHUNK
         )
         self.resize(slots=slots)
-        state = self.world.state
+        self.idle_from(idle)
+
+    def idle_from(self, idle: int) -> None:
+        """Let all slots from one on be idle, which was the last one; shapes without a body know."""
+        state, slots = self.world.state, self.capacities.slots
         state.slot_of_body[idle:] = state.body_of_slot[idle:] = np.arange(idle, slots)
         state.body_of_shape[state.body_of_shape == idle] = slots - 1
 

@@ -109,6 +109,12 @@ def gathered(world: World) -> tuple[World, NDArray[np.uint8], int]:
     return with_arrays(world, moved), memory, LINE * needed
 
 
+def lasting_arrays(world: World) -> dict[str, NDArray[Any]]:
+    """Return the arrays that hold something from one step to the next, by their names."""
+    left_out = _rewritten()
+    return {name: values for name, values in _named(world, "") if name not in left_out}
+
+
 @cache
 def _rewritten() -> frozenset[str]:
     """Return the names of the arrays that a world which begins anew does not read before."""

@@ -26,12 +26,18 @@ Given: TypeAlias = dict[str, float | Vector | None]
 """The parameters of a constraint, by their symbols."""
 
 
+_TWO_POINTS = "it holds two points apart from each other, not one"
+_ANGLES = "it holds angles, and no point"
+
+
 class _Kind:
     """What all kinds have."""
 
     model: ClassVar[str]
     free: ClassVar[Measure | None] = None
     """What its `limits`, `motor` and `spring` are of, if it has such fields."""
+    no_place: ClassVar[str | None] = None
+    """Why it does not hold both bodies at one place, if so."""
 
     @property
     def rigid(self) -> bool:
@@ -76,6 +82,7 @@ class Distance(_Kind):
     motor: Motor | None = None
     spring: JointSpring | None = None
     model: ClassVar[str] = "distance"
+    no_place: ClassVar[str | None] = _TWO_POINTS
     free: ClassVar[Measure] = "distance"
 
     def __post_init__(self) -> None:
@@ -222,6 +229,7 @@ class Rotary(_Kind):
     motor: Motor | None = None
     spring: JointSpring | None = None
     model: ClassVar[str] = "angle"
+    no_place: ClassVar[str | None] = _ANGLES
     free: ClassVar[Measure] = "angle"
 
     @property
@@ -251,6 +259,7 @@ class Ratchet(_Kind):
     pitch: float
     restitution: float
     model: ClassVar[str] = "angle"
+    no_place: ClassVar[str | None] = _ANGLES
 
     @property
     def rigid(self) -> bool:
@@ -271,6 +280,7 @@ class Gear(_Kind):
     angle: float | None = None
     """How far B is ahead, rad; as at the start unless given."""
     model: ClassVar[str] = "gear"
+    no_place: ClassVar[str | None] = _ANGLES
 
     def __post_init__(self) -> None:
         _set(self, ratio=_ratio(self.ratio, "a gear"), angle=_angle(self.angle, "a gear"))
@@ -294,6 +304,7 @@ class Pulley(_Kind):
     ratio: float = 1.0
     length: float | None = None
     model: ClassVar[str] = "pulley"
+    no_place: ClassVar[str | None] = _TWO_POINTS
 
     def __post_init__(self) -> None:
         of, remedy = "a pulley", "Give two places (x, y) in m."
@@ -324,6 +335,7 @@ class Equation(_Kind):
 
     equations: str | Sequence[str]
     model: ClassVar[str] = "equation"
+    no_place: ClassVar[str | None] = "its equations say themselves what they hold"
 
     def __post_init__(self) -> None:
         of, remedy = "a joint", "Give text like 'norm(point_b - point_a) - 2[m]'."

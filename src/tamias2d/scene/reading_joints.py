@@ -83,7 +83,7 @@ _SYMBOLS = {
     "break_force": "joint_force_most",
     "break_torque": "joint_torque_most",
 }
-_ANCHORS = ("anchor", "other_anchor", "third_anchor")
+_ANCHORS = {"at": "point", "anchor": "anchor", "other_anchor": "anchor", "third_anchor": "anchor"}
 _BEARS = ("break_force", "break_torque")
 _USUAL = (*_ANCHORS, *_BEARS, "third", "name", "collide")
 
@@ -117,7 +117,9 @@ def _add(scene: Scene, raw: object) -> None:
     places = [_end(scene, end, k) for k, end in enumerate(ends)]
     kind = KINDS[word](*_equations(joint), **_values(joint, word))
     values: dict[str, Any] = {
-        key: read_value(joint[key], "anchor", (key,)) for key in _ANCHORS if key in joint
+        key: read_value(joint[key], symbol, (key,))
+        for key, symbol in _ANCHORS.items()
+        if key in joint
     }
     for key in _BEARS:
         if key in joint:

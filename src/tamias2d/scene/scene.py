@@ -33,6 +33,7 @@ from tamias2d.scene.checks import (
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.fields import checked_field, refuse_field
 from tamias2d.scene.filters import checked_mask, checked_sensor, checked_whole
+from tamias2d.scene.joint_anchors import anchors_of
 from tamias2d.scene.joint_checks import checked_again, checked_joint
 from tamias2d.scene.joint_kinds import Equation, Kind
 from tamias2d.scene.joints import End, Joint
@@ -278,10 +279,11 @@ class Scene(SceneData):
         first: int | str | VectorLike,
         second: int | str | VectorLike | None = None,
         *,
-        anchor: VectorLike = (0.0, 0.0),
-        other_anchor: VectorLike = (0.0, 0.0),
+        at: VectorLike | None = None,
+        anchor: VectorLike | None = None,
+        other_anchor: VectorLike | None = None,
         third: int | str | None = None,
-        third_anchor: VectorLike = (0.0, 0.0),
+        third_anchor: VectorLike | None = None,
         name: str | None = None,
         collide: bool = False,
         break_force: float | None = None,
@@ -290,10 +292,11 @@ class Scene(SceneData):
         """Tie two bodies, or a body and the plane, and return the joint's index (TM7).
 
         A and B are bodies, given by index or name, or points (x, y) of the plane in m; a third one,
-        C, is what a gear or a pulley is seen from. It holds a body at an anchor (x, y), in m from
-        the centre of mass and in the body's own axes. Bodies that are tied do not touch, unless
-        they `collide`. The joint breaks where its reaction reaches `break_force`, N, or
-        `break_torque`, N m (GD23).
+        C, is what a gear or a pulley is seen from. It holds a body at its centre of mass, or at an
+        anchor (x, y), in m from there and in the body's own axes; or all bodies `at` a point (x, y)
+        of the world, m, where they are now. Bodies that are tied do not touch, unless they
+        `collide`. The joint breaks where its reaction reaches `break_force`, N, or `break_torque`,
+        N m (GD23).
 
         Raises:
             InputError: a value breaks a rule (R4), the joint moves nothing, its equation has no
@@ -307,7 +310,7 @@ class Scene(SceneData):
             self._end(second, "second", name),
             (0.0, 0.0) if third is None else self.index(third),
         )
-        anchors = (anchor, other_anchor, third_anchor)
+        anchors = anchors_of(kind, ends, (anchor, other_anchor, third_anchor), at, self._bodies)
         joint = checked_joint(
             kind, name, ends, anchors, collide, self._bodies, (break_force, break_torque)
         )

@@ -7,6 +7,7 @@ one in which it did not, and left in one in which it does not after one in which
 
 import math
 from collections.abc import Iterator, Mapping
+from copy import copy
 from dataclasses import replace
 from operator import itemgetter
 from typing import Any, TypeAlias
@@ -49,6 +50,12 @@ class JointWatch:
         self._held = Held(held.bodies[self._twisted, :1], held.anchors[self._twisted, :1])
         self._ratchets = [joint for joint in layout.joints if joint.pitch]
         self._teeth = {joint.name: tooth_of(joint) for joint in self._ratchets}
+
+    def copied(self) -> "JointWatch":
+        """Return one that looks on from here, whatever this one sees."""
+        other = copy(self)
+        other._teeth = dict(self._teeth)
+        return other
 
     def events(self, pose: Array, time: float, time_step: float) -> Iterator[JointEvent[str]]:
         """Yield what the step, s, did that ended at a time, s, with bodies at poses (n, 3)."""

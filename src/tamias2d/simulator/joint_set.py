@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from copy import copy
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -65,6 +66,14 @@ class JointSet:
         self._restored = kept is not None
         self.new = bool(self._joints)
         """Whether the engine has to be told of them."""
+
+    def copied(self) -> "JointSet":
+        """Return the joints as they are now, for the same engine: they do not change with these."""
+        other = copy(self)
+        other._joints = dict(self._joints)
+        other._limits = copy(self._limits)
+        other._watch = self._watch and self._watch.copied()
+        return other
 
     def __len__(self) -> int:
         return len(self._joints)

@@ -6,6 +6,7 @@ import numpy as np
 
 from tamias2d.engine.state import LARGEST
 from tamias2d.scene.freedoms import JointSpring, Limits, Motor
+from tamias2d.scene.joint_anchors import anchors_of
 from tamias2d.scene.joint_kinds import Equation, Kind
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, Vector, VectorLike, vector
@@ -34,10 +35,11 @@ class Jointing(Stepping):
         first: int | str | VectorLike,
         second: int | str | VectorLike | None = None,
         *,
-        anchor: VectorLike = (0.0, 0.0),
-        other_anchor: VectorLike = (0.0, 0.0),
+        at: VectorLike | None = None,
+        anchor: VectorLike | None = None,
+        other_anchor: VectorLike | None = None,
         third: int | str | None = None,
-        third_anchor: VectorLike = (0.0, 0.0),
+        third_anchor: VectorLike | None = None,
         name: str | None = None,
         collide: bool = False,
         break_force: float | None = None,
@@ -58,8 +60,8 @@ class Jointing(Stepping):
             (0.0, 0.0) if second is None and isinstance(kind, Equation) else self._end(second),
             (0.0, 0.0) if third is None else self._end(third),
         )
-        anchors = (anchor, other_anchor, third_anchor)
         standing: Any = StandingBodies(self._engine, self._names.of_row)
+        anchors = anchors_of(kind, ends, (anchor, other_anchor, third_anchor), at, standing)
         joint = self._joints.add(
             *(kind, ends, anchors, name, collide, standing),
             bears=(break_force, break_torque),

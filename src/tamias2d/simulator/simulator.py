@@ -14,6 +14,7 @@ from tamias2d.attribute_suggestions import suggests_attributes
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.saved_checks import UnfitError
 from tamias2d.engine.saved_state import restored_engine, rewind, saved_arrays
+from tamias2d.engine.state_copy import copy_state, restore_state
 from tamias2d.engine.tables import ABSENT, DYNAMIC, STATIC
 from tamias2d.errors import RecordingError
 from tamias2d.recording_file import checked_path
@@ -29,6 +30,7 @@ from tamias2d.simulator.changing import Changing
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.joint_set import JointSet
 from tamias2d.simulator.jointing import Jointing
+from tamias2d.simulator.kept_state import KeptState, checked_state
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.pushing import Pushing
 from tamias2d.simulator.saved_joints import restored_joints
@@ -152,6 +154,52 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
         """
         checked_flag(compiled, "compiled")
         return _restored(saving.read(checked_path(path)), str(path), compiled)
+
+    @exclusive
+    def copy_state(self) -> KeptState:
+        """Return the simulator as it is now, in memory, for `restore_state`, any number of times.
+
+        It takes some 10 kB and 2 microseconds for each body of a pile, and 0.2 ms besides.
+        """
+        self._settle_between()
+        return KeptState(
+            engine=self._engine,
+            bodies=copy_state(self._engine),
+            joints=self._joints.copied(),
+            names=dict(self._names.rows),
+            staying=frozenset(self._staying),
+            touching=self._report(),
+            happened=tuple(self._happened),
+            pushed=None if self._pushed is None else self._pushed.copy(),
+            left=self._left.copy(),
+            warnings=dict(self._warned.texts),
+            limits=self._limits,
+            limit_changes=self._limit_changes,
+        )
+
+    @exclusive
+    def restore_state(self, state: KeptState) -> None:
+        """Let the simulator be what it was as `copy_state` returned a state of it.
+
+        All is as it was then, bodies, joints, names, time, events and what was warned of, and goes
+        on with the same bits. Views stay valid, unless bodies came since: then take them anew.
+
+        Raises:
+            InputError: it is no state of this simulator (R4).
+        """
+        state = checked_state(state, self._engine)
+        size = self._engine.size
+        restore_state(self._engine, state.bodies)
+        self._joints = state.joints.copied()
+        self._names, self._staying = BodyNames(state.names), set(state.staying)
+        self._forget()
+        self._warned.texts = dict(state.warnings)
+        self._limits, self._limit_changes = state.limits, state.limit_changes
+        self._left = state.left.copy()
+        self._pushed = None if state.pushed is None else state.pushed.copy()
+        self._touching, self._happened = state.touching, list(state.happened)
+        if self._engine.size != size:
+            self._look()
 
     @exclusive
     def __reduce__(self) -> tuple[Any, ...]:

@@ -6,6 +6,7 @@ import numpy as np
 
 from tamias2d.engine.contact_events import ContactEvents, Touching
 from tamias2d.engine.engine import Engine
+from tamias2d.engine.tables import ABSENT
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene import Scene
 from tamias2d.scene.rules import RuleError, shown
@@ -294,11 +295,23 @@ class Stepping(Views):
         Raises:
             InputError: the body is not there.
         """
-        (row,) = self._rows(body).tolist()
-        return self._names.of_row.get(row)
+        return self._names.of_row.get(self._row(body))
 
     def _rows(self, bodies: Bodies) -> IntArray:
         return selected(bodies, self._engine.kind, self._names.rows)
+
+    def _row(self, body: int | str) -> int:
+        """Return the row of one body, or raise `RuleError`."""
+        kind = self._engine.kind
+        if body.__class__ is int and 0 <= body < len(kind) and kind[body] != ABSENT:
+            return body  # what is asked for most takes the shortest way
+        rows = self._rows(body)
+        if len(rows) != 1:
+            raise RuleError(
+                f"body: found {len(rows)} of them: must be one (R1). Ask for one after another.",
+                "body",
+            )
+        return int(rows[0])
 
     def _name_of(self, row: int) -> str:
         if row >= self._engine.size:
