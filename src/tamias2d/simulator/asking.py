@@ -74,7 +74,8 @@ class Asking(Stepping):
     def inside(self, sensor: int | str, *, mask: int | None = None) -> IntArray:
         """Return the bodies (k,) that overlapped a sensor as the last step began.
 
-        They are what `began` told of and `ended` did not. What was removed since is left out; `mask` is as in `touching`.
+        They are what `began` told of and `ended` did not. What was removed since is left out;
+        `mask` is as in `touching`.
 
         Raises:
             InputError: the body is not there or no sensor, or a value breaks a rule (R3).
