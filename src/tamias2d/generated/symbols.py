@@ -2034,6 +2034,63 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1267,
     ),
+    "spring_gain": Symbol(
+        "spring_gain",
+        "J",
+        "energy that springs have gained in a step, negative if they lost it",
+        tex="\\Delta U",
+        file="srs/symbols.md",
+        line=1271,
+    ),
+    "coordinate_kick": Symbol(
+        "coordinate_kick",
+        "N*s",
+        "impulse of springs and given loads along one axis in a substep",
+        tex="p_k",
+        file="srs/symbols.md",
+        line=1275,
+    ),
+    "kick_work": Symbol(
+        "kick_work",
+        "J",
+        "energy that such an impulse gives a body",
+        tex="W_p",
+        file="srs/symbols.md",
+        line=1279,
+    ),
+    "held_work": Symbol(
+        "held_work",
+        "J",
+        "what the loads of springs have given bodies, as they were held or acted in substeps, and all given loads beyond their work",
+        tex="W_{\\text{h}}",
+        file="srs/symbols.md",
+        line=1283,
+    ),
+    "held_excess": Symbol(
+        "held_excess",
+        "J",
+        "what springs have gained beyond what the loads held for them have taken",
+        tex="\\Delta U_{\\text{h}}",
+        file="srs/symbols.md",
+        line=1289,
+    ),
+    "energy_unpaid": Symbol(
+        "energy_unpaid",
+        "J",
+        "energy that a group of springs has too much, negative if it has too little",
+        tex="E_\\pm",
+        file="srs/symbols.md",
+        line=1293,
+    ),
+    "balanced_share": Symbol(
+        "balanced_share",
+        "1",
+        "factor by which a motion of a group is scaled, so that its energy is right",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\sigma_\\pm",
+        file="srs/symbols.md",
+        line=1297,
+    ),
     "change_energy": Symbol(
         "change_energy",
         "J",
@@ -2041,7 +2098,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1271,
+        line=1302,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2049,7 +2106,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1276,
+        line=1307,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2058,7 +2115,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1280,
+        line=1311,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2066,7 +2123,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1285,
+        line=1316,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2075,7 +2132,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1290,
+        line=1321,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2084,7 +2141,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1295,
+        line=1326,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2093,7 +2150,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1300,
+        line=1331,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2102,7 +2159,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1305,
+        line=1336,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2111,7 +2168,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1312,
+        line=1343,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2120,7 +2177,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1317,
+        line=1348,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2128,7 +2185,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1322,
+        line=1353,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2136,7 +2193,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1327,
+        line=1358,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2144,7 +2201,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1333,
+        line=1364,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2153,7 +2210,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1337,
+        line=1368,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2162,7 +2219,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1344,
+        line=1375,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2171,7 +2228,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1349,
+        line=1380,
     ),
     "energy": Symbol(
         "energy",
@@ -2179,7 +2236,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1354,
+        line=1385,
     ),
     "radius": Symbol(
         "radius",
@@ -2188,7 +2245,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1363,
+        line=1394,
     ),
     "length": Symbol(
         "length",
@@ -2197,7 +2254,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1368,
+        line=1399,
     ),
     "width": Symbol(
         "width",
@@ -2206,7 +2263,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1375,
+        line=1406,
     ),
     "height": Symbol(
         "height",
@@ -2215,7 +2272,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1380,
+        line=1411,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2224,7 +2281,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1385,
+        line=1416,
     ),
     "center": Symbol(
         "center",
@@ -2233,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1390,
+        line=1421,
     ),
     "offset": Symbol(
         "offset",
@@ -2241,7 +2298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1395,
+        line=1426,
     ),
     "area": Symbol(
         "area",
@@ -2250,7 +2307,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1399,
+        line=1430,
     ),
     "way": Symbol(
         "way",
@@ -2259,7 +2316,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1404,
+        line=1435,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2267,7 +2324,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1409,
+        line=1440,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2276,7 +2333,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1413,
+        line=1444,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2285,7 +2342,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1418,
+        line=1449,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2293,7 +2350,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1423,
+        line=1454,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2301,7 +2358,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1427,
+        line=1458,
     ),
     "lean": Symbol(
         "lean",
@@ -2309,7 +2366,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1431,
+        line=1462,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2317,7 +2374,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1435,
+        line=1466,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2325,7 +2382,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1439,
+        line=1470,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2334,7 +2391,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1445,
+        line=1476,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2342,7 +2399,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1458,
+        line=1489,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2350,7 +2407,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1462,
+        line=1493,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2358,7 +2415,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1466,
+        line=1497,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2366,7 +2423,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1470,
+        line=1501,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2375,7 +2432,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1474,
+        line=1505,
     ),
     "slope": Symbol(
         "slope",
@@ -2384,7 +2441,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1479,
+        line=1510,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2393,7 +2450,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1484,
+        line=1515,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2402,7 +2459,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1489,
+        line=1520,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2411,7 +2468,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1494,
+        line=1525,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2419,7 +2476,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1499,
+        line=1530,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2427,7 +2484,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1503,
+        line=1534,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2435,7 +2492,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1507,
+        line=1538,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2444,7 +2501,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1511,
+        line=1542,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2452,7 +2509,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1516,
+        line=1547,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2460,7 +2517,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1520,
+        line=1551,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2468,7 +2525,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1524,
+        line=1555,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2476,7 +2533,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1528,
+        line=1559,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2484,7 +2541,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1532,
+        line=1563,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2492,7 +2549,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1536,
+        line=1567,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2500,7 +2557,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1540,
+        line=1571,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2508,7 +2565,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1544,
+        line=1575,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2517,7 +2574,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1548,
+        line=1579,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2526,7 +2583,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1553,
+        line=1584,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2535,7 +2592,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1558,
+        line=1589,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2544,7 +2601,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1563,
+        line=1594,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2552,7 +2609,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1568,
+        line=1599,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2561,7 +2618,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1572,
+        line=1603,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2569,7 +2626,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1577,
+        line=1608,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2577,7 +2634,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1581,
+        line=1612,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2586,7 +2643,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1585,
+        line=1616,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2595,7 +2652,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1590,
+        line=1621,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2603,7 +2660,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1595,
+        line=1626,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2612,7 +2669,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1599,
+        line=1630,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2620,7 +2677,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1604,
+        line=1635,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2628,7 +2685,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1608,
+        line=1639,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2637,7 +2694,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1612,
+        line=1643,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2646,7 +2703,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1617,
+        line=1648,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2655,7 +2712,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1622,
+        line=1653,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2664,7 +2721,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1627,
+        line=1658,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2673,7 +2730,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1632,
+        line=1663,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2682,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1637,
+        line=1668,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2691,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1642,
+        line=1673,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2700,7 +2757,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1647,
+        line=1678,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2709,7 +2766,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1652,
+        line=1683,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2717,7 +2774,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1657,
+        line=1688,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2726,7 +2783,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1661,
+        line=1692,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2735,7 +2792,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1666,
+        line=1697,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2744,7 +2801,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1671,
+        line=1702,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2752,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1676,
+        line=1707,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2761,7 +2818,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1680,
+        line=1711,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2769,7 +2826,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1685,
+        line=1716,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2777,7 +2834,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1689,
+        line=1720,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2786,7 +2843,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1693,
+        line=1724,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2795,7 +2852,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1698,
+        line=1729,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2804,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1703,
+        line=1734,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2812,7 +2869,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1708,
+        line=1739,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2820,7 +2877,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1712,
+        line=1743,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2828,7 +2885,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1716,
+        line=1747,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2837,7 +2894,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1720,
+        line=1751,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2846,7 +2903,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1725,
+        line=1756,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2855,7 +2912,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1730,
+        line=1761,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2864,7 +2921,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1735,
+        line=1766,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2873,7 +2930,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1740,
+        line=1771,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2882,7 +2939,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1745,
+        line=1776,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2891,7 +2948,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1750,
+        line=1781,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2900,7 +2957,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1755,
+        line=1786,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2908,7 +2965,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1760,
+        line=1791,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2917,7 +2974,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1764,
+        line=1795,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2925,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1769,
+        line=1800,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2934,7 +2991,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1773,
+        line=1804,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2943,7 +3000,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1778,
+        line=1809,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2952,7 +3009,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1783,
+        line=1814,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2961,7 +3018,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1788,
+        line=1819,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2970,7 +3027,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1793,
+        line=1824,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2978,7 +3035,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1798,
+        line=1829,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2987,7 +3044,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1802,
+        line=1833,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2996,7 +3053,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1807,
+        line=1838,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3005,7 +3062,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1812,
+        line=1843,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3014,7 +3071,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1817,
+        line=1848,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3022,7 +3079,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1822,
+        line=1853,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3030,7 +3087,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1826,
+        line=1857,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3039,7 +3096,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1830,
+        line=1861,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3048,7 +3105,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1835,
+        line=1866,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3057,7 +3114,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1840,
+        line=1871,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3066,7 +3123,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1845,
+        line=1876,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3075,7 +3132,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1850,
+        line=1881,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3084,7 +3141,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1855,
+        line=1886,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3093,7 +3150,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1860,
+        line=1891,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3102,7 +3159,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1865,
+        line=1896,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3111,7 +3168,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1870,
+        line=1901,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3119,7 +3176,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1875,
+        line=1906,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3127,7 +3184,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1879,
+        line=1910,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3136,7 +3193,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1883,
+        line=1914,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3144,7 +3201,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1888,
+        line=1919,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3152,7 +3209,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1892,
+        line=1923,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3161,7 +3218,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1896,
+        line=1927,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3170,7 +3227,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1901,
+        line=1932,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3179,7 +3236,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1906,
+        line=1937,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3187,7 +3244,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1911,
+        line=1942,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3196,7 +3253,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1915,
+        line=1946,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3204,7 +3261,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1920,
+        line=1951,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3213,7 +3270,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1924,
+        line=1955,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3221,7 +3278,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1929,
+        line=1960,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3230,7 +3287,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1933,
+        line=1964,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3238,7 +3295,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1938,
+        line=1969,
     ),
     "change": Symbol(
         "change",
@@ -3247,7 +3304,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1942,
+        line=1973,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3256,7 +3313,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1947,
+        line=1978,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3265,7 +3322,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1952,
+        line=1983,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3273,7 +3330,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1957,
+        line=1988,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3282,7 +3339,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1961,
+        line=1992,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3290,7 +3347,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1966,
+        line=1997,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3298,7 +3355,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1970,
+        line=2001,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3306,7 +3363,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1974,
+        line=2005,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3315,7 +3372,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1978,
+        line=2009,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3323,7 +3380,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1983,
+        line=2014,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3332,6 +3389,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1987,
+        line=2018,
     ),
 }
