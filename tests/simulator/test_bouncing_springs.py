@@ -1,4 +1,4 @@
-"""Springs whose bodies bounce make no energy, and lose none by a bounce that keeps it (DD89)."""
+"""Springs whose bodies bounce make no energy, and lose none by a bounce that keeps it (DD91)."""
 
 import math
 

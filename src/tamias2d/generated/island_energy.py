@@ -682,7 +682,7 @@ def spring_gain(tension_held: Scalar, distance: Scalar, distance_later: Scalar) 
         distance: Distance between two places, m
         distance_later: Distance between two places; after the bodies have moved, m
 
-    Source: DD89, srs/models/island_energy.md:445.
+    Source: DD91, srs/models/island_energy.md:445.
     """
     return tension_held * (distance_later - distance)
 
@@ -699,7 +699,7 @@ def kick_work(
         coordinate_velocity: Velocity along one axis, m/s
         coordinate_velocity_later: Velocity along one axis after a step, m/s
 
-    Source: DD89, srs/models/island_energy.md:446.
+    Source: DD91, srs/models/island_energy.md:446.
     """
     return coordinate_kick * (coordinate_velocity + coordinate_velocity_later) / 2
 
@@ -714,7 +714,7 @@ def held_excess(spring_gain: Scalar, held_work: Scalar) -> Scalar:
         held_work: What the loads of springs have given bodies, as they were held or acted in
             substeps, and all given loads beyond their work, J
 
-    Source: DD89, srs/models/island_energy.md:448.
+    Source: DD91, srs/models/island_energy.md:448.
     """
     return spring_gain + held_work
 
@@ -738,7 +738,7 @@ def energy_unpaid(
         spring_gain: Energy that springs have gained in a step, negative if they lost it, J
         held_excess: What springs have gained beyond what the loads held for them have taken, J
 
-    Source: DD89, srs/models/island_energy.md:449.
+    Source: DD91, srs/models/island_energy.md:449.
     """
     return largest(kinetic_energy - kinetic_energy_start - work + spring_gain, held_excess)
 
@@ -761,7 +761,7 @@ def balanced_share(
             little, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: DD89, srs/models/island_energy.md:451.
+    Source: DD91, srs/models/island_energy.md:451.
     """
     return least(
         sqrt(

@@ -1,4 +1,4 @@
-"""Mechanisms with springs in the groups whose energy is put right (DD89)."""
+"""Mechanisms with springs in the groups whose energy is put right (DD91)."""
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.energy import energy_of_springs

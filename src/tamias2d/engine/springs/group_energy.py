@@ -1,4 +1,4 @@
-"""The energy of groups with springs is compared at both ends of a part, and put right (DD89).
+"""The energy of groups with springs is compared at both ends of a part, and put right (DD91).
 
 Springs are held, or act in substeps, as if nothing were met on the way. Cost: where springs are in
 the world and something was met, some visits to each body and spring.

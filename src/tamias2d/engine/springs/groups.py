@@ -1,4 +1,4 @@
-"""Groups: the bodies that springs, contacts and impacts of a part of a step connect (DD89).
+"""Groups: the bodies that springs, contacts and impacts of a part of a step connect (DD91).
 
 Beyond an island a group is connected by springs and by what has met in flight. Cost: where springs
 are in the world and something was met, a visit to each body and each pair near it. Source: Tarjan
