@@ -2077,6 +2077,63 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1291,
     ),
+    "spring_gain": Symbol(
+        "spring_gain",
+        "J",
+        "energy that springs have gained in a step, negative if they lost it",
+        tex="\\Delta U",
+        file="srs/symbols.md",
+        line=1295,
+    ),
+    "coordinate_kick": Symbol(
+        "coordinate_kick",
+        "N*s",
+        "impulse of springs and given loads along one axis in a substep",
+        tex="p_k",
+        file="srs/symbols.md",
+        line=1299,
+    ),
+    "kick_work": Symbol(
+        "kick_work",
+        "J",
+        "energy that such an impulse gives a body",
+        tex="W_p",
+        file="srs/symbols.md",
+        line=1303,
+    ),
+    "held_work": Symbol(
+        "held_work",
+        "J",
+        "what the loads of springs have given bodies, as they were held or acted in substeps, and all given loads beyond their work",
+        tex="W_{\\text{h}}",
+        file="srs/symbols.md",
+        line=1307,
+    ),
+    "held_excess": Symbol(
+        "held_excess",
+        "J",
+        "what springs have gained beyond what the loads held for them have taken",
+        tex="\\Delta U_{\\text{h}}",
+        file="srs/symbols.md",
+        line=1313,
+    ),
+    "energy_unpaid": Symbol(
+        "energy_unpaid",
+        "J",
+        "energy that a group of springs has too much, negative if it has too little",
+        tex="E_\\pm",
+        file="srs/symbols.md",
+        line=1317,
+    ),
+    "balanced_share": Symbol(
+        "balanced_share",
+        "1",
+        "factor by which a motion of a group is scaled, so that its energy is right",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\sigma_\\pm",
+        file="srs/symbols.md",
+        line=1321,
+    ),
     "change_energy": Symbol(
         "change_energy",
         "J",
@@ -2084,7 +2141,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1295,
+        line=1326,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2092,7 +2149,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1300,
+        line=1331,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2101,7 +2158,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1304,
+        line=1335,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2109,7 +2166,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1309,
+        line=1340,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2118,7 +2175,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1314,
+        line=1345,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2127,7 +2184,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1319,
+        line=1350,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2136,7 +2193,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1324,
+        line=1355,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2145,7 +2202,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1329,
+        line=1360,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2154,7 +2211,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1336,
+        line=1367,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2163,7 +2220,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1341,
+        line=1372,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2171,7 +2228,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1346,
+        line=1377,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2179,7 +2236,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1351,
+        line=1382,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2187,7 +2244,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1357,
+        line=1388,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2196,7 +2253,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1361,
+        line=1392,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2205,7 +2262,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1368,
+        line=1399,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2214,7 +2271,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1373,
+        line=1404,
     ),
     "energy": Symbol(
         "energy",
@@ -2222,7 +2279,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1378,
+        line=1409,
     ),
     "radius": Symbol(
         "radius",
@@ -2231,7 +2288,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1387,
+        line=1418,
     ),
     "length": Symbol(
         "length",
@@ -2240,7 +2297,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1392,
+        line=1423,
     ),
     "width": Symbol(
         "width",
@@ -2249,7 +2306,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1399,
+        line=1430,
     ),
     "height": Symbol(
         "height",
@@ -2258,7 +2315,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1404,
+        line=1435,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2267,7 +2324,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1409,
+        line=1440,
     ),
     "center": Symbol(
         "center",
@@ -2276,7 +2333,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1414,
+        line=1445,
     ),
     "offset": Symbol(
         "offset",
@@ -2284,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1419,
+        line=1450,
     ),
     "area": Symbol(
         "area",
@@ -2293,7 +2350,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1423,
+        line=1454,
     ),
     "way": Symbol(
         "way",
@@ -2302,7 +2359,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1428,
+        line=1459,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2310,7 +2367,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1433,
+        line=1464,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2319,7 +2376,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1437,
+        line=1468,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2328,7 +2385,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1442,
+        line=1473,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2336,7 +2393,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1447,
+        line=1478,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2344,7 +2401,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1451,
+        line=1482,
     ),
     "lean": Symbol(
         "lean",
@@ -2352,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1455,
+        line=1486,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2360,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1459,
+        line=1490,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2368,7 +2425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1463,
+        line=1494,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2377,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1469,
+        line=1500,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2385,7 +2442,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1482,
+        line=1513,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2393,7 +2450,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1486,
+        line=1517,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2401,7 +2458,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1490,
+        line=1521,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2409,7 +2466,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1494,
+        line=1525,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2418,7 +2475,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1498,
+        line=1529,
     ),
     "slope": Symbol(
         "slope",
@@ -2427,7 +2484,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1503,
+        line=1534,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2436,7 +2493,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1508,
+        line=1539,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2445,7 +2502,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1513,
+        line=1544,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2454,7 +2511,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1518,
+        line=1549,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2462,7 +2519,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1523,
+        line=1554,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2470,7 +2527,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1527,
+        line=1558,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2478,7 +2535,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1531,
+        line=1562,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2487,7 +2544,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1535,
+        line=1566,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2495,7 +2552,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1540,
+        line=1571,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2503,7 +2560,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1544,
+        line=1575,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2511,7 +2568,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1548,
+        line=1579,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2519,7 +2576,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1552,
+        line=1583,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2527,7 +2584,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1556,
+        line=1587,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2535,7 +2592,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1560,
+        line=1591,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2543,7 +2600,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1564,
+        line=1595,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2551,7 +2608,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1568,
+        line=1599,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2560,7 +2617,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1572,
+        line=1603,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2569,7 +2626,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1577,
+        line=1608,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2578,7 +2635,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1582,
+        line=1613,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2587,7 +2644,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1587,
+        line=1618,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2595,7 +2652,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1592,
+        line=1623,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2604,7 +2661,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1596,
+        line=1627,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2612,7 +2669,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1601,
+        line=1632,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2620,7 +2677,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1605,
+        line=1636,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2629,7 +2686,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1609,
+        line=1640,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2638,7 +2695,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1614,
+        line=1645,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2646,7 +2703,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1619,
+        line=1650,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2655,7 +2712,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1623,
+        line=1654,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2663,7 +2720,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1628,
+        line=1659,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2671,7 +2728,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1632,
+        line=1663,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2680,7 +2737,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1636,
+        line=1667,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2689,7 +2746,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1641,
+        line=1672,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2698,7 +2755,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1646,
+        line=1677,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2707,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1651,
+        line=1682,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2716,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1656,
+        line=1687,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2725,7 +2782,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1661,
+        line=1692,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2734,7 +2791,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1666,
+        line=1697,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2743,7 +2800,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1671,
+        line=1702,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2752,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1676,
+        line=1707,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2760,7 +2817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1681,
+        line=1712,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2769,7 +2826,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1685,
+        line=1716,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2778,7 +2835,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1690,
+        line=1721,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2787,7 +2844,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1695,
+        line=1726,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2795,7 +2852,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1700,
+        line=1731,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2804,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1704,
+        line=1735,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2812,7 +2869,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1709,
+        line=1740,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2820,7 +2877,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1713,
+        line=1744,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2829,7 +2886,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1717,
+        line=1748,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2838,7 +2895,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1722,
+        line=1753,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2847,7 +2904,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1727,
+        line=1758,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2855,7 +2912,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1732,
+        line=1763,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2863,7 +2920,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1736,
+        line=1767,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2871,7 +2928,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1740,
+        line=1771,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2880,7 +2937,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1744,
+        line=1775,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2889,7 +2946,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1749,
+        line=1780,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2898,7 +2955,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1754,
+        line=1785,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2907,7 +2964,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1759,
+        line=1790,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2916,7 +2973,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1764,
+        line=1795,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2925,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1769,
+        line=1800,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2934,7 +2991,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1774,
+        line=1805,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2943,7 +3000,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1779,
+        line=1810,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2951,7 +3008,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1784,
+        line=1815,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2960,7 +3017,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1788,
+        line=1819,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2968,7 +3025,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1793,
+        line=1824,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2977,7 +3034,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1797,
+        line=1828,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2986,7 +3043,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1802,
+        line=1833,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2995,7 +3052,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1807,
+        line=1838,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3004,7 +3061,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1812,
+        line=1843,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3013,7 +3070,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1817,
+        line=1848,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3021,7 +3078,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1822,
+        line=1853,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3030,7 +3087,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1826,
+        line=1857,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3039,7 +3096,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1831,
+        line=1862,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3048,7 +3105,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1836,
+        line=1867,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3057,7 +3114,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1841,
+        line=1872,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3065,7 +3122,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1846,
+        line=1877,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3073,7 +3130,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1850,
+        line=1881,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3082,7 +3139,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1854,
+        line=1885,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3091,7 +3148,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1859,
+        line=1890,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3100,7 +3157,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1864,
+        line=1895,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3109,7 +3166,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1869,
+        line=1900,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3118,7 +3175,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1874,
+        line=1905,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3127,7 +3184,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1879,
+        line=1910,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3136,7 +3193,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1884,
+        line=1915,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3145,7 +3202,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1889,
+        line=1920,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3154,7 +3211,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1894,
+        line=1925,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3162,7 +3219,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1899,
+        line=1930,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3170,7 +3227,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1903,
+        line=1934,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3179,7 +3236,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1907,
+        line=1938,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3187,7 +3244,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1912,
+        line=1943,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3195,7 +3252,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1916,
+        line=1947,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3204,7 +3261,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1920,
+        line=1951,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3213,7 +3270,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1925,
+        line=1956,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3222,7 +3279,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1930,
+        line=1961,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3230,7 +3287,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1935,
+        line=1966,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3239,7 +3296,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1939,
+        line=1970,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3247,7 +3304,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1944,
+        line=1975,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3256,7 +3313,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1948,
+        line=1979,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3264,7 +3321,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1953,
+        line=1984,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3273,7 +3330,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1957,
+        line=1988,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3281,7 +3338,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1962,
+        line=1993,
     ),
     "change": Symbol(
         "change",
@@ -3290,7 +3347,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1966,
+        line=1997,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3299,7 +3356,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1971,
+        line=2002,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3308,7 +3365,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1976,
+        line=2007,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3316,7 +3373,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1981,
+        line=2012,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3325,7 +3382,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1985,
+        line=2016,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3333,7 +3390,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1990,
+        line=2021,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3341,7 +3398,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1994,
+        line=2025,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3349,7 +3406,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1998,
+        line=2029,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3358,7 +3415,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=2002,
+        line=2033,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3366,7 +3423,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2007,
+        line=2038,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3375,6 +3432,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2011,
+        line=2042,
     ),
 }
