@@ -277,7 +277,7 @@ def inertia_later(inertia: Scalar, mass: Scalar, mass_later: Scalar) -> Scalar:
         mass: Mass of a body, kg
         mass_later: Mass of a body; after the bodies have moved, kg
 
-    Source: DD89, srs/definitions.md:219.
+    Source: DD92, srs/definitions.md:219.
     """
     return inertia * mass_later / mass
 

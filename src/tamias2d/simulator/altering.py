@@ -43,7 +43,7 @@ class Altering(Stepping):
 
         `mass` is a number in kg for all of k bodies, or an array (k,); so is `inertia` in kg m^2,
         which changes in proportion to the mass where it is left out, whether it followed from the
-        shape or was stated (DD89). Velocities stay, so that momentum changes, and so do the
+        shape or was stated (DD92). Velocities stay, so that momentum changes, and so do the
         coefficients of drag, whose rates follow. What sleeps wakes where something changes. Loads
         that depend on the mass follow it, those of fields that stand in `force` too.
 
