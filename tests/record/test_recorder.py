@@ -73,6 +73,21 @@ def test_what_is_gone_vanishes(tmp_path: Path) -> None:
     assert cleared == {1: [False]}
 
 
+def test_bodies_are_drawn_in_the_shapes_that_they_have(tmp_path: Path) -> None:
+    path, sim = tmp_path / "loop.rrd", loop()
+    sim.add(DISC, mass=1.0, position=(9.0, 0.0), restitution=0.0)
+    with t2.Recorder(sim, path) as recorder:
+        for change in (DISC, t2.Disc(radius=2.0), t2.Box(width=1.0, height=1.0)):
+            sim.set_shape("first", change)
+            recorder.frame()
+            sim.set_mass("first", mass=2.0)
+            sim.step()
+            recorder.frame()
+    assert [len(places) for places in centres(path).values()] == [2, 2, 2, 2, 1, 1]
+    radii = dict(rows(path, "/world/bodies/moving/rims1", "Points2D:radii"))
+    assert radii == {0: [0.5, 0.5], 2: [2.0, 0.5], 4: [0.5]}
+
+
 def test_joints_are_drawn_while_they_are_there(tmp_path: Path) -> None:
     path, sim = tmp_path / "loop.rrd", loop()
     with t2.Recorder(sim, path) as recorder:

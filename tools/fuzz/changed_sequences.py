@@ -1,4 +1,4 @@
-"""Random sequences of calls in which filters, surfaces, limits, motors and springs change, too."""
+"""Random sequences of calls in which bodies, filters, surfaces and joints change, too."""
 
 from typing import Any
 
@@ -14,7 +14,7 @@ class ChangedFuzz(JointedFuzz):
 
     def act(self) -> None:
         """Do something at random."""
-        match self.chance.randrange(18):
+        match self.chance.randrange(21):
             case 0 | 1:
                 self.sim.set_filters(self.some(), **self.said(category=self.bits, mask=self.bits))
             case 2:
@@ -30,8 +30,21 @@ class ChangedFuzz(JointedFuzz):
                 self.add_named()
             case 9:
                 self.add_platform()
+            case 10 | 11 | 12:
+                self.alter(self.some())
             case _:
                 super().act()
+
+    def alter(self, bodies: Any) -> None:
+        """Let bodies be of other shapes, heavier or slowed, whether they may or not."""
+        match self.chance.randrange(3):
+            case 0:
+                mass = self.said(mass=lambda: abs(self.number(0.1, 9.0)))
+                self.sim.set_shape(bodies, self.chance.choice(BODIES), **mass)
+            case 1:
+                self.sim.set_mass(bodies, mass=abs(self.number(0.1, 9.0)))
+            case _:
+                self.sim.set_drag(bodies, **self.said(linear_drag=self.share))
 
     def add_named(self) -> None:
         """Add a body whose name may be taken, and remove the one that has another name."""

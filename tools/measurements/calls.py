@@ -115,6 +115,8 @@ class _Own:
             "another filter": lambda: sim.set_filters(3, group=next(self._other)),
             "a frame with that filter": self._frame_filtered,
             "another surface": lambda: sim.set_surface(3, friction=0.5 + 1e-9 * next(self._other)),
+            "another mass": lambda: sim.set_mass(3, mass=1.0 + 1e-9 * next(self._other)),
+            "another shape": lambda: sim.set_shape(3, Disc(radius=0.05 + 1e-9 * next(self._other))),
             **self._governing(),
         }
 

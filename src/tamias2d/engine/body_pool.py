@@ -15,9 +15,11 @@ from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.batch import UNSTATED, Batch
+from tamias2d.engine.carried_touch import CarriedTouch
 from tamias2d.engine.propagators import Propagators
 from tamias2d.engine.shape_rows import ShapeRow, numbers_of, shape_rows
 from tamias2d.engine.store import Store
+from tamias2d.scene.compound import Shape
 from tamias2d.state import Array, IntArray
 
 STRIP = 4.0  # median bounding radii of bodies: the width of a strip of the canonical order
@@ -62,7 +64,9 @@ class BodyPool:
         state.kind[rows] = batch.kind
         self.generation[rows] += 1
         self._propagators.assign(rows, batch.drag_rates)
-        self._add_shapes(batch, rows)
+        self._number_forms(rows, batch.shapes)
+        surfaces = np.column_stack((batch.friction, batch.restitution))
+        self._placed += self._add_shapes(rows, batch.shapes, surfaces, batch.filters).tolist()
         self.store.forget_pairs()
         return rows
 
@@ -89,6 +93,42 @@ class BodyPool:
     def set_surfaces(self, rows: IntArray, columns: Mapping[int, Array]) -> bool:
         """Set columns of the material of bodies, each (k,); return whether any changed."""
         return self._set(self.store.world.shapes.material, rows, columns)
+
+    def set_masses(self, rows: IntArray, columns: Mapping[int, Array], rates: Array) -> None:
+        """Set inverse masses and inertias by columns, each (k,), and rates of drag (k, 2), 1/s."""
+        for column, values in columns.items():
+            self.store.world.state.properties[rows, column] = values
+        self._propagators.assign(rows, rates)
+        self._propagators.forget_unused()
+        self.store.copy_to_slots(rows)
+        self.store.world.touching.counts[[tb.ARRANGED, tb.ISLANDS_KNOWN]] = 0  # knows masses
+        self.wake(rows)
+        self.store.revision += 1
+
+    def set_shapes(self, rows: IntArray, shapes: Sequence[Shape]) -> None:
+        """Give bodies (k,) that have shapes others, each once; all else of them stays.
+
+        The pool has settled. What touched them does not begin to anew.
+        """
+        touch, stated = CarriedTouch(self.store, self._owners(), rows), self._stated_pairs()
+        self.wake(touch.beside)
+        self.store.set_pair_overrides(np.zeros((0, 4)))
+        state, table = self.store.world.state, self.store.world.shapes
+        old = np.flatnonzero(self._place_of(rows)[state.body_of_shape] >= 0)
+        of, at = np.unique(state.body_of_shape[old], return_index=True)
+        first = old[at][np.searchsorted(of, rows)]
+        surfaces = table.material[first, tb.FRICTION : tb.RESTITUTION + 1]
+        filters = table.filters[first]
+        self._free_rows(old)
+        state.body_of_shape[old] = self._idle
+        state.properties[rows, tb.BOUNDING_RADIUS] = state.properties[rows, tb.CORE_RADIUS] = 0.0
+        self._arrange_shapes(self._add_shapes(rows, shapes, surfaces, filters))
+        self._order = self._ranked_shapes()
+        self.publish_order()
+        self.store.copy_to_slots(rows)
+        self._state_pairs(stated)
+        touch.carry()
+        self._begin_anew(rows)
 
     def _set(
         self, table: NDArray[Any], rows: IntArray, columns: Mapping[int, NDArray[Any]]
@@ -124,14 +164,34 @@ class BodyPool:
         restitution: Mapping[tuple[int, int], float],
     ) -> None:
         """Set the friction and restitution of pairs of bodies, given by rows."""
+        self._state_pairs(
+            {
+                pair: (friction.get(pair, UNSTATED), restitution.get(pair, UNSTATED))
+                for pair in sorted({*friction, *restitution})
+            }
+        )
+        self.store.forget_pairs()
+
+    def _state_pairs(self, stated: Mapping[tuple[int, int], tuple[float, float]]) -> None:
+        """Set the friction and restitution of pairs of bodies for all pairs of their shapes."""
         rows = [
-            (*sorted((s, t)), friction.get(pair, UNSTATED), restitution.get(pair, UNSTATED))
-            for pair in sorted({*friction, *restitution})
+            (*sorted((s, t)), *values)
+            for pair, values in stated.items()
             for s in self._shapes_of(pair[0])
             for t in self._shapes_of(pair[1])
         ]
         self.store.set_pair_overrides(_by_shapes(np.array(rows, dtype=np.float64).reshape(-1, 4)))
-        self.store.forget_pairs()
+
+    def _stated_pairs(self) -> dict[tuple[int, int], tuple[float, float]]:
+        """Return the friction and restitution that are set for pairs of bodies."""
+        rows = self.store.world.shapes.pair_overrides
+        owners = self.store.world.state.body_of_shape[rows[:, :2].astype(np.int64)]
+        return {
+            (a, b): (friction, restitution)
+            for (a, b), (friction, restitution) in zip(
+                owners.tolist(), rows[:, 2:].tolist(), strict=True
+            )
+        }
 
     def settle(self) -> None:
         """Let go of what was removed or may touch no longer, and give all that is new its rank."""
@@ -189,6 +249,12 @@ class BodyPool:
             self.generation = np.concatenate((self.generation, np.zeros(more, dtype=np.int64)))
         return np.array(used, dtype=np.int64)
 
+    def _take_shapes(self, parts: Sequence[ShapeRow]) -> list[int]:
+        """Return rows for the shapes of a body; pieces of a chain lie side by side."""
+        if parts and parts[0].kind >= tb.PIECE:
+            return self._take_chain(len(parts))
+        return [self._take_shape(len(part.vertices)) for part in parts]
+
     def _take_shape(self, vertices: int) -> int:
         """Return a row for a shape with so many vertices."""
         if self._free_shapes.get(vertices):
@@ -199,27 +265,53 @@ class BodyPool:
         self._vertices += vertices
         return row
 
-    def _add_shapes(self, batch: Batch, rows: IntArray) -> None:
-        made = {shape: shape_rows(shape) for shape in dict.fromkeys(batch.shapes)}
+    def _take_chain(self, pieces: int) -> list[int]:
+        """Return rows that lie side by side for so many pieces."""
+        free = np.array(self._free_shapes.get(2, [])[::-1], dtype=np.int64)
+        last = free[pieces - 1 :]
+        (starts,) = np.nonzero(last - free[: len(last)] == pieces - 1)
+        if not len(starts):
+            kept, self._free_shapes[2] = self._free_shapes.get(2, []), []
+            new = [self._take_shape(2) for _ in range(pieces)]
+            self._free_shapes[2] = kept
+            return new
+        taken: list[int] = free[starts[0] : starts[0] + pieces].tolist()
+        self._free_shapes[2] = np.setdiff1d(free, taken)[::-1].tolist()
+        return taken
+
+    def _number_forms(self, rows: IntArray, shapes: Sequence[Shape | None]) -> None:
+        """Note that bodies are new, and number their forms."""
         known = self._form_number
-        form = {s: known.setdefault(numbers_of(s), len(known)) for s in made}
-        self._new.update((row, form[s]) for row, s in zip(rows.tolist(), batch.shapes, strict=True))
-        owner = [k for k, shape in enumerate(batch.shapes) for _ in made[shape]]
-        found = [part for shape in batch.shapes for part in made[shape]]
+        form = {s: known.setdefault(numbers_of(s), len(known)) for s in dict.fromkeys(shapes)}
+        self._new.update((row, form[s]) for row, s in zip(rows.tolist(), shapes, strict=True))
+
+    def _add_shapes(
+        self,
+        rows: IntArray,
+        shapes: Sequence[Shape | None],
+        surfaces: Array,
+        filters: NDArray[np.int64],
+    ) -> IntArray:
+        """Give bodies (k,) shapes; return the rows of these, body by body in the order of parts.
+
+        All shapes of a body have its friction and restitution (k, 2), and its filters (k, 4).
+        """
+        made = {shape: shape_rows(shape) for shape in dict.fromkeys(shapes)}
+        owner = [k for k, shape in enumerate(shapes) for _ in made[shape]]
+        found = [part for shape in shapes for part in made[shape]]
         if not found:
-            return
+            return np.zeros(0, dtype=np.int64)
         vertices = sum(len(part.vertices) for part in found)
         self.store.reserve_shapes(self._shapes + len(found), self._vertices + vertices)
-        places = np.array([self._take_shape(len(part.vertices)) for part in found])
-        self._placed += places.tolist()
+        places = np.array([place for shape in shapes for place in self._take_shapes(made[shape])])
         self.store.world.state.body_of_shape[places] = rows[owner]
         self._write_shapes(places, found)
-        shapes = self.store.world.shapes
+        table = self.store.world.shapes
         radii = [(part.bounding_radius, part.inradius, *part.corners) for part in found]
-        surfaces = np.stack((batch.friction[owner], batch.restitution[owner]), axis=1)
-        shapes.material[places] = np.hstack((surfaces, radii))
-        shapes.filters[places] = batch.filters[owner]
+        table.material[places] = np.hstack((surfaces[owner], radii))
+        table.filters[places] = filters[owner]
         self._note_extents(rows, rows[owner], found)
+        return places
 
     def _write_shapes(self, places: IntArray, found: Sequence[ShapeRow]) -> None:
         shapes = self.store.world.shapes
@@ -390,9 +482,16 @@ class BodyPool:
         return place[list(self._new.values())]
 
     def _arrange_shapes(self, sequence: IntArray) -> None:
-        """Put new shapes, and their vertices if these lie together, in an order."""
+        """Put new shapes, and their vertices if these lie together, in an order.
+
+        Shapes that have no rows side by side, as some were free, are put in order in each body.
+        """
         store, places = self.store, np.sort(sequence)
         state, shapes = store.world.state, store.world.shapes
+        if len(places) and places[-1] - places[0] + 1 > len(places):
+            _, body = np.unique(state.body_of_shape[sequence], return_inverse=True)
+            came = np.unique(body, return_index=True)[1]
+            places = sequence[np.lexsort((sequence, came[body]))]
         for values in (
             *(state.body_of_shape, shapes.kind, shapes.first, shapes.vertex_count),
             *(shapes.radius, shapes.material, shapes.filters),

@@ -24,6 +24,7 @@ from tamias2d.engine.store import Store
 from tamias2d.engine.tables import World
 from tamias2d.engine.validity import Invalid, first_invalid, overflowed
 from tamias2d.engine.world import Capacities
+from tamias2d.scene.compound import Shape
 from tamias2d.state import Array
 
 # what gets longer, and how many rows more than half as many again as are needed
@@ -69,6 +70,7 @@ class Engine(Store):
         self._pool = BodyPool(self, rank, generation)
         self._pool.publish_order()
         self._corners = OpenCorners()
+        self.forms = 0  # how often bodies got other shapes
         self.queries = QueryTree(self)
 
     # -- what users see and set
@@ -229,6 +231,19 @@ class Engine(Store):
     def set_surfaces(self, rows: NDArray[np.int64], columns: Mapping[int, Array]) -> bool:
         """Set columns of the material of bodies, each (k,); return whether any changed."""
         return self._pool.set_surfaces(rows, columns)
+
+    def set_masses(
+        self, rows: NDArray[np.int64], columns: Mapping[int, Array], rates: Array
+    ) -> None:
+        """Set inverse masses and inertias by columns, each (k,), and rates of drag (k, 2), 1/s."""
+        self._pool.set_masses(rows, columns, rates)
+        self._course_known = False
+
+    def set_shapes(self, rows: NDArray[np.int64], shapes: Sequence[Shape]) -> None:
+        """Give bodies (k,) that have shapes others, each once; the engine has settled."""
+        self._pool.set_shapes(rows, shapes)
+        self._corners = OpenCorners()
+        self.forms += 1
 
     def stated_restitutions(self) -> set[tuple[int, int]]:
         """The pairs of bodies, the lower row first, for which a restitution is stated."""

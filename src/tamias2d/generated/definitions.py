@@ -1,8 +1,8 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
-of a capsule; Bodies of several parts; Acceleration by inverse mass; Flow through a step;
-Momentum; Restitution of a pair; Contact of two vertices; Tangential velocity of a contact;
-Friction of a pair; Kinetic energy; Potential energy; Energy lost in an impact; Spring along a
-joint; Spring about a joint.
+of a capsule; Bodies of several parts; Inertia in proportion to the mass; Acceleration by
+inverse mass; Flow through a step; Momentum; Restitution of a pair; Contact of two vertices;
+Tangential velocity of a contact; Friction of a pair; Kinetic energy; Potential energy; Energy
+lost in an impact; Spring along a joint; Spring about a joint.
 
 Generated from srs/definitions.md and srs/models/joints.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -267,6 +267,21 @@ def inertia_compound(inertia_i: Scalar, mass_i: Scalar, arm_i: Vector) -> Scalar
     return total(inertia_i + mass_i * (arm_i_x * arm_i_x + arm_i_y * arm_i_y))
 
 
+def inertia_later(inertia: Scalar, mass: Scalar, mass_later: Scalar) -> Scalar:
+    """Moment of inertia about the centre of mass; after the bodies have moved (kg*m^2).
+
+    inertia_later = inertia*mass_later/mass
+
+    Args:
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        mass: Mass of a body, kg
+        mass_later: Mass of a body; after the bodies have moved, kg
+
+    Source: DD92, srs/definitions.md:219.
+    """
+    return inertia * mass_later / mass
+
+
 def acceleration(gravity: Vector, force: Vector, inverse_mass: Scalar) -> Vector:
     """Acceleration of the centre of mass (m/s^2).
 
@@ -277,7 +292,7 @@ def acceleration(gravity: Vector, force: Vector, inverse_mass: Scalar) -> Vector
         force: Applied force on a body, without its weight, N
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD30, srs/definitions.md:232.
+    Source: DD30, srs/definitions.md:245.
     """
     gravity_x, gravity_y = gravity
     force_x, force_y = force
@@ -293,7 +308,7 @@ def angular_acceleration(torque: Scalar, inverse_inertia: Scalar) -> Scalar:
         torque: Applied torque about the centre of mass, positive counter-clockwise, N*m
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD30, srs/definitions.md:233.
+    Source: DD30, srs/definitions.md:246.
     """
     return inverse_inertia * torque
 
@@ -308,7 +323,7 @@ def coordinate_velocity_gain(propagator_gain: Scalar, coordinate_acceleration: S
         coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
             m/s^2
 
-    Source: DD41, srs/definitions.md:258.
+    Source: DD41, srs/definitions.md:271.
     """
     return propagator_gain * coordinate_acceleration
 
@@ -327,7 +342,7 @@ def coordinate_velocity_later(
         coordinate_velocity_gain: What an acceleration adds to a velocity along one axis in a
             step, m/s
 
-    Source: DD41, srs/definitions.md:259.
+    Source: DD41, srs/definitions.md:272.
     """
     return propagator_decay * coordinate_velocity + coordinate_velocity_gain
 
@@ -350,7 +365,7 @@ def coordinate_displacement(
         coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
             m/s^2
 
-    Source: DD41, srs/definitions.md:261.
+    Source: DD41, srs/definitions.md:274.
     """
     return propagator_gain * coordinate_velocity + propagator_lift * coordinate_acceleration
 
@@ -364,7 +379,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:344.
+    Source: DD21, srs/definitions.md:357.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -379,7 +394,7 @@ def angular_momentum_own(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:345.
+    Source: DD21, srs/definitions.md:358.
     """
     return inertia * angular_velocity
 
@@ -399,7 +414,7 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:346.
+    Source: DD21, srs/definitions.md:359.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
@@ -418,7 +433,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:442.
+    Source: DD17, srs/definitions.md:455.
     """
     return least(restitution_a, restitution_b)
 
@@ -434,7 +449,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:475.
+    Source: GD11, srs/definitions.md:488.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -460,7 +475,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:502.
+    Source: DD22, srs/definitions.md:515.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -477,7 +492,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:515.
+    Source: DD23, srs/definitions.md:528.
     """
     return sqrt(friction_a * friction_b)
 
@@ -495,7 +510,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:533.
+    Source: DD15, srs/definitions.md:546.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -514,7 +529,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:547.
+    Source: DD16, srs/definitions.md:560.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -533,7 +548,7 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:564.
+    Source: DD60, srs/definitions.md:577.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
 

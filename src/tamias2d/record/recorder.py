@@ -60,6 +60,7 @@ class Recorder:
         self._open.callback(self._stream.end)
         self._block: FrameBlock | None = None  # of frames that are not written yet
         self._known: dict[Key, Body] = {}
+        self._forms = 0  # of the simulator as these were asked for
         self._colours: dict[Key, Colour] = {}
         self._view: View | None = None
         self._ground: View  # what the first frames hold, and what stands still
@@ -90,8 +91,9 @@ class Recorder:
         if self._block is not None and not self._block.takes(now):
             self._write()
         if self._block is None:
-            self._block = FrameBlock(self._sim, now, self._frames, self._known)
-            self._known = self._block.bodies
+            known = self._known if now.forms == self._forms else {}
+            self._block = FrameBlock(self._sim, now, self._frames, known)
+            self._known, self._forms = self._block.bodies, now.forms
         self._block.add(now)
         self._stream.joint_events(now.time, self._frames, self._sim.joint_events)
         self._frames += 1

@@ -23,6 +23,12 @@ def steady_load(scene: SceneData, k: int) -> Load:
     return total[0], total[1], total[2]
 
 
+def feels_mass(scene: SceneData) -> bool:
+    """Return whether a load that stays as it is depends on the mass of its body."""
+    laws = (law for k in range(len(scene)) for _, law in _laws_on(scene, k))
+    return any(isinstance(law, StateLaw) and not law.varies for law in laws)
+
+
 def varying_laws(scene: SceneData, bodies: Sequence[int]) -> dict[tuple[int, StateLaw], list[int]]:
     """Return all laws that vary, each with its component of the load, and the bodies that share it.
 

@@ -3,7 +3,7 @@
 `Scene` adds to it.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
 from numbers import Integral
 from typing import Self
@@ -72,6 +72,13 @@ class SceneData:
         longer = copy(self)
         longer._bodies = [*self._bodies, *bodies]
         return longer
+
+    def altered(self, bodies: Mapping[int, Body]) -> Self:
+        """Return the scene with others in the place of some bodies, by index."""
+        other = copy(self)
+        other._bodies = [bodies.get(k, body) for k, body in enumerate(self._bodies)]
+        other._shown = ()
+        return other
 
     @property
     def restitution_of_pairs(self) -> dict[tuple[int, int], float]:

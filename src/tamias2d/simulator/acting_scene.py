@@ -3,7 +3,7 @@
 Those that are for all bodies that move act on added ones, too, and those that name bodies do not.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -14,8 +14,10 @@ from tamias2d.engine.engine import Engine
 from tamias2d.engine.tables import DYNAMIC
 from tamias2d.errors import InputError
 from tamias2d.scene import Body, Scene
+from tamias2d.scene.acting import steady_load
 from tamias2d.scene.law import Law, value_at, varies
 from tamias2d.scene.rules import RuleError
+from tamias2d.state import Array
 
 
 def acts_on_all(scene: Scene) -> bool:
@@ -41,6 +43,23 @@ def acting_scene(
         for k, row in enumerate(added)
     )
     return longer, {row: index.get(row, row) for row in ranked if row in own or row in index}
+
+
+def with_masses(scene: Scene, own: Container[int], rows: Sequence[int], mass: Array) -> Scene:
+    """Return the scene with other masses (k,), kg, of those bodies (k,) that are its `own`."""
+    given = zip(rows, mass.tolist(), strict=True)
+    return scene.altered(
+        {row: replace(scene.bodies[row], mass=each) for row, each in given if row in own}
+    )
+
+
+def steady_loads(scene: Scene, own: Container[int], rows: Sequence[int], mass: Array) -> Array:
+    """Return the loads (k, 3) that stay as they are on bodies (k,) of such masses, kg."""
+    known, given = len(scene), mass.tolist()
+    others = (Body(name="", shape=None, dynamic=True, mass=each) for each in given)
+    heavy = with_masses(scene, own, rows, mass).extended(others)
+    place = [row if row in own else known + k for k, row in enumerate(rows)]
+    return np.array([steady_load(heavy, k) for k in place]).reshape(-1, 3)
 
 
 def with_steady_loads(scene: Scene, batch: Batch, time: float) -> Batch:

@@ -18,12 +18,15 @@ from tamias2d.state import Array, IntArray
 
 Shapes = Shape | None | Sequence[Shape | None]
 _OF = {STATIC: "the static bodies", KINEMATIC: "the kinematic bodies", DYNAMIC: "the bodies"}
+DRAGS = {
+    "linear_drag": "Give it in kg/s, 0 for none.",
+    "angular_drag": "Give it in kg m^2/s, 0 for none.",
+}
 _NUMBERS = {
     "orientation": "Give it in rad.",
     "angular_velocity": "Give it in rad/s.",
     "torque": "Give it in N m.",
-    "linear_drag": "Give it in kg/s, 0 for none.",
-    "angular_drag": "Give it in kg m^2/s, 0 for none.",
+    **DRAGS,
 }
 _VECTORS = {
     "position": "Give (x, y) in m.",
@@ -56,7 +59,7 @@ def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
         key: vectors(given.get(key, (0.0, 0.0)), key, of, remedy, count=count, symbol=key)
         for key, remedy in _VECTORS.items()
     }
-    mass = _masses(given, of, count) if kind == DYNAMIC else np.full(count, np.inf)
+    mass = masses(given["mass"], of, count) if kind == DYNAMIC else np.full(count, np.inf)
     inertia = _inertias(known, mass, given, of) if kind == DYNAMIC else np.full(count, np.inf)
     _refuse_turned(many, inertia, of, kind)
     return Batch(
@@ -71,6 +74,20 @@ def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
         shapes=known,
         **{key: _surface(given.get(key), key, of, count) for key in SURFACE},
     )
+
+
+def listed_shapes(shapes: object, count: int, of: str) -> list[Any]:
+    """Return a shape for each of so many bodies: one for all, or a list."""
+    if not isinstance(shapes, Sequence | np.ndarray):
+        return [shapes] * count
+    listed = list(sequence(shapes, of, "Give shapes.", at=("shape",)))
+    if len(listed) != count:
+        raise RuleError(
+            f"shape of {of}: found {len(listed)} for {count} bodies: must be as many (R4). Give "
+            "one shape, or one for each body.",
+            "shape",
+        )
+    return listed
 
 
 def _counted(shapes: object, position: object, of: str) -> tuple[Shape | None, ...]:
@@ -100,21 +117,25 @@ def _refuse_placed(shapes: Sequence[Shape | None], given: dict[str, Any]) -> Non
         )
 
 
-def _masses(given: dict[str, Any], of: str, count: int) -> Array:
+def masses(value: object, of: str, count: int) -> Array:
+    """Return the masses of so many bodies, kg, or raise `RuleError`."""
     remedy = "Give a positive mass in kg, or add the body as a static one."
-    mass = numbers(given["mass"], "mass", of, remedy, count=count, symbol="mass")
-    _refuse_tiny(mass, "mass", of)
+    mass = numbers(value, "mass", of, remedy, count=count, symbol="mass")
+    refuse_tiny(mass, "mass", of)
     return mass
+
+
+def stated_inertias(value: object, of: str, count: int) -> Array:
+    """Return the inertias that are stated of so many bodies, kg m^2, or raise `RuleError`."""
+    remedy = remedy_of_inertia(value)
+    inertia = numbers(value, "inertia", of, remedy, count=count, symbol="inertia")
+    refuse_tiny(inertia, "inertia", of)
+    return inertia
 
 
 def _inertias(shapes: Sequence[Shape | None], mass: Array, given: dict[str, Any], of: str) -> Array:
     if given.get("inertia") is not None:
-        remedy = remedy_of_inertia(given["inertia"])
-        inertia = numbers(
-            given["inertia"], "inertia", of, remedy, count=len(mass), symbol="inertia"
-        )
-        _refuse_tiny(inertia, "inertia", of)
-        return inertia
+        return stated_inertias(given["inertia"], of, len(mass))
     found: dict[tuple[Shape | None, float], float] = {}
     for key in zip(shapes, mass.tolist(), strict=True):
         if key not in found:
@@ -122,7 +143,8 @@ def _inertias(shapes: Sequence[Shape | None], mass: Array, given: dict[str, Any]
     return np.array([found[key] for key in zip(shapes, mass.tolist(), strict=True)])
 
 
-def _refuse_tiny(values: Array, key: str, of: str) -> None:
+def refuse_tiny(values: Array, key: str, of: str) -> None:
+    """Refuse masses or inertias whose inverses float64 cannot hold."""
     with np.errstate(all="ignore"):
         bad = ~np.isfinite(1 / values)
     if bad.any():

@@ -7,7 +7,9 @@ from tamias2d.engine.batch import UNSTATED
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.shape_of_rows import ConvexRow, shape_of
 from tamias2d.scene import Body
+from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL
+from tamias2d.simulator.masses import masses_now
 
 
 def body_now(engine: Engine, row: int, name: str) -> Body:
@@ -16,32 +18,30 @@ def body_now(engine: Engine, row: int, name: str) -> Body:
     x, y, turn = engine.pose[row].tolist()
     u, v, spin = engine.velocity[row].tolist()
     force_x, force_y, torque = engine.load[row].tolist()
-    mass, inertia = _inverse(engine.inverse_mass[row]), _inverse(engine.inverse_inertia[row])
-    rates = state.drag_rates[int(state.properties[row, tb.PROPAGATOR])].tolist()
+    heavy = {key: values.item() for key, values in masses_now(engine, [row])._asdict().items()}
     pushed = kind == tb.DYNAMIC
     places = np.flatnonzero(state.body_of_shape == row)
     return Body(
         name=name,
-        shape=shape_of([_convex_row(engine, place) for place in places.tolist()]),
+        shape=shape_now(engine, row),
         dynamic=pushed,
         kinematic=kind == tb.KINEMATIC,
-        mass=mass,
-        inertia=inertia,
         position=(x, y),
         orientation=turn,
         velocity=(u, v),
         angular_velocity=spin,
         force=(force_x, force_y),
         torque=torque,
-        linear_drag=rates[0] * mass if rates[0] else 0.0,
-        angular_drag=rates[1] * inertia if rates[1] else 0.0,
         inertia_stated=pushed,
+        **heavy,
         **(_of_shape(engine, int(places[0])) if len(places) else {"mask": ALL}),
     )
 
 
-def _inverse(value: np.float64) -> float:
-    return 1 / float(value) if value else np.inf
+def shape_now(engine: Engine, row: int) -> Shape | None:
+    """Return the shape of the body in a row; a particle has none."""
+    places = np.flatnonzero(engine.world.state.body_of_shape == row)
+    return shape_of([_convex_row(engine, place) for place in places.tolist()])
 
 
 def _convex_row(engine: Engine, place: int) -> ConvexRow:

@@ -55,6 +55,15 @@ def wholes(value: object, key: str, of: str, *, count: int, check: Callable[...,
     return np.full(count, judged, dtype=np.int64)
 
 
+def stated(said: dict[str, object], of: str, *, rule: str) -> dict[str, object]:
+    """Return what is not left out; refuse to change nothing."""
+    found = {key: value for key, value in said.items() if value is not None}
+    if not found:
+        words = " or ".join((", ".join(list(said)[:-1]), list(said)[-1]))
+        raise RuleError(f"{of}: found nothing to change ({rule}). Give {words}.", next(iter(said)))
+    return found
+
+
 def _is_good(value: object, symbol: str) -> TypeGuard[float]:
     """Return whether a value is a plain number that its symbol admits."""
     return type(value) is float and SYMBOLS[symbol].admits(value)

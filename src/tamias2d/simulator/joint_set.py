@@ -213,6 +213,11 @@ class JointSet:
             self._change()
         return [body for joint in left for body in joint.bodies if body not in gone]
 
+    def renew(self, bodies: set[int]) -> None:
+        """Let the engine be told anew of the joints of bodies that got another size."""
+        if any(bodies & set(joint.bodies) for joint in self):
+            self._change(self.layout.kept())
+
     def settle(self, engine: Engine) -> None:
         """Tell the engine which joints there are."""
         for joint in self:

@@ -19,10 +19,12 @@ from tamias2d.engine.tables import ABSENT, DYNAMIC, STATIC
 from tamias2d.errors import RecordingError
 from tamias2d.recording_file import checked_path
 from tamias2d.scene import Body, Scene, scene_text
+from tamias2d.scene.acting import feels_mass
 from tamias2d.scene.joints import Joint, kept_apart
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
 from tamias2d.simulator.acting_scene import acts_on_all
+from tamias2d.simulator.altering import Altering
 from tamias2d.simulator.asking import Asking
 from tamias2d.simulator.batch import scene_batch
 from tamias2d.simulator.body_names import BodyNames
@@ -58,7 +60,7 @@ _LONGEST_WAIT = 2**31 - 1  # steps
 @suggests_attributes({field.name: f"body(k).{field.name}" for field in fields(Body)})
 @suggests
 @refuses_assignment
-class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
+class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
     """A scene that is stepped through its contacts, and can be changed between the steps.
 
     `position` (n, 2), `orientation` (n,), `velocity` (n, 2), `angular_velocity` (n,), `force`
@@ -105,7 +107,7 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
         checked_scene(scene)
         self._time_step, self._substeps = checked_time_step(time_step), checked_substeps(substeps)
         moving = {k: k for k, body in enumerate(scene.bodies) if body.dynamic}
-        acts = scene.springs or acts_on_all(scene)
+        acts = scene.springs or acts_on_all(scene) or feels_mass(scene)
         acts = acts or not VaryingLoads(scene, moving, self._name_of, Warned()).empty
         self._scene = deepcopy(scene) if acts else None  # what acts is all that is asked of it
         self._names = BodyNames({body.name: k for k, body in enumerate(scene.bodies)})
@@ -279,6 +281,7 @@ class Simulator(Pushing, Changing, TouchingRules, Jointing, Asking):
         return Snapshot(
             time=self.time,
             revision=engine.revision,
+            forms=engine.forms,
             rows=rows,
             generation=engine.generation[rows],
             static=np.equal(engine.kind[rows], STATIC).astype(np.int64),

@@ -15,6 +15,8 @@ class Snapshot:
     """s"""
     revision: int
     """Changes whenever bodies come, go or change."""
+    forms: int
+    """Changes whenever bodies get other shapes."""
     rows: IntArray
     """(m,), of the bodies that are there"""
     generation: IntArray

@@ -2,9 +2,8 @@
 
 from tamias2d.engine.tables import CATEGORY, FRICTION, GROUP, MASK, RESTITUTION
 from tamias2d.scene.filters import checked_whole
-from tamias2d.scene.rules import RuleError
 from tamias2d.simulator.adding import SURFACE
-from tamias2d.simulator.columns import numbers, wholes
+from tamias2d.simulator.columns import numbers, stated, wholes
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.missing_restitution import refuse_refiltered
 from tamias2d.simulator.selection import Bodies
@@ -45,7 +44,7 @@ class TouchingRules(Stepping):
         rows, said = self._rows(bodies), {"category": category, "mask": mask, "group": group}
         columns = {
             _FILTERS[key]: wholes(value, key, _OF, count=len(rows), check=checked_whole)
-            for key, value in _stated(said).items()
+            for key, value in stated(said, _OF, rule="R3").items()
         }
         refuse_refiltered(self._engine, rows, columns, self._name_of, self._joints)
         self._unsettled |= self._engine.set_filters(rows, columns)
@@ -66,15 +65,6 @@ class TouchingRules(Stepping):
         rows, said = self._rows(bodies), {"friction": friction, "restitution": restitution}
         columns = {
             _MATERIAL[key]: numbers(value, key, _OF, SURFACE[key], count=len(rows), symbol=key)
-            for key, value in _stated(said).items()
+            for key, value in stated(said, _OF, rule="R3").items()
         }
         self._engine.set_surfaces(rows, columns)
-
-
-def _stated(said: dict[str, object]) -> dict[str, object]:
-    """Return what is not left out; refuse to change nothing."""
-    stated = {key: value for key, value in said.items() if value is not None}
-    if not stated:
-        words = " or ".join((", ".join(list(said)[:-1]), list(said)[-1]))
-        raise RuleError(f"{_OF}: found nothing to change (R3). Give {words}.", next(iter(said)))
-    return stated

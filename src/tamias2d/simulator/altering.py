@@ -1,0 +1,182 @@
+"""Bodies are altered in place between steps: what they weigh, what slows them, their shapes (R2).
+
+Serves: games, whose characters crouch and grow, and whose ships burn fuel. Hides: that the engine
+holds rates of drag, inverse masses, and shapes in rows of their own.
+"""
+
+from collections.abc import Sequence
+from typing import cast
+
+import numpy as np
+
+from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
+from tamias2d.generated import definitions
+from tamias2d.scene.checks import checked_inertia, refuse_shape
+from tamias2d.scene.compound import Compound, Shape
+from tamias2d.scene.rules import RuleError
+from tamias2d.scene.shapes import Single
+from tamias2d.simulator.acting_scene import steady_loads, with_masses
+from tamias2d.simulator.adding import DRAGS, listed_shapes, masses, refuse_tiny, stated_inertias
+from tamias2d.simulator.body_now import shape_now
+from tamias2d.simulator.columns import numbers, stated
+from tamias2d.simulator.exclusive import exclusive
+from tamias2d.simulator.masses import Masses, masses_now, weigh
+from tamias2d.simulator.selection import Bodies
+from tamias2d.simulator.stepping import Stepping
+from tamias2d.state import Array, IntArray
+from tamias2d.suggestions import suggests
+
+Solid = Single | Compound
+_OF = "the bodies"
+_ROUNDED = 1e-9  # by which an inertia may differ from that of its shape, which is found again
+
+
+@suggests
+class Altering(Stepping):
+    """Bodies get other masses, drags and shapes."""
+
+    __slots__ = ()
+
+    @exclusive
+    def set_mass(self, bodies: Bodies, *, mass: object, inertia: object = None) -> None:
+        """Change what bodies that can be pushed weigh, from the next step on (R2).
+
+        `mass` is a number in kg for all of k bodies, or an array (k,); so is `inertia` in kg m^2,
+        which changes in proportion to the mass where it is left out, whether it followed from the
+        shape or was stated (DD92). Velocities stay, so that momentum changes, and so do the
+        coefficients of drag, whose rates follow. What sleeps wakes where something changes. Loads
+        that depend on the mass follow it, those of fields that stand in `force` too.
+
+        Raises:
+            InputError: a body is not there or cannot be pushed, or a value breaks a rule (R4).
+        """
+        rows = self._rows(bodies)
+        self._refuse_unpushed(rows, "mass")
+        now, heavy = masses_now(self._engine, rows), masses(mass, _OF, len(rows))
+        turned = _inertias(inertia, now, heavy)
+        self._weigh(rows, now, now._replace(mass=heavy, inertia=turned))
+
+    @exclusive
+    def set_drag(
+        self, bodies: Bodies, *, linear_drag: object = None, angular_drag: object = None
+    ) -> None:
+        """Change how drag slows bodies that can be pushed, from the next step on (R2, IM6).
+
+        `linear_drag` is a number in kg/s for all of k bodies, or an array (k,), and `angular_drag`
+        one in kg m^2/s; what is left out stays.
+
+        Raises:
+            InputError: a body is not there or cannot be pushed, or a value breaks a rule (R4).
+        """
+        rows, said = self._rows(bodies), {"linear_drag": linear_drag, "angular_drag": angular_drag}
+        given = {
+            key: numbers(value, key, _OF, DRAGS[key], count=len(rows), symbol=key)
+            for key, value in stated(said, _OF, rule="R2").items()
+        }
+        self._refuse_unpushed(rows, next(iter(given)))
+        now = masses_now(self._engine, rows)
+        self._weigh(rows, now, now._replace(**given))
+
+    @exclusive
+    def set_shape(
+        self,
+        bodies: Bodies,
+        shape: Shape | Sequence[Shape],
+        *,
+        mass: object = None,
+        inertia: object = None,
+    ) -> None:
+        """Give bodies other shapes, from the next step on; all else of them stays (R2).
+
+        `shape` is one for all of k bodies, or a list of k. It is about the centre of mass, whose
+        `position` stays, and so do velocities, names, joints, springs, filters and surfaces. The
+        mass stays where `mass` does not say another one, as for `set_mass`. The inertia is that of
+        the new shape; one that was stated stays as it is, in proportion to the mass, where
+        `inertia` does not say another one.
+
+        A pair that touches before and after does not begin anew, and one that does not any more is
+        told in `ended` of the next step. What overlaps then is pushed apart as bodies are that were
+        moved by hand. The bodies wake, with what touches them. It takes about a millisecond, and
+        the next step looks for pairs.
+
+        Raises:
+            InputError: a body is not there, has no shape, may not have such a one, or a value
+                breaks a rule (R4).
+        """
+        rows = self._rows(bodies)
+        given = listed_shapes(shape, len(rows), _OF)
+        self._refuse_shapes(rows, given)
+        for key, value in (("mass", mass), ("inertia", inertia)):
+            if value is not None:
+                self._refuse_unpushed(rows, key)
+        now = masses_now(self._engine, rows)
+        heavy = now.mass if mass is None else masses(mass, _OF, len(rows))
+        turned = _inertias(inertia, now, heavy)
+        if inertia is None:
+            turned = self._with_shapes(rows, given, now, heavy, turned)
+        self._report()  # of what touched in shapes that go
+        self._settle_between()
+        last = {row: k for k, row in enumerate(rows.tolist())}
+        self._engine.set_shapes(
+            np.array(list(last), dtype=np.int64), [given[k] for k in last.values()]
+        )
+        self._weigh(rows, now, now._replace(mass=heavy, inertia=turned))
+        self._joints.renew(set(last))
+        self._unsettled = True
+
+    def _with_shapes(
+        self, rows: IntArray, shapes: Sequence[Shape], now: Masses, mass: Array, inertia: Array
+    ) -> Array:
+        """Return the inertias (k,) of bodies in shapes, kg m^2; `inertia` where it was stated."""
+        found = inertia.copy()
+        for k in np.flatnonzero(self._engine.kind[rows] == DYNAMIC).tolist():
+            own = cast(Solid, shape_now(self._engine, int(rows[k]))).inertia(float(now.mass[k]))
+            if abs(own - now.inertia[k]) <= _ROUNDED * own:
+                found[k] = checked_inertia(None, float(mass[k]), shapes[k], _OF)
+        return found
+
+    def _refuse_unpushed(self, rows: IntArray, key: str) -> None:
+        still = rows[self._engine.kind[rows] != DYNAMIC]
+        if len(still):
+            raise RuleError(
+                f"{key.replace('_', ' ')} of {self._name_of(int(still[0]))}: nothing can push it, "
+                "so that it has none (R2). Name bodies that can be pushed.",
+                key,
+            )
+
+    def _refuse_shapes(self, rows: IntArray, shapes: Sequence[Shape]) -> None:
+        """Refuse shapes that bodies may not have, and bodies that have none."""
+        kinds = self._engine.kind[rows].tolist()
+        for kind, shape in zip(kinds, shapes, strict=True):
+            refuse_shape(shape, _OF, static=kind == STATIC, told=kind == KINEMATIC)
+        shaped = np.isin(rows, self._engine.world.state.body_of_shape)
+        if not shaped.all():
+            raise RuleError(
+                f"shape of {self._name_of(int(rows[~shaped][0]))}: it is a particle, which has no "
+                "surface and no filters to keep (R3). Remove it, and add a body with a shape.",
+                "shape",
+            )
+
+    def _weigh(self, rows: IntArray, now: Masses, new: Masses) -> None:
+        """Let bodies weigh other numbers, and loads that depend on their masses follow."""
+        engine = self._engine
+        weigh(engine, rows, now, new)
+        if self._scene is None or np.array_equal(now.mass, new.mass):
+            return
+        own, listed = self._staying, rows.tolist()
+        was = steady_loads(self._scene, own, listed, now.mass)
+        engine.load[rows] += steady_loads(self._scene, own, listed, new.mass) - was
+        self._scene = with_masses(self._scene, own, listed, new.mass)
+        self._unsettled = True
+
+
+def _inertias(inertia: object, now: Masses, mass: Array) -> Array:
+    """Return inertias (k,), kg m^2: those that are stated, or in proportion to masses (k,), kg."""
+    if inertia is not None:
+        return stated_inertias(inertia, _OF, len(mass))
+    with np.errstate(all="ignore"):
+        later = definitions.inertia_later(now.inertia, now.mass, mass)
+    later[np.isinf(later) & np.isfinite(now.inertia)] = np.nan  # beyond float64
+    found: Array = np.where(mass == now.mass, now.inertia, later)
+    refuse_tiny(found, "inertia", _OF)
+    return found
