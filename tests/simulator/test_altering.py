@@ -589,6 +589,24 @@ def test_pieces_of_a_chain_lie_side_by_side() -> None:
         assert sim.body(chain).shape == hill(count)
 
 
+def test_bodies_that_take_free_rows_stand_in_their_order() -> None:
+    """The saved state of what touches is refused where shapes are not in the order of bodies."""
+    sim = ground()
+    rods = sim.add(
+        [DISC, BOX, DISC, BOX], mass=1.0, position=[(3.0 * k, 0.5) for k in range(4)], **SURFACE
+    )
+    sim.step()
+    sim.remove(rods[:3])
+    sim.step()
+    places = [(-9.0, 0.5), (-9.0, 1.5), (-5.0, 0.5), (-5.0, 1.5), (-7.0, 0.5)]
+    sim.add([BOX, DISC, PAIR, BOX, DISC], mass=1.0, position=places, **SURFACE)
+    sim.step(5)
+    copied = copy.deepcopy(sim)
+    for each in (sim, copied):
+        each.step(60)
+    assert sim.digest() == copied.digest()
+
+
 # -- refusals
 
 

@@ -436,10 +436,10 @@ class BodyPool:
         first = int(self.rank.max(initial=-1)) + 1
         self.rank[sequence] = np.arange(first, first + len(rows))
         store.assign_slots(sequence, np.sort(state.slot_of_body[rows]))
-        self._arrange_shapes(
+        places = self._arrange_shapes(
             owned[np.argsort(self.rank[state.body_of_shape[owned]], kind="stable")]
         )
-        self._order = np.concatenate((self._order, np.sort(owned)))
+        self._order = np.concatenate((self._order, places))
 
     def _keys(self, rows: IntArray, owned: IntArray) -> list[Array]:
         """Return by what bodies are ordered, the first first; `owned` are their shapes."""
@@ -481,8 +481,8 @@ class BodyPool:
         place[[number[form] for form in sorted(number)]] = np.arange(len(number))
         return place[list(self._new.values())]
 
-    def _arrange_shapes(self, sequence: IntArray) -> None:
-        """Put new shapes, and their vertices if these lie together, in an order.
+    def _arrange_shapes(self, sequence: IntArray) -> IntArray:
+        """Put new shapes, and their vertices if these lie together, in an order; return their rows.
 
         Shapes that have no rows side by side, as some were free, are put in order in each body.
         """
@@ -510,6 +510,7 @@ class BodyPool:
             shapes.world_vertices[together] = shapes.local_vertices[together]
             count = shapes.vertex_count[places].astype(np.int64)
             shapes.first[places] = start + np.cumsum(count) - count
+        return places
 
 
 def strips(x: Array, reach: Array) -> Array:
