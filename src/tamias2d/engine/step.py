@@ -27,7 +27,6 @@ from tamias2d.engine.early import add_early
 from tamias2d.engine.joined import mark_joined
 from tamias2d.engine.joints.activity import clear_of_joints, note_mechanisms
 from tamias2d.engine.joints.placement import note_places
-from tamias2d.engine.joints.sprung import or_sprung
 from tamias2d.engine.joints.step_impulses import keep_joint_impulses
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.motion.hard_discs import may_be_hard, take_hard_steps
@@ -51,7 +50,6 @@ from tamias2d.engine.sleep import (
     update_sleep,
     wake_touched,
 )
-from tamias2d.engine.springs.group_energy import balance_springs, note_start_of_springs
 from tamias2d.engine.springs.held import hold_springs, release_springs
 from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.substeps import solve_contacts
@@ -182,8 +180,6 @@ def take_part(world: World) -> int:
             if status != tb.DONE:
                 return status
         note_start(world)
-        if has_springs(world):
-            note_start_of_springs(bodies)
         if constraints.counts[tb.ACTIVE] > 0:
             solve_contacts(world, contacts)
         if counts[tb.START_NOTED] == 1 and overshoots(world, contacts):
@@ -195,8 +191,6 @@ def take_part(world: World) -> int:
         status = fly(world)
         if status != tb.DONE:
             return status
-    if has_springs(world):
-        balance_springs(world)
     if islands.counts[tb.SLEEP_STEPS] > 0 and is_last_part(control):
         fall_asleep(control, bodies, islands)
     if sprung:
@@ -204,13 +198,6 @@ def take_part(world: World) -> int:
     broad_phase.counts[tb.STEPS_SINCE] += 1
     counts[tb.STAGE] = tb.AT_START
     return tb.DONE
-
-
-def has_springs(world: World) -> bool:
-    """Return whether there are springs whose energy is looked at."""
-    found = world.springs.counts[tb.SPRINGS] > 0
-    found = or_sprung(found, world)
-    return bool(found)
 
 
 def fly(world: World) -> int:

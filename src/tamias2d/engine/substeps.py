@@ -30,12 +30,7 @@ from tamias2d.engine.solver.lanes import (
 )
 from tamias2d.engine.solver.prefetch import prefetch_blocks, prefetch_manifolds
 from tamias2d.engine.solver.prepare import fill_blocks, prepare_blocks
-from tamias2d.engine.springs.substep import (
-    apply_springs,
-    begin_springs,
-    end_kicks,
-    end_springs,
-)
+from tamias2d.engine.springs.substep import apply_springs, begin_springs, end_springs
 from tamias2d.engine.tables import Constraints, Contacts, Control, Direct, World
 from tamias2d.engine.turning import add_late_impulses, turn_contacts
 from tamias2d.kernels.assembled import inlined
@@ -67,8 +62,6 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     note_unsolved(control, world.direct)
     constraints.counts[tb.LANES_FILLED] = 1
     looked_at = constraints.counts[tb.BOUNCING] + constraints.counts[tb.FREE_ISLANDS] > 0
-    if sprung:
-        end_kicks(world.bodies, world.springs)
     if looked_at or makes_energy(constraints.energy):
         finish_step(world)
     if sprung:

@@ -1,7 +1,7 @@
 """Island energy: Work in a step; Motion seen from a support; Motion of an island as one body;
 Share of a bounce; Bound on the energy of an island; Payment from what contacts gave; Energy for
-a lift; Lift beyond motion; Work of a support; Energy of springs in a group; Angular momentum
-that contacts give; Angular momentum of a free island.
+a lift; Lift beyond motion; Work of a support; Angular momentum that contacts give; Angular
+momentum of a free island.
 
 Generated from srs/models/island_energy.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -705,107 +705,6 @@ def support_work(
     return total_impulse * (largest(-support_rate, 0.0) + friction * abs(support_slip))
 
 
-def spring_gain(tension_held: Scalar, distance: Scalar, distance_later: Scalar) -> Scalar:
-    """Energy that springs have gained in a step, negative if they lost it (J).
-
-    spring_gain = tension_held*(distance_later - distance)
-
-    Args:
-        tension_held: Pull of a spring and its damper, negative where it pushes; held through a
-            step, N
-        distance: Distance between two places, m
-        distance_later: Distance between two places; after the bodies have moved, m
-
-    Source: DD91, srs/models/island_energy.md:513.
-    """
-    return tension_held * (distance_later - distance)
-
-
-def kick_work(
-    coordinate_kick: Scalar, coordinate_velocity: Scalar, coordinate_velocity_later: Scalar
-) -> Scalar:
-    """Energy that such an impulse gives a body (J).
-
-    kick_work = coordinate_kick*(coordinate_velocity + coordinate_velocity_later)/2
-
-    Args:
-        coordinate_kick: Impulse of springs and given loads along one axis in a substep, N*s
-        coordinate_velocity: Velocity along one axis, m/s
-        coordinate_velocity_later: Velocity along one axis after a step, m/s
-
-    Source: DD91, srs/models/island_energy.md:514.
-    """
-    return coordinate_kick * (coordinate_velocity + coordinate_velocity_later) / 2
-
-
-def held_excess(spring_gain: Scalar, held_work: Scalar) -> Scalar:
-    """What springs have gained beyond what the loads held for them have taken (J).
-
-    held_excess = spring_gain + held_work
-
-    Args:
-        spring_gain: Energy that springs have gained in a step, negative if they lost it, J
-        held_work: What the loads of springs have given bodies, as they were held or acted in
-            substeps, and all given loads beyond their work, J
-
-    Source: DD91, srs/models/island_energy.md:516.
-    """
-    return spring_gain + held_work
-
-
-def energy_unpaid(
-    kinetic_energy: Scalar,
-    kinetic_energy_start: Scalar,
-    work: Scalar,
-    spring_gain: Scalar,
-    held_excess: Scalar,
-) -> Scalar:
-    """Energy that a group of springs has too much, negative if it has too little (J).
-
-    energy_unpaid = max(kinetic_energy - kinetic_energy_start - work + spring_gain,
-    held_excess)
-
-    Args:
-        kinetic_energy: Energy of motion, turning included, J
-        kinetic_energy_start: Energy of motion, turning included; at the start, J
-        work: Energy that gravity, forces and torques have given a body in a step, J
-        spring_gain: Energy that springs have gained in a step, negative if they lost it, J
-        held_excess: What springs have gained beyond what the loads held for them have taken, J
-
-    Source: DD91, srs/models/island_energy.md:517.
-    """
-    return largest(kinetic_energy - kinetic_energy_start - work + spring_gain, held_excess)
-
-
-def balanced_share(
-    kinetic_energy: Scalar,
-    kinetic_energy_least: Scalar,
-    energy_unpaid: Scalar,
-    share_largest: Scalar,
-) -> Scalar:
-    """Factor by which a motion of a group is scaled, so that its energy is right (1).
-
-    balanced_share = min(sqrt(max(kinetic_energy - kinetic_energy_least - energy_unpaid,
-    0[J])/(kinetic_energy - kinetic_energy_least)), share_largest)
-
-    Args:
-        kinetic_energy: Energy of motion, turning included, J
-        kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
-        energy_unpaid: Energy that a group of springs has too much, negative if it has too
-            little, J
-        share_largest: The largest factor by which motion that is left may grow, 1
-
-    Source: DD91, srs/models/island_energy.md:519.
-    """
-    return least(
-        sqrt(
-            largest(kinetic_energy - kinetic_energy_least - energy_unpaid, 0.0)
-            / (kinetic_energy - kinetic_energy_least)
-        ),
-        share_largest,
-    )
-
-
 def moment_ahead_moved(
     moment_ahead: Scalar, velocity: Vector, velocity_change: Vector, time_step: Scalar
 ) -> Scalar:
@@ -821,7 +720,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:584.
+    Source: DD66, srs/models/island_energy.md:516.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -842,7 +741,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:585.
+    Source: DD66, srs/models/island_energy.md:517.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -873,7 +772,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:586.
+    Source: DD66, srs/models/island_energy.md:518.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -900,7 +799,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:653.
+    Source: IM17, srs/models/island_energy.md:585.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -924,7 +823,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:655.
+    Source: IM17, srs/models/island_energy.md:587.
     """
     return least(
         sqrt(
@@ -953,7 +852,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:658.
+    Source: IM17, srs/models/island_energy.md:590.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -985,7 +884,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:660.
+    Source: IM17, srs/models/island_energy.md:592.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

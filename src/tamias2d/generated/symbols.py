@@ -2077,63 +2077,6 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1291,
     ),
-    "spring_gain": Symbol(
-        "spring_gain",
-        "J",
-        "energy that springs have gained in a step, negative if they lost it",
-        tex="\\Delta U",
-        file="srs/symbols.md",
-        line=1295,
-    ),
-    "coordinate_kick": Symbol(
-        "coordinate_kick",
-        "N*s",
-        "impulse of springs and given loads along one axis in a substep",
-        tex="p_k",
-        file="srs/symbols.md",
-        line=1299,
-    ),
-    "kick_work": Symbol(
-        "kick_work",
-        "J",
-        "energy that such an impulse gives a body",
-        tex="W_p",
-        file="srs/symbols.md",
-        line=1303,
-    ),
-    "held_work": Symbol(
-        "held_work",
-        "J",
-        "what the loads of springs have given bodies, as they were held or acted in substeps, and all given loads beyond their work",
-        tex="W_{\\text{h}}",
-        file="srs/symbols.md",
-        line=1307,
-    ),
-    "held_excess": Symbol(
-        "held_excess",
-        "J",
-        "what springs have gained beyond what the loads held for them have taken",
-        tex="\\Delta U_{\\text{h}}",
-        file="srs/symbols.md",
-        line=1313,
-    ),
-    "energy_unpaid": Symbol(
-        "energy_unpaid",
-        "J",
-        "energy that a group of springs has too much, negative if it has too little",
-        tex="E_\\pm",
-        file="srs/symbols.md",
-        line=1317,
-    ),
-    "balanced_share": Symbol(
-        "balanced_share",
-        "1",
-        "factor by which a motion of a group is scaled, so that its energy is right",
-        range=Range(">= 0", low=0.0, low_open=False),
-        tex="\\sigma_\\pm",
-        file="srs/symbols.md",
-        line=1321,
-    ),
     "change_energy": Symbol(
         "change_energy",
         "J",
@@ -2141,7 +2084,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1326,
+        line=1295,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2149,7 +2092,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1331,
+        line=1300,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2158,7 +2101,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1335,
+        line=1304,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2166,7 +2109,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1340,
+        line=1309,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2175,7 +2118,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1345,
+        line=1314,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2184,7 +2127,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1350,
+        line=1319,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2193,7 +2136,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1355,
+        line=1324,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2202,7 +2145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1360,
+        line=1329,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2211,7 +2154,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1367,
+        line=1336,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2220,7 +2163,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1372,
+        line=1341,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2228,7 +2171,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1377,
+        line=1346,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2236,7 +2179,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1382,
+        line=1351,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2244,7 +2187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1388,
+        line=1357,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2253,7 +2196,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1392,
+        line=1361,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2262,7 +2205,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1399,
+        line=1368,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2271,7 +2214,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1404,
+        line=1373,
     ),
     "energy": Symbol(
         "energy",
@@ -2279,7 +2222,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1409,
+        line=1378,
     ),
     "radius": Symbol(
         "radius",
@@ -2288,7 +2231,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1418,
+        line=1387,
     ),
     "length": Symbol(
         "length",
@@ -2297,7 +2240,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1423,
+        line=1392,
     ),
     "width": Symbol(
         "width",
@@ -2306,7 +2249,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1430,
+        line=1399,
     ),
     "height": Symbol(
         "height",
@@ -2315,7 +2258,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1435,
+        line=1404,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2324,7 +2267,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1440,
+        line=1409,
     ),
     "center": Symbol(
         "center",
@@ -2333,7 +2276,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1445,
+        line=1414,
     ),
     "offset": Symbol(
         "offset",
@@ -2341,7 +2284,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1450,
+        line=1419,
     ),
     "area": Symbol(
         "area",
@@ -2350,7 +2293,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1454,
+        line=1423,
     ),
     "way": Symbol(
         "way",
@@ -2359,7 +2302,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1459,
+        line=1428,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2367,7 +2310,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1464,
+        line=1433,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2376,7 +2319,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1468,
+        line=1437,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2385,7 +2328,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1473,
+        line=1442,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2393,7 +2336,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1478,
+        line=1447,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2401,7 +2344,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1482,
+        line=1451,
     ),
     "lean": Symbol(
         "lean",
@@ -2409,7 +2352,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1486,
+        line=1455,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2417,7 +2360,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1490,
+        line=1459,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2425,7 +2368,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1494,
+        line=1463,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2434,7 +2377,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1500,
+        line=1469,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2442,7 +2385,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1513,
+        line=1482,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2450,7 +2393,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1517,
+        line=1486,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2458,7 +2401,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1521,
+        line=1490,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2466,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1525,
+        line=1494,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2475,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1529,
+        line=1498,
     ),
     "slope": Symbol(
         "slope",
@@ -2484,7 +2427,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1534,
+        line=1503,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2493,7 +2436,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1539,
+        line=1508,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2502,7 +2445,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1544,
+        line=1513,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2511,7 +2454,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1549,
+        line=1518,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2519,7 +2462,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1554,
+        line=1523,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2527,7 +2470,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1558,
+        line=1527,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2535,7 +2478,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1562,
+        line=1531,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2544,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1566,
+        line=1535,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2552,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1571,
+        line=1540,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2560,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1575,
+        line=1544,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2568,7 +2511,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1579,
+        line=1548,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2576,7 +2519,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1583,
+        line=1552,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2584,7 +2527,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1587,
+        line=1556,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2592,7 +2535,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1591,
+        line=1560,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2600,7 +2543,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1595,
+        line=1564,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2608,7 +2551,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1599,
+        line=1568,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2617,7 +2560,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1603,
+        line=1572,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2626,7 +2569,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1608,
+        line=1577,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2635,7 +2578,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1613,
+        line=1582,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2644,7 +2587,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1618,
+        line=1587,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2652,7 +2595,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1623,
+        line=1592,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2661,7 +2604,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1627,
+        line=1596,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2669,7 +2612,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1632,
+        line=1601,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2677,7 +2620,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1636,
+        line=1605,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2686,7 +2629,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1640,
+        line=1609,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2695,7 +2638,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1645,
+        line=1614,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2703,7 +2646,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1650,
+        line=1619,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2712,7 +2655,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1654,
+        line=1623,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2720,7 +2663,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1659,
+        line=1628,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2728,7 +2671,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1663,
+        line=1632,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2737,7 +2680,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1667,
+        line=1636,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2746,7 +2689,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1672,
+        line=1641,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2755,7 +2698,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1677,
+        line=1646,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2764,7 +2707,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1682,
+        line=1651,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2773,7 +2716,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1687,
+        line=1656,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2782,7 +2725,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1692,
+        line=1661,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2791,7 +2734,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1697,
+        line=1666,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2800,7 +2743,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1702,
+        line=1671,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2809,7 +2752,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1707,
+        line=1676,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2817,7 +2760,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1712,
+        line=1681,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2826,7 +2769,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1716,
+        line=1685,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2835,7 +2778,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1721,
+        line=1690,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2844,7 +2787,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1726,
+        line=1695,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2852,7 +2795,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1731,
+        line=1700,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2861,7 +2804,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1735,
+        line=1704,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2869,7 +2812,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1740,
+        line=1709,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2877,7 +2820,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1744,
+        line=1713,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2886,7 +2829,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1748,
+        line=1717,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2895,7 +2838,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1753,
+        line=1722,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2904,7 +2847,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1758,
+        line=1727,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2912,7 +2855,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1763,
+        line=1732,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2920,7 +2863,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1767,
+        line=1736,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2928,7 +2871,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1771,
+        line=1740,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2937,7 +2880,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1775,
+        line=1744,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2946,7 +2889,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1780,
+        line=1749,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2955,7 +2898,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1785,
+        line=1754,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2964,7 +2907,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1790,
+        line=1759,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2973,7 +2916,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1795,
+        line=1764,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2982,7 +2925,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1800,
+        line=1769,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2991,7 +2934,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1805,
+        line=1774,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3000,7 +2943,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1810,
+        line=1779,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3008,7 +2951,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1815,
+        line=1784,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3017,7 +2960,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1819,
+        line=1788,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3025,7 +2968,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1824,
+        line=1793,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3034,7 +2977,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1828,
+        line=1797,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3043,7 +2986,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1833,
+        line=1802,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3052,7 +2995,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1838,
+        line=1807,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3061,7 +3004,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1843,
+        line=1812,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3070,7 +3013,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1848,
+        line=1817,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3078,7 +3021,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1853,
+        line=1822,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3087,7 +3030,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1857,
+        line=1826,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3096,7 +3039,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1862,
+        line=1831,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3105,7 +3048,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1867,
+        line=1836,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3114,7 +3057,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1872,
+        line=1841,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3122,7 +3065,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1877,
+        line=1846,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3130,7 +3073,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1881,
+        line=1850,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3139,7 +3082,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1885,
+        line=1854,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3148,7 +3091,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1890,
+        line=1859,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3157,7 +3100,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1895,
+        line=1864,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3166,7 +3109,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1900,
+        line=1869,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3175,7 +3118,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1905,
+        line=1874,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3184,7 +3127,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1910,
+        line=1879,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3193,7 +3136,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1915,
+        line=1884,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3202,7 +3145,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1920,
+        line=1889,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3211,7 +3154,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1925,
+        line=1894,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3219,7 +3162,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1930,
+        line=1899,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3227,7 +3170,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1934,
+        line=1903,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3236,7 +3179,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1938,
+        line=1907,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3244,7 +3187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1943,
+        line=1912,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3252,7 +3195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1947,
+        line=1916,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3261,7 +3204,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1951,
+        line=1920,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3270,7 +3213,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1956,
+        line=1925,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3279,7 +3222,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1961,
+        line=1930,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3287,7 +3230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1966,
+        line=1935,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3296,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1970,
+        line=1939,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3304,7 +3247,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1975,
+        line=1944,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3313,7 +3256,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1979,
+        line=1948,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3321,7 +3264,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1984,
+        line=1953,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3330,7 +3273,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1988,
+        line=1957,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3338,7 +3281,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1993,
+        line=1962,
     ),
     "change": Symbol(
         "change",
@@ -3347,7 +3290,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1997,
+        line=1966,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3356,7 +3299,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2002,
+        line=1971,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3365,7 +3308,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2007,
+        line=1976,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3373,7 +3316,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2012,
+        line=1981,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3382,7 +3325,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2016,
+        line=1985,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3390,7 +3333,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2021,
+        line=1990,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3398,7 +3341,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2025,
+        line=1994,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3406,7 +3349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2029,
+        line=1998,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3415,7 +3358,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=2033,
+        line=2002,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3423,7 +3366,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2038,
+        line=2007,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3432,6 +3375,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2042,
+        line=2011,
     ),
 }

@@ -3,8 +3,8 @@
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.near_limits import is_near_limits
 from tamias2d.engine.joints.placement import place_moved, pull_after_moved
-from tamias2d.engine.solver.activation import activate
 from tamias2d.engine.solver.slabs import list_all
+from tamias2d.engine.springs.substep import activate
 from tamias2d.engine.tables import Islands, Joints, World
 
 OUTWEIGHS = 25.0  # times its own mass, for each substep: what hangs on a body is too heavy for it

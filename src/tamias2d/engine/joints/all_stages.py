@@ -15,12 +15,6 @@ from tamias2d.engine.joints.activity import (
 from tamias2d.engine.joints.island_charge import charge_joined, support_joined
 from tamias2d.engine.joints.payment import pay_together, repay_as_one
 from tamias2d.engine.joints.placement import note_places
-from tamias2d.engine.joints.sprung import (
-    add_gains_of_mechanisms,
-    join_mechanisms,
-    mark_sprung_mechanisms,
-    or_sprung,
-)
 from tamias2d.engine.joints.stages import (
     begin_joints,
     end_joints,
@@ -36,7 +30,6 @@ from tamias2d.engine.solver.joined_gains import joints_disagree, note_gains, not
 
 JOINT_STAGES = (
     activate_joined,
-    add_gains_of_mechanisms,
     add_given_by_joints,
     begin_joints,
     look_at_touched,
@@ -45,11 +38,9 @@ JOINT_STAGES = (
     fit_touched,
     hold_tied,
     join_islands,
-    join_mechanisms,
     join_slabs,
     keep_joint_impulses,
     mark_joined,
-    mark_sprung_mechanisms,
     note_gains,
     note_early_joined,
     note_joined_support,
@@ -65,7 +56,6 @@ JOINT_STAGES = (
     support_joined,
     joints_disagree,
     or_joined,
-    or_sprung,
     unless_joined,
     unless_tied,
     wake_tied,

@@ -53,7 +53,7 @@ def hold_springs(world: World) -> bool:
         row, load = springs.members[k], bodies.load[springs.slot[k]]
         for c in range(3):
             row[tb.HELD_LOAD + c] = row[tb.BASE_LOAD + c] + row[tb.PULL + c]
-            load[c] = row[tb.MEAN_LOAD + c] = row[tb.HELD_LOAD + c]
+            load[c] = row[tb.HELD_LOAD + c]
     return solved
 
 

@@ -14,7 +14,6 @@ equations, twice.
 from math import sqrt
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.activation import activate
 from tamias2d.engine.springs.held import turned
 from tamias2d.engine.springs.network import (
     pull_ends,
@@ -23,7 +22,6 @@ from tamias2d.engine.springs.network import (
     write_diagonal,
 )
 from tamias2d.engine.tables import Bodies, Constraints, Springs, Touching
-from tamias2d.generated.island_energy import kick_work
 from tamias2d.generated.spring_step import (
     resistance_across,
     resistance_along,
@@ -57,6 +55,14 @@ def activate_touched(
                     activate(springs.slot[k], bodies, touching, constraints)
 
 
+def activate(i: int, bodies: Bodies, touching: Touching, constraints: Constraints) -> None:
+    """Put a body that moves on the list of active bodies, unless it is there."""
+    if bodies.moved[i] == 0:
+        bodies.moved[i] = 1
+        touching.active[constraints.counts[tb.ACTIVE]] = i
+        constraints.counts[tb.ACTIVE] += 1
+
+
 def begin_springs(substep: float, bodies: Bodies, springs: Springs) -> None:
     """Take the held loads off the bodies of touched networks, and see which of these are stiff."""
     for n in range(springs.counts[tb.NETWORKS]):
@@ -71,9 +77,7 @@ def begin_springs(substep: float, bodies: Bodies, springs: Springs) -> None:
 def note_member(k: int, bodies: Bodies, springs: Springs) -> None:
     """Note the mass of a member, and let only what acts besides springs act on it."""
     row, i = springs.members[k], springs.slot[k]
-    row[tb.KICK_WORK] = 0.0
     for c in range(3):
-        row[tb.SUBSTEP_KICK + c] = row[tb.SUBSTEP_BEGAN + c] = 0.0
         bodies.load[i, c], row[tb.RESISTANCE + c] = row[tb.BASE_LOAD + c], 0.0
     if bodies.kind[i] == tb.DYNAMIC:
         inverse_inertia = bodies.properties[i, tb.INVERSE_INERTIA]
@@ -147,8 +151,6 @@ def take_velocities(n: int, again: bool, bodies: Bodies, springs: Springs) -> No
     """Note the velocities of the bodies of a network as they are without its springs."""
     for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
         row, i = springs.members[k], springs.slot[k]
-        if not again:
-            add_kick_work(k, False, bodies, springs)
         for c in range(3):
             if not again:
                 row[tb.GIVEN + c] = 0.0
@@ -157,30 +159,6 @@ def take_velocities(n: int, again: bool, bodies: Bodies, springs: Springs) -> No
                 row[tb.SHIFT + c] -= row[tb.GIVEN + c] / row[tb.RESISTANCE + c]
         if not again:
             row[tb.STIFFENING] = 0.0
-
-
-def add_kick_work(k: int, last: bool, bodies: Bodies, springs: Springs) -> None:
-    """Add what springs and given loads gave a member in the substep that has ended, J.
-
-    That is their impulse times the mean of the velocities at its two ends. The next one has begun
-    with forces, and with what contacts gave before, unless it was the last.
-    """
-    row, i = springs.members[k], springs.slot[k]
-    state = bodies.substep_state[i]
-    for c in range(3):
-        now = bodies.motion[i, c]
-        if not last:
-            now -= state[tb.INCREMENT + c] + state[tb.CONTACT_CHANGE + c]
-        row[tb.KICK_WORK] += kick_work(row[tb.SUBSTEP_KICK + c], row[tb.SUBSTEP_BEGAN + c], now)
-        row[tb.SUBSTEP_BEGAN + c] = now
-
-
-def end_kicks(bodies: Bodies, springs: Springs) -> None:
-    """Add what springs and given loads gave in the last substep, before anything bounces."""
-    for n in range(springs.counts[tb.NETWORKS]):
-        if springs.networks[n, tb.N_STATUS] == tb.TOUCHED_SOFT:
-            for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
-                add_kick_work(k, True, bodies, springs)
 
 
 def aim(s: int, substep: float, stiff: bool, bodies: Bodies, springs: Springs) -> None:
@@ -268,15 +246,12 @@ def give_pulls(n: int, share: float, bodies: Bodies, springs: Springs) -> None:
                 state[tb.SUBSTEP_START + c] += change / row[tb.RESISTANCE + c]
                 bodies.load[i, c] += share * change
                 row[tb.GIVEN + c] = row[tb.PULL + c]
-                by_loads = row[tb.RESISTANCE + c] * state[tb.INCREMENT + c]
-                row[tb.SUBSTEP_KICK + c] = row[tb.GIVEN + c] + by_loads
 
 
 def end_springs(bodies: Bodies, springs: Springs) -> None:
-    """Put the held loads back on the bodies of touched networks; note the mean ones."""
+    """Put the held loads back on the bodies of touched networks."""
     for n in range(springs.counts[tb.NETWORKS]):
         if springs.networks[n, tb.N_STATUS] != tb.ALONE:
             for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
-                row, load = springs.members[k], bodies.load[springs.slot[k]]
                 for c in range(3):
-                    row[tb.MEAN_LOAD + c], load[c] = load[c], row[tb.HELD_LOAD + c]
+                    bodies.load[springs.slot[k], c] = springs.members[k, tb.HELD_LOAD + c]

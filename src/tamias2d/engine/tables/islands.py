@@ -63,11 +63,6 @@ PAID_SHARE = _energy()  # of that
 DRIVEN_RATE = _energy()  # m/s, at which its supports move against each other, at most
 DRIVEN_ENERGY = _energy()  # J, that what carries its mechanisms is likely to give it; 0 if none is
 KEPT_WAY = _energy()  # share of its way in this step that an island with joints keeps
-# of a group, at its root, besides some of these
-SPRUNG = _energy()  # 1 if it has springs
-MET = _energy()  # 1 if contacts or impacts have acted on its bodies in this part
-SPRING_GAIN = _energy()  # J, what its springs have gained in this part
-HELD_EXCESS = _energy()  # J, of that, beyond what held loads have taken
 
 _islands = Columns()
 SLEEP_STEPS = _islands()  # slow steps until an island sleeps, 0 for never

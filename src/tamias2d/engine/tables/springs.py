@@ -3,7 +3,7 @@
 from typing import Annotated, NamedTuple
 
 from tamias2d.engine.tables.declarations import Columns, Sized
-from tamias2d.kernels.arrays import FloatRows, Indices, RankRows, Ranks
+from tamias2d.kernels.arrays import FloatRows, RankRows, Ranks
 
 _spring_counts = Columns()
 SPRINGS = _spring_counts()
@@ -46,11 +46,7 @@ PULL = _members()  # of all springs
 GIVEN = _members()  # of all springs, by which velocities have changed in this substep
 BASE_LOAD = _members()  # what acts besides springs
 HELD_LOAD = _members()  # with springs, through the step
-MEAN_LOAD = _members()  # with springs, the mean over the part: as held, or of the substeps
 RESISTANCE = _members()  # to a displacement or to a change of velocity; 0 where nothing moves
-KICK_WORK = _members(1)  # J, that springs and given loads have given in the substeps of a part
-SUBSTEP_KICK = _members()  # N s, N s, N m s, of springs and given loads in a substep
-SUBSTEP_BEGAN = _members()  # m/s, m/s, rad/s, velocity as a substep began
 STIFFENING = _members(1)  # resistance to turning, of arms along which springs pull
 MATRIX_DIAGONAL = _members()  # of the network
 RESIDUAL = _members()
@@ -69,4 +65,3 @@ class Springs(NamedTuple):
     body: Annotated[Ranks, Sized("members")]  # of a member: its row
     slot: Annotated[Ranks, Sized("members")]  # of its body in this step
     members: Annotated[FloatRows, Sized("members", _members.width)]
-    group: Annotated[Indices, Sized("slots")]  # of a body: the root of its group
