@@ -50,10 +50,11 @@ from tamias2d.engine.sleep import (
     update_sleep,
     wake_touched,
 )
+from tamias2d.engine.springs.energy_balance import balance_networks
 from tamias2d.engine.springs.held import hold_springs, release_springs
 from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.substeps import solve_contacts
-from tamias2d.engine.tables import World
+from tamias2d.engine.tables import Control, World
 
 SHORTEST_FOR_SPRINGS = 6  # level; networks for which that is too long go through the substeps
 
@@ -191,13 +192,23 @@ def take_part(world: World) -> int:
         status = fly(world)
         if status != tb.DONE:
             return status
+    if sprung:
+        balanced = control.progress[tb.FLOWN] <= 1.0 or balance_networks(world)
+        release_springs(bodies, world.springs)
+        if not balanced and may_shorten(control):
+            retake_part(world, contacts)
+            return tb.AGAIN
     if islands.counts[tb.SLEEP_STEPS] > 0 and is_last_part(control):
         fall_asleep(control, bodies, islands)
-    if sprung:
-        release_springs(bodies, world.springs)
     broad_phase.counts[tb.STEPS_SINCE] += 1
     counts[tb.STAGE] = tb.AT_START
     return tb.DONE
+
+
+def may_shorten(control: Control) -> bool:
+    """Return whether a part may be taken again as a shorter one for its springs."""
+    counts = control.counts
+    return bool(counts[tb.START_NOTED] == 1 and counts[tb.LEVEL] < SHORTEST_FOR_SPRINGS)
 
 
 def fly(world: World) -> int:

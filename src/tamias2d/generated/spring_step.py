@@ -1,11 +1,11 @@
-"""Spring step: Spring through a step; Spring in a substep; Forces at both ends of a step; Critical
-step of a force.
+"""Spring step: Spring through a step; Energy of a network that bounced; Spring in a substep;
+Forces at both ends of a step; Critical step of a force.
 
 Generated from srs/models/spring_step.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, largest, sqrt
+from tamias2d.spec.functions import Scalar, Vector, largest, least, sqrt
 
 
 def tension_held(
@@ -108,6 +108,66 @@ def arm_held(arm: Vector, half_turn: Scalar, half_turn_sine: Scalar) -> Vector:
     return (half_turn_sine / half_turn * arm_x, half_turn_sine / half_turn * arm_y)
 
 
+def spring_gain(tension_held: Scalar, distance: Scalar, distance_later: Scalar) -> Scalar:
+    """Energy that a spring has gained in a step, negative if it lost it (J).
+
+    spring_gain = tension_held*(distance_later - distance)
+
+    Args:
+        tension_held: Pull of a spring and its damper, negative where it pushes; held through a
+            step, N
+        distance: Distance between two places, m
+        distance_later: Distance between two places; after the bodies have moved, m
+
+    Source: DD91, srs/models/spring_step.md:145.
+    """
+    return tension_held * (distance_later - distance)
+
+
+def energy_unpaid(held_work: Scalar, springs_gain: Scalar) -> Scalar:
+    """Energy that the bodies of a network got beyond what its springs have lost, negative if they
+    got less (J).
+
+    energy_unpaid = held_work + springs_gain
+
+    Args:
+        held_work: Work of the forces that were held for the springs of a network, in a step, J
+        springs_gain: Energy that all springs of a network have gained in a step, J
+
+    Source: DD91, srs/models/spring_step.md:146.
+    """
+    return held_work + springs_gain
+
+
+def balanced_share(
+    kinetic_energy: Scalar,
+    kinetic_energy_least: Scalar,
+    energy_unpaid: Scalar,
+    share_largest: Scalar,
+) -> Scalar:
+    """Factor by which the motion of a network is scaled, so that its energy is right (1).
+
+    balanced_share = min(sqrt(max(kinetic_energy - kinetic_energy_least - energy_unpaid,
+    0[J])/(kinetic_energy - kinetic_energy_least)), share_largest)
+
+    Args:
+        kinetic_energy: Energy of motion, turning included, J
+        kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
+        energy_unpaid: Energy that the bodies of a network got beyond what its springs have
+            lost, negative if they got less, J
+        share_largest: The largest factor by which motion that is left may grow, 1
+
+    Source: DD91, srs/models/spring_step.md:147.
+    """
+    return least(
+        sqrt(
+            largest(kinetic_energy - kinetic_energy_least - energy_unpaid, 0.0)
+            / (kinetic_energy - kinetic_energy_least)
+        ),
+        share_largest,
+    )
+
+
 def spring_impulse(
     stiffness: Scalar, rest_length: Scalar, distance: Scalar, axis: Vector, time_step: Scalar
 ) -> Vector:
@@ -123,7 +183,7 @@ def spring_impulse(
         axis: Unit vector from one end of a spring to the other, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD52, srs/models/spring_step.md:144.
+    Source: DD52, srs/models/spring_step.md:191.
     """
     axis_x, axis_y = axis
     extension = distance - rest_length
@@ -140,7 +200,7 @@ def resistance_along(stiffness: Scalar, damping: Scalar, time_step: Scalar) -> S
         damping: Force of a spring's damper for each unit of the extension's rate, kg/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD52, srs/models/spring_step.md:145.
+    Source: DD52, srs/models/spring_step.md:192.
     """
     return time_step * time_step * stiffness + time_step * damping
 
@@ -159,7 +219,7 @@ def resistance_across(
         distance: Distance between two places, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD52, srs/models/spring_step.md:146.
+    Source: DD52, srs/models/spring_step.md:193.
     """
     extension = distance - rest_length
     return time_step * time_step * largest(stiffness * extension, 0.0) / largest(distance, 1e-150)
@@ -182,7 +242,7 @@ def resisting_impulse(
         axis: Unit vector from one end of a spring to the other, 1
         end_velocity: Velocity of a spring's end B as seen from its end A, m/s
 
-    Source: DD52, srs/models/spring_step.md:150.
+    Source: DD52, srs/models/spring_step.md:197.
     """
     axis_x, axis_y = axis
     end_velocity_x, end_velocity_y = end_velocity
@@ -206,7 +266,7 @@ def early_share(early_share_a: Scalar, early_share_b: Scalar) -> Scalar:
         early_share_b: Share of half a step by which a force acts before the middle of the step,
             on the mean; of body B, 1
 
-    Source: DD53, srs/models/spring_step.md:189.
+    Source: DD53, srs/models/spring_step.md:236.
     """
     return (early_share_a + early_share_b) / 2
 
@@ -233,7 +293,7 @@ def velocity_later(
         early_share: Share of half a step by which a force acts before the middle of the step,
             on the mean, 1
 
-    Source: DD53, srs/models/spring_step.md:190.
+    Source: DD53, srs/models/spring_step.md:237.
     """
     velocity_x, velocity_y = velocity
     force_x, force_y = force
@@ -267,7 +327,7 @@ def angular_velocity_later(
         early_share: Share of half a step by which a force acts before the middle of the step,
             on the mean, 1
 
-    Source: DD53, srs/models/spring_step.md:193.
+    Source: DD53, srs/models/spring_step.md:240.
     """
     return angular_velocity + (1 - early_share) * time_step / 2 * inverse_inertia * (
         torque_later - torque
@@ -288,7 +348,7 @@ def critical_step(
         force_later: Applied force on a body, without its weight; after the bodies have moved, N
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD54, srs/models/spring_step.md:297.
+    Source: DD54, srs/models/spring_step.md:344.
     """
     force_x, force_y = force
     force_later_x, force_later_y = force_later
@@ -321,6 +381,6 @@ def critical_step_turning(
             the bodies have moved, N*m
         turn: How far a body has turned since the step began, rad
 
-    Source: DD54, srs/models/spring_step.md:300.
+    Source: DD54, srs/models/spring_step.md:347.
     """
     return 2 * sqrt(abs(turn) / largest(inverse_inertia * abs(torque_later - torque), 1e-150))

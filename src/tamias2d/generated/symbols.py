@@ -2138,6 +2138,47 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1324,
     ),
+    "spring_gain": Symbol(
+        "spring_gain",
+        "J",
+        "energy that a spring has gained in a step, negative if it lost it",
+        tex="\\Delta U",
+        file="srs/symbols.md",
+        line=1329,
+    ),
+    "held_work": Symbol(
+        "held_work",
+        "J",
+        "work of the forces that were held for the springs of a network, in a step",
+        tex="W_h",
+        file="srs/symbols.md",
+        line=1333,
+    ),
+    "springs_gain": Symbol(
+        "springs_gain",
+        "J",
+        "energy that all springs of a network have gained in a step",
+        tex="\\Delta U_\\Sigma",
+        file="srs/symbols.md",
+        line=1337,
+    ),
+    "energy_unpaid": Symbol(
+        "energy_unpaid",
+        "J",
+        "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
+        tex="E_\\pm",
+        file="srs/symbols.md",
+        line=1341,
+    ),
+    "balanced_share": Symbol(
+        "balanced_share",
+        "1",
+        "factor by which the motion of a network is scaled, so that its energy is right",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\sigma_\\pm",
+        file="srs/symbols.md",
+        line=1347,
+    ),
     "damped_share": Symbol(
         "damped_share",
         "1",
@@ -2145,7 +2186,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1329,
+        line=1352,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2154,7 +2195,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1336,
+        line=1359,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2163,7 +2204,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1341,
+        line=1364,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2171,7 +2212,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1346,
+        line=1369,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2179,7 +2220,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1351,
+        line=1374,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2187,7 +2228,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1357,
+        line=1380,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2196,7 +2237,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1361,
+        line=1384,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2205,7 +2246,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1368,
+        line=1391,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2214,7 +2255,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1373,
+        line=1396,
     ),
     "energy": Symbol(
         "energy",
@@ -2222,7 +2263,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1378,
+        line=1401,
     ),
     "radius": Symbol(
         "radius",
@@ -2231,7 +2272,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1387,
+        line=1410,
     ),
     "length": Symbol(
         "length",
@@ -2240,7 +2281,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1392,
+        line=1415,
     ),
     "width": Symbol(
         "width",
@@ -2249,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1399,
+        line=1422,
     ),
     "height": Symbol(
         "height",
@@ -2258,7 +2299,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1404,
+        line=1427,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2267,7 +2308,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1409,
+        line=1432,
     ),
     "center": Symbol(
         "center",
@@ -2276,7 +2317,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1414,
+        line=1437,
     ),
     "offset": Symbol(
         "offset",
@@ -2284,7 +2325,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1419,
+        line=1442,
     ),
     "area": Symbol(
         "area",
@@ -2293,7 +2334,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1423,
+        line=1446,
     ),
     "way": Symbol(
         "way",
@@ -2302,7 +2343,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1428,
+        line=1451,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2310,7 +2351,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1433,
+        line=1456,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2319,7 +2360,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1437,
+        line=1460,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2328,7 +2369,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1442,
+        line=1465,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2336,7 +2377,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1447,
+        line=1470,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2344,7 +2385,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1451,
+        line=1474,
     ),
     "lean": Symbol(
         "lean",
@@ -2352,7 +2393,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1455,
+        line=1478,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2360,7 +2401,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1459,
+        line=1482,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2368,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1463,
+        line=1486,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2377,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1469,
+        line=1492,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2385,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1482,
+        line=1505,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2393,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1486,
+        line=1509,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2401,7 +2442,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1490,
+        line=1513,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2409,7 +2450,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1494,
+        line=1517,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2418,7 +2459,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1498,
+        line=1521,
     ),
     "slope": Symbol(
         "slope",
@@ -2427,7 +2468,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1503,
+        line=1526,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2436,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1508,
+        line=1531,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2445,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1513,
+        line=1536,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2454,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1518,
+        line=1541,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2462,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1523,
+        line=1546,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2470,7 +2511,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1527,
+        line=1550,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2478,7 +2519,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1531,
+        line=1554,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2487,7 +2528,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1535,
+        line=1558,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2495,7 +2536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1540,
+        line=1563,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2503,7 +2544,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1544,
+        line=1567,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2511,7 +2552,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1548,
+        line=1571,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2519,7 +2560,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1552,
+        line=1575,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2527,7 +2568,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1556,
+        line=1579,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2535,7 +2576,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1560,
+        line=1583,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2543,7 +2584,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1564,
+        line=1587,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2551,7 +2592,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1568,
+        line=1591,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2560,7 +2601,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1572,
+        line=1595,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2569,7 +2610,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1577,
+        line=1600,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2578,7 +2619,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1582,
+        line=1605,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2587,7 +2628,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1587,
+        line=1610,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2595,7 +2636,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1592,
+        line=1615,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2604,7 +2645,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1596,
+        line=1619,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2612,7 +2653,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1601,
+        line=1624,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2620,7 +2661,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1605,
+        line=1628,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2629,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1609,
+        line=1632,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2638,7 +2679,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1614,
+        line=1637,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2646,7 +2687,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1619,
+        line=1642,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2655,7 +2696,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1623,
+        line=1646,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2663,7 +2704,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1628,
+        line=1651,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2671,7 +2712,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1632,
+        line=1655,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2680,7 +2721,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1636,
+        line=1659,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2689,7 +2730,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1641,
+        line=1664,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2698,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1646,
+        line=1669,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2707,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1651,
+        line=1674,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2716,7 +2757,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1656,
+        line=1679,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2725,7 +2766,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1661,
+        line=1684,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2734,7 +2775,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1666,
+        line=1689,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2743,7 +2784,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1671,
+        line=1694,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2752,7 +2793,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1676,
+        line=1699,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2760,7 +2801,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1681,
+        line=1704,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2769,7 +2810,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1685,
+        line=1708,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2778,7 +2819,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1690,
+        line=1713,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2787,7 +2828,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1695,
+        line=1718,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2795,7 +2836,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1700,
+        line=1723,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2804,7 +2845,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1704,
+        line=1727,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2812,7 +2853,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1709,
+        line=1732,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2820,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1713,
+        line=1736,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2829,7 +2870,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1717,
+        line=1740,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2838,7 +2879,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1722,
+        line=1745,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2847,7 +2888,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1727,
+        line=1750,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2855,7 +2896,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1732,
+        line=1755,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2863,7 +2904,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1736,
+        line=1759,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2871,7 +2912,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1740,
+        line=1763,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2880,7 +2921,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1744,
+        line=1767,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2889,7 +2930,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1749,
+        line=1772,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2898,7 +2939,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1754,
+        line=1777,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2907,7 +2948,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1759,
+        line=1782,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2916,7 +2957,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1764,
+        line=1787,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2925,7 +2966,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1769,
+        line=1792,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2934,7 +2975,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1774,
+        line=1797,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2943,7 +2984,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1779,
+        line=1802,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2951,7 +2992,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1784,
+        line=1807,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2960,7 +3001,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1788,
+        line=1811,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2968,7 +3009,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1793,
+        line=1816,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2977,7 +3018,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1797,
+        line=1820,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2986,7 +3027,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1802,
+        line=1825,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2995,7 +3036,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1807,
+        line=1830,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3004,7 +3045,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1812,
+        line=1835,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3013,7 +3054,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1817,
+        line=1840,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3021,7 +3062,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1822,
+        line=1845,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3030,7 +3071,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1826,
+        line=1849,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3039,7 +3080,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1831,
+        line=1854,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3048,7 +3089,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1836,
+        line=1859,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3057,7 +3098,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1841,
+        line=1864,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3065,7 +3106,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1846,
+        line=1869,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3073,7 +3114,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1850,
+        line=1873,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3082,7 +3123,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1854,
+        line=1877,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3091,7 +3132,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1859,
+        line=1882,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3100,7 +3141,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1864,
+        line=1887,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3109,7 +3150,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1869,
+        line=1892,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3118,7 +3159,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1874,
+        line=1897,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3127,7 +3168,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1879,
+        line=1902,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3136,7 +3177,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1884,
+        line=1907,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3145,7 +3186,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1889,
+        line=1912,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3154,7 +3195,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1894,
+        line=1917,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3162,7 +3203,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1899,
+        line=1922,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3170,7 +3211,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1903,
+        line=1926,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3179,7 +3220,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1907,
+        line=1930,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3187,7 +3228,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1912,
+        line=1935,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3195,7 +3236,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1916,
+        line=1939,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3204,7 +3245,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1920,
+        line=1943,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3213,7 +3254,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1925,
+        line=1948,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3222,7 +3263,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1930,
+        line=1953,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3230,7 +3271,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1935,
+        line=1958,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3239,7 +3280,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1939,
+        line=1962,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3247,7 +3288,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1944,
+        line=1967,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3256,7 +3297,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1948,
+        line=1971,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3264,7 +3305,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1953,
+        line=1976,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3273,7 +3314,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1957,
+        line=1980,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3281,7 +3322,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1962,
+        line=1985,
     ),
     "change": Symbol(
         "change",
@@ -3290,7 +3331,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1966,
+        line=1989,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3299,7 +3340,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1971,
+        line=1994,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3308,7 +3349,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1976,
+        line=1999,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3316,7 +3357,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1981,
+        line=2004,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3325,7 +3366,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1985,
+        line=2008,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3333,7 +3374,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1990,
+        line=2013,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3341,7 +3382,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1994,
+        line=2017,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3349,7 +3390,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1998,
+        line=2021,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3358,7 +3399,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=2002,
+        line=2025,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3366,7 +3407,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2007,
+        line=2030,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3375,6 +3416,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2011,
+        line=2034,
     ),
 }

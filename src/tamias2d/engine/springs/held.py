@@ -74,6 +74,7 @@ def gather_network(
         row, properties = springs.members[k], bodies.properties[i]
         for c in range(3):
             row[tb.BASE_LOAD + c] = bodies.load[i, c]
+            row[tb.START_POSE + c] = bodies.pose[i, c]
         propagator = bodies.propagators[int(properties[tb.PROPAGATOR])]
         by_x = by_y = turning = 0.0
         mass = inertia = 0.0

@@ -39,6 +39,7 @@ def set_springs(store: Store, rows: Sequence[SpringRow]) -> None:
     springs = store.world.springs
     springs.counts[[tb.SPRINGS, tb.NETWORKS]] = len(rows), len(networks)
     springs.networks[:] = 0
+    springs.members[:, tb.TURNED] = 0.0
     springs.networks[1:, tb.N_MEMBER] = np.cumsum([len(found) for found in members])
     springs.networks[1:, tb.N_SPRING] = np.cumsum([len(network) for network in networks])
     s = 0
@@ -52,6 +53,9 @@ def set_springs(store: Store, rows: Sequence[SpringRow]) -> None:
             springs.springs[s, [tb.STIFFNESS, tb.REST_LENGTH, tb.DAMPER]] = row[2:5]
             springs.springs[s, tb.ANCHOR_A : tb.ANCHOR_A + 2] = row.anchor
             springs.springs[s, tb.ANCHOR_B : tb.ANCHOR_B + 2] = row.other_anchor
+            for end, anchor in zip(springs.ends[s], (row.anchor, row.other_anchor), strict=True):
+                if end >= 0 and any(anchor):
+                    springs.members[end, tb.TURNED] = 1.0
             s += 1
     store.world.touching.counts[tb.ARRANGED] = 0
 

@@ -40,6 +40,8 @@ FORCE_X = _spring()  # N or N s, on A
 FORCE_Y = _spring()
 
 _members = Columns(3)  # m, m, rad; N, N, N m; N s, N s, N m s; of a body in a network
+START_POSE = _members()  # as the part began
+TURNED = _members(1)  # 1 if a spring holds it off its centre
 FREE_SHIFT = _members()  # displacement in this step without springs
 SHIFT = _members()  # displacement in this step, or velocity in this substep
 PULL = _members()  # of all springs
