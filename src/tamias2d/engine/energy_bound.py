@@ -12,6 +12,7 @@ restitution, or where there is more energy in all than there may be. Cost: some 
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.island_charge import charge_joined, support_joined
+from tamias2d.engine.joints.reserve import note_reserves
 from tamias2d.engine.payment import charge_supported
 from tamias2d.engine.solver.angular_momentum import keep_angular_momentum
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
@@ -83,6 +84,7 @@ def bound_energy(
         charge_supported(control, bodies, touching, constraints, islands, joints)
         note_gains(control, islands, joints)
     charge_rising(control, bodies, touching, constraints, islands)
+    note_reserves(control, bodies, touching, constraints, islands, joints)
 
 
 def sum_island_energies(

@@ -15,6 +15,7 @@ from tamias2d.engine.joints.activity import (
 from tamias2d.engine.joints.island_charge import charge_joined, support_joined
 from tamias2d.engine.joints.payment import pay_together, repay_as_one
 from tamias2d.engine.joints.placement import note_places
+from tamias2d.engine.joints.reserve import note_reserves
 from tamias2d.engine.joints.stages import (
     begin_joints,
     end_joints,
@@ -46,6 +47,7 @@ JOINT_STAGES = (
     note_joined_support,
     note_mechanisms,
     note_places,
+    note_reserves,
     noted_if_free,
     past_untouched,
     relax_joints,

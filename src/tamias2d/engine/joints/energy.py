@@ -13,6 +13,7 @@ Cost: a visit to each body and spring, and two more where there is too much.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.island_charge import (
+    energy_of_springs,
     may_get_any,
     support_mechanism,
     work_of_motors,
@@ -44,7 +45,6 @@ from tamias2d.generated.joint_step import (
     energy_reserve_later,
     energy_scale_later,
     mechanism_energy_balance,
-    row_energy,
     way_kept,
 )
 from tamias2d.generated.soft_contact import shift_later
@@ -191,17 +191,6 @@ def energy_of_motion(first: int, last: int, base: Vector, bodies: Bodies, joints
         motion = bodies.motion[i]
         velocity = velocity_seen((motion[tb.VX], motion[tb.VY]), base)
         energy += kinetic_energy(mass, velocity, inertia, motion[tb.SPIN])
-    return energy
-
-
-def energy_of_springs(n: int, joints: Joints) -> float:
-    """Return the energy of the springs of a mechanism, J, at the values that their rows have."""
-    energy = 0.0
-    if joints.mechanisms[n, tb.M_GOVERNED] == 0:
-        return energy
-    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        if joints.joints[j, tb.J_LAW] == tb.SPRING:
-            energy += row_energy(joints.laws[j, tb.LAW_STIFFNESS], joints.numbers[j, tb.J_ROW])
     return energy
 
 

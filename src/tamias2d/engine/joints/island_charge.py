@@ -11,7 +11,7 @@ from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.solver.support import SUPPORTED_BY_MORE, SUPPORTED_BY_ONE, support_island
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.island_energy import kinetic_energy_most, lift_work
-from tamias2d.generated.joint_step import drive_work, kept_way
+from tamias2d.generated.joint_step import drive_work, kept_way, row_energy
 from tamias2d.state import Array
 
 
@@ -73,6 +73,25 @@ def work_of_motors(n: int, joints: Joints) -> float:
     return given
 
 
+def energy_of_springs(n: int, joints: Joints) -> float:
+    """Return the energy of the springs of a mechanism, J, at the values that their rows have."""
+    energy = 0.0
+    if joints.mechanisms[n, tb.M_GOVERNED] == 0:
+        return energy
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.joints[j, tb.J_LAW] == tb.SPRING:
+            energy += row_energy(joints.laws[j, tb.LAW_STIFFNESS], joints.numbers[j, tb.J_ROW])
+    return energy
+
+
+def work_of_springs(n: int, joints: Joints) -> float:
+    """Return what the springs of a mechanism have given in a part, and what it may gain, J."""
+    if joints.mechanisms[n, tb.M_STATUS] != tb.IN_CONTACT or joints.mechanisms[n, tb.M_DRIVEN] == 0:
+        return 0.0
+    numbers = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
+    return float(numbers[tb.J_ENERGY] - energy_of_springs(n, joints) + numbers[tb.J_RESERVE])
+
+
 def charge_joined(
     control: Control,
     bodies: Bodies,
@@ -99,7 +118,7 @@ def charge_joined(
             row[tb.DRIVEN_ENERGY] = max(row[tb.DRIVEN_ENERGY], likely)
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
-        row[tb.WORK] += work_of_motors(n, joints)
+        row[tb.WORK] += work_of_motors(n, joints) + work_of_springs(n, joints)
     for n in range(joints.counts[tb.MECHANISMS]):
         if acts(n, joints):
             charge_for_mechanism(n, islands.energy[root_of_mechanism(n, islands, joints)], joints)
@@ -127,8 +146,8 @@ def charge_for_mechanism(n: int, row: Array, joints: Joints) -> None:
     What is likely for one of its mechanisms is so for all of the island, unless another gives any.
     """
     turned = joints.mechanisms[n, tb.M_TURNED_BY_MOTOR] == 1
-    status, powered = joints.mechanisms[n, tb.M_STATUS], joints.mechanisms[n, tb.M_DRIVEN] == 1
-    free = status == tb.FREE_OF_CONTACTS or (turned and status != tb.IN_CONTACT)
+    status, powered = joints.mechanisms[n, tb.M_STATUS], joints.mechanisms[n, tb.M_TIMED] == 1
+    free = status == tb.FREE_OF_CONTACTS or status == tb.GOVERNED_ALONE
     if row[tb.DRIVEN_ENERGY] > 0.0:
         most = row[tb.ENERGY_START] + max(row[tb.WORK], 0.0)
         row[tb.ENERGY_START], row[tb.WORK] = max(most, row[tb.DRIVEN_ENERGY]), 0.0
