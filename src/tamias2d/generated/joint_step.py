@@ -637,7 +637,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:440.
+    Source: DD79, srs/models/joint_step.md:441.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -651,7 +651,7 @@ def drive_work(row_impulse: Scalar, drive_rate: Scalar) -> Scalar:
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: DD79, srs/models/joint_step.md:441.
+    Source: DD79, srs/models/joint_step.md:442.
     """
     return row_impulse * drive_rate
 
@@ -676,7 +676,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:442.
+    Source: DD79, srs/models/joint_step.md:443.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -695,7 +695,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:444.
+    Source: DD79, srs/models/joint_step.md:445.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -719,7 +719,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:446.
+    Source: DD79, srs/models/joint_step.md:447.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -734,7 +734,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:448.
+    Source: DD79, srs/models/joint_step.md:449.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -750,6 +750,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:449.
+    Source: DD79, srs/models/joint_step.md:450.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

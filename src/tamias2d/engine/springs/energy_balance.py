@@ -22,6 +22,7 @@ from tamias2d.generated.island_energy import (
     angular_velocity_seen,
     velocity_damped,
     velocity_seen,
+    work,
 )
 from tamias2d.generated.spring_step import (
     balanced_share,
@@ -88,9 +89,7 @@ def unpaid_of_network(n: int, bodies: Bodies, springs: Springs) -> float:
     done = gained = 0.0
     damped = False
     for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
-        way = way_of(k, bodies, springs)
-        for c in range(3):
-            done += springs.members[k, tb.PULL + c] * way[c]
+        done += held_work_on(k, bodies, springs)
     for s in range(springs.networks[n, tb.N_SPRING], springs.networks[n + 1, tb.N_SPRING]):
         spring, later = springs.springs[s], length_later(s, bodies, springs)
         tension = tension_held(
@@ -100,6 +99,14 @@ def unpaid_of_network(n: int, bodies: Bodies, springs: Springs) -> float:
         damped = damped or spring[tb.DAMPER] > 0.0
     unpaid = energy_unpaid(done, gained)
     return float(max(unpaid, 0.0) if damped else unpaid)
+
+
+def held_work_on(k: int, bodies: Bodies, springs: Springs) -> float:
+    """Return the work of the forces that were held for the springs on a member, J."""
+    row, (x, y, turn) = springs.members[k], way_of(k, bodies, springs)
+    pull = (row[tb.HELD_LOAD] - row[tb.BASE_LOAD], row[tb.HELD_LOAD + 1] - row[tb.BASE_LOAD + 1])
+    torque = row[tb.HELD_LOAD + 2] - row[tb.BASE_LOAD + 2]
+    return float(work(0.0, (0.0, 0.0), pull, torque, (x, y), turn))
 
 
 def way_of(k: int, bodies: Bodies, springs: Springs) -> tuple[float, float, float]:

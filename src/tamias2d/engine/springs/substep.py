@@ -14,6 +14,7 @@ equations, twice.
 from math import sqrt
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.springs.held import turned
 from tamias2d.engine.springs.network import (
     pull_ends,
@@ -249,9 +250,39 @@ def give_pulls(n: int, share: float, bodies: Bodies, springs: Springs) -> None:
 
 
 def end_springs(bodies: Bodies, springs: Springs) -> None:
-    """Put the held loads back on the bodies of touched networks."""
+    """Put the held loads back on the bodies of touched networks.
+
+    Of a network that no contact has changed they are held for this part after all.
+    """
     for n in range(springs.counts[tb.NETWORKS]):
         if springs.networks[n, tb.N_STATUS] != tb.ALONE:
-            for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
+            first, last = springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]
+            for k in range(first, last):
                 for c in range(3):
                     bodies.load[springs.slot[k], c] = springs.members[k, tb.HELD_LOAD + c]
+            if springs.networks[n, tb.N_UNSOLVED] == 0 and is_unchanged(n, bodies, springs):
+                springs.networks[n, tb.N_STATUS] = tb.ALONE
+                for k in range(first, last):
+                    begin_again(springs.slot[k], bodies)
+
+
+def is_unchanged(n: int, bodies: Bodies, springs: Springs) -> bool:
+    """Return whether nothing but its springs changed a velocity in a network in the substeps."""
+    same = True
+    for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
+        i = springs.slot[k]
+        state, now = bodies.substep_state[i], bodies.motion[i]
+        for c in range(3 if bodies.kind[i] == tb.DYNAMIC else 0):
+            same = same and state[tb.CONTACT_CHANGE + c] == 0.0
+            same = same and now[c] == state[tb.SUBSTEP_START + c]
+        same = unless_joined(same, i, i, bodies)
+    return bool(same)
+
+
+def begin_again(i: int, bodies: Bodies) -> None:
+    """Take a body back to the begin of its substeps, to fly instead."""
+    if bodies.kind[i] == tb.DYNAMIC:
+        for c in range(3):
+            bodies.motion[i, c] = bodies.substep_state[i, tb.STEP_START + c]
+            bodies.motion[i, tb.DX + c] = 0.0
+        bodies.moved[i] = tb.UNMOVED
