@@ -8,6 +8,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.solve import prepare_trees, solve_trees
 from tamias2d.engine.energy_bound import bound_energy, note_before_restitution
 from tamias2d.engine.islands import update_islands
+from tamias2d.engine.joints.rebound import fit_rebound
 from tamias2d.engine.joints.stages import (
     begin_joints,
     end_joints,
@@ -94,6 +95,7 @@ def finish_step(world: World) -> None:
         for visit in range(MOST_BOUNCES if few else BOUNCES):
             if apply_restitution(visit > 0, bodies, constraints, slowest):
                 break
+            fit_rebound(visit == 0, world)
     update_islands(bodies, touching, islands, world.joints)
     bound_energy(world.control, bodies, touching, constraints, islands, world.joints)
 

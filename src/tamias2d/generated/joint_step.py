@@ -1,5 +1,5 @@
 """Joint step: Row of a joint; Impulse of a row of a joint; Joint in a substep; Rows that yield;
-Spring of a joint in a substep; Energy of a mechanism.
+Mass of a contact through joints; Spring of a joint in a substep; Energy of a mechanism.
 
 Generated from srs/models/joint_step.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -535,6 +535,54 @@ def closing_share(row_value: Scalar, closing_way: Scalar) -> Scalar:
     return closing_way / abs(row_value)
 
 
+def lost_velocity(row_velocity: Scalar, row_velocity_before: Scalar, restitution: Scalar) -> Scalar:
+    """What joints have taken of the velocity of a contact that restitution asks for (m/s).
+
+    lost_velocity = -(row_velocity + restitution*row_velocity_before)
+
+    Args:
+        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
+        row_velocity_before: Velocity of B's point of contact seen from A's, along the line;
+            just before the impact, m/s
+        restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
+            energy is lost), 1
+
+    Source: DD96, srs/models/joint_step.md:312.
+    """
+    return -(row_velocity + restitution * row_velocity_before)
+
+
+def lost_share(row_mass: Scalar, lost_velocity: Scalar, applied_impulse: Scalar) -> Scalar:
+    """Part that joints take of what an impulse changes in the velocity of a contact (1).
+
+    lost_share = row_mass*lost_velocity/applied_impulse
+
+    Args:
+        row_mass: Impulse along the line for one unit of change of the row's velocity, kg
+        lost_velocity: What joints have taken of the velocity of a contact that restitution asks
+            for, m/s
+        applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
+
+    Source: DD96, srs/models/joint_step.md:313.
+    """
+    return row_mass * lost_velocity / applied_impulse
+
+
+def row_mass_joined(row_mass: Scalar, lost_share: Scalar) -> Scalar:
+    """Impulse for one unit of change of a contact's velocity while joints hold (kg).
+
+    row_mass_joined = row_mass/(1 - lost_share)
+
+    Args:
+        row_mass: Impulse along the line for one unit of change of the row's velocity, kg
+        lost_share: Part that joints take of what an impulse changes in the velocity of a
+            contact, 1
+
+    Source: DD96, srs/models/joint_step.md:314.
+    """
+    return row_mass / (1 - lost_share)
+
+
 def implicit_share(
     row_stiffness: Scalar, row_damping: Scalar, row_yield: Scalar, time_step: Scalar
 ) -> Scalar:
@@ -550,7 +598,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:330.
+    Source: IM19, srs/models/joint_step.md:369.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -572,7 +620,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:334.
+    Source: IM19, srs/models/joint_step.md:373.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -607,7 +655,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:336.
+    Source: IM19, srs/models/joint_step.md:375.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -623,7 +671,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:337.
+    Source: IM19, srs/models/joint_step.md:376.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -637,7 +685,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:441.
+    Source: DD79, srs/models/joint_step.md:480.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -651,7 +699,7 @@ def drive_work(row_impulse: Scalar, drive_rate: Scalar) -> Scalar:
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: DD79, srs/models/joint_step.md:442.
+    Source: DD79, srs/models/joint_step.md:481.
     """
     return row_impulse * drive_rate
 
@@ -676,7 +724,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:443.
+    Source: DD79, srs/models/joint_step.md:482.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -695,7 +743,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:445.
+    Source: DD79, srs/models/joint_step.md:484.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -719,7 +767,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:447.
+    Source: DD79, srs/models/joint_step.md:486.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -734,7 +782,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:449.
+    Source: DD79, srs/models/joint_step.md:488.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -750,6 +798,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:450.
+    Source: DD79, srs/models/joint_step.md:489.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

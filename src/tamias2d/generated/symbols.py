@@ -2586,13 +2586,38 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1587,
     ),
+    "lost_velocity": Symbol(
+        "lost_velocity",
+        "m/s",
+        "what joints have taken of the velocity of a contact that restitution asks for",
+        tex="u_l",
+        file="srs/symbols.md",
+        line=1591,
+    ),
+    "lost_share": Symbol(
+        "lost_share",
+        "1",
+        "part that joints take of what an impulse changes in the velocity of a contact",
+        tex="\\lambda",
+        file="srs/symbols.md",
+        line=1595,
+    ),
+    "row_mass_joined": Symbol(
+        "row_mass_joined",
+        "kg",
+        "impulse for one unit of change of a contact's velocity while joints hold",
+        range=Range("> 0", low=0.0),
+        tex="m_{r,j}",
+        file="srs/symbols.md",
+        line=1599,
+    ),
     "bounce_rate": Symbol(
         "bounce_rate",
         "m/s",
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1591,
+        line=1604,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2601,7 +2626,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1595,
+        line=1608,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2610,7 +2635,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1600,
+        line=1613,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2619,7 +2644,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1605,
+        line=1618,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2628,7 +2653,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1610,
+        line=1623,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2636,7 +2661,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1615,
+        line=1628,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2645,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1619,
+        line=1632,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2653,7 +2678,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1624,
+        line=1637,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2661,7 +2686,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1628,
+        line=1641,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2670,7 +2695,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1632,
+        line=1645,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2679,7 +2704,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1637,
+        line=1650,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2687,7 +2712,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1642,
+        line=1655,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2696,7 +2721,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1646,
+        line=1659,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2704,7 +2729,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1651,
+        line=1664,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2712,7 +2737,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1655,
+        line=1668,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2721,7 +2746,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1659,
+        line=1672,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2730,7 +2755,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1664,
+        line=1677,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2739,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1669,
+        line=1682,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2748,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1674,
+        line=1687,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2757,7 +2782,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1679,
+        line=1692,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2766,7 +2791,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1684,
+        line=1697,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2775,7 +2800,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1689,
+        line=1702,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2784,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1694,
+        line=1707,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2793,7 +2818,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1699,
+        line=1712,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2801,7 +2826,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1704,
+        line=1717,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2810,7 +2835,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1708,
+        line=1721,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2819,7 +2844,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1713,
+        line=1726,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2828,7 +2853,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1718,
+        line=1731,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2836,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1723,
+        line=1736,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2845,7 +2870,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1727,
+        line=1740,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2853,7 +2878,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1732,
+        line=1745,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2861,7 +2886,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1736,
+        line=1749,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2870,7 +2895,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1740,
+        line=1753,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2879,7 +2904,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1745,
+        line=1758,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2888,7 +2913,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1750,
+        line=1763,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2896,7 +2921,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1755,
+        line=1768,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2904,7 +2929,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1759,
+        line=1772,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2912,7 +2937,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1763,
+        line=1776,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2921,7 +2946,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1767,
+        line=1780,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2930,7 +2955,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1772,
+        line=1785,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2939,7 +2964,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1777,
+        line=1790,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2948,7 +2973,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1782,
+        line=1795,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2957,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1787,
+        line=1800,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2966,7 +2991,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1792,
+        line=1805,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2975,7 +3000,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1797,
+        line=1810,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2984,7 +3009,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1802,
+        line=1815,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2992,7 +3017,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1807,
+        line=1820,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3001,7 +3026,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1811,
+        line=1824,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3009,7 +3034,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1816,
+        line=1829,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3018,7 +3043,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1820,
+        line=1833,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3027,7 +3052,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1825,
+        line=1838,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3036,7 +3061,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1830,
+        line=1843,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3045,7 +3070,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1835,
+        line=1848,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3054,7 +3079,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1840,
+        line=1853,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3062,7 +3087,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1845,
+        line=1858,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3071,7 +3096,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1849,
+        line=1862,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3080,7 +3105,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1854,
+        line=1867,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3089,7 +3114,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1859,
+        line=1872,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3098,7 +3123,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1864,
+        line=1877,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3106,7 +3131,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1869,
+        line=1882,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3114,7 +3139,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1873,
+        line=1886,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3123,7 +3148,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1877,
+        line=1890,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3132,7 +3157,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1882,
+        line=1895,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3141,7 +3166,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1887,
+        line=1900,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3150,7 +3175,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1892,
+        line=1905,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3159,7 +3184,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1897,
+        line=1910,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3168,7 +3193,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1902,
+        line=1915,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3177,7 +3202,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1907,
+        line=1920,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3186,7 +3211,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1912,
+        line=1925,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3195,7 +3220,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1917,
+        line=1930,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3203,7 +3228,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1922,
+        line=1935,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3211,7 +3236,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1926,
+        line=1939,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3220,7 +3245,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1930,
+        line=1943,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3228,7 +3253,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1935,
+        line=1948,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3236,7 +3261,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1939,
+        line=1952,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3245,7 +3270,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1943,
+        line=1956,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3254,7 +3279,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1948,
+        line=1961,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3263,7 +3288,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1953,
+        line=1966,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3271,7 +3296,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1958,
+        line=1971,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3280,7 +3305,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1962,
+        line=1975,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3288,7 +3313,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1967,
+        line=1980,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3297,7 +3322,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1971,
+        line=1984,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3305,7 +3330,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1976,
+        line=1989,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3314,7 +3339,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1980,
+        line=1993,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3322,7 +3347,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1985,
+        line=1998,
     ),
     "change": Symbol(
         "change",
@@ -3331,7 +3356,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1989,
+        line=2002,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3340,7 +3365,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1994,
+        line=2007,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3349,7 +3374,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1999,
+        line=2012,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3357,7 +3382,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2004,
+        line=2017,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3366,7 +3391,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2008,
+        line=2021,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3374,7 +3399,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2013,
+        line=2026,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3382,7 +3407,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2017,
+        line=2030,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3390,7 +3415,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2021,
+        line=2034,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3399,7 +3424,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=2025,
+        line=2038,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3407,7 +3432,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2030,
+        line=2043,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3416,6 +3441,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2034,
+        line=2047,
     ),
 }

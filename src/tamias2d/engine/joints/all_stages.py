@@ -15,6 +15,7 @@ from tamias2d.engine.joints.activity import (
 from tamias2d.engine.joints.island_charge import charge_joined, support_joined
 from tamias2d.engine.joints.payment import pay_together, repay_as_one
 from tamias2d.engine.joints.placement import note_places
+from tamias2d.engine.joints.rebound import fit_rebound
 from tamias2d.engine.joints.reserve import note_reserves
 from tamias2d.engine.joints.stages import (
     begin_joints,
@@ -36,6 +37,7 @@ JOINT_STAGES = (
     look_at_touched,
     clear_of_joints,
     end_joints,
+    fit_rebound,
     fit_touched,
     hold_tied,
     join_islands,
