@@ -217,6 +217,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
             staying=sorted(self._staying),
             scene=None if self._scene is None else scene_text(self._scene),
             joints=[asdict(joint) for joint in self._joints],
+            expects_joints=self._engine.expects_joints,
             warnings=self._warned.texts,
         )
         parts = {
@@ -245,6 +246,8 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         self._joints = JointSet(*restored_joints(about.joints, arrays.get("joints"), engine.kind))
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
         self._pushed = saving.pushed_of(arrays, engine.size)
+        if about.expects_joints:
+            engine.expect_joints()
 
     def _start(self) -> Start:
         """Return the state before the first step, to which `_rewind` leads back."""
