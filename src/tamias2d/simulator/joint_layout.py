@@ -25,7 +25,7 @@ from tamias2d.simulator.joint_rows import (
     place_of_row,
     units_of_row,
 )
-from tamias2d.simulator.joint_separations import separations, size_of_joint
+from tamias2d.simulator.joint_separations import arm_of_joint, separations, size_of_joint
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
@@ -81,10 +81,7 @@ class JointLayout:
         numbers[self.places, slight] = (
             APART / math.sqrt(MOST_ROWS) * np.where(self.are_lengths, size, 1.0) * self.per_unit
         )
-        arms = slice(tb.J_ARM, tb.J_ARM + MOST_ROWS)
-        numbers[self.places, arms] = (
-            np.where(self.are_lengths | np.isinf(size), 1.0, size) / self.per_unit
-        )
+        self._note_arms()
         if kept is not None:
             numbers[self.places[:, None], _KEPT] = kept
         else:
@@ -98,6 +95,19 @@ class JointLayout:
         least = np.full(len(numbers), np.inf)
         np.minimum.at(least, self.first_rows, numbers[self.places, tb.J_FIRMEST])
         numbers[self.places[least[self.first_rows] == 0.0], firmest] = 0.0  # a joint has come
+
+    def _note_arms(self) -> None:
+        """Tell at which arms turns count as ways."""
+        arm = np.array([arm_of_joint(joint, self._engine) for joint in self.joints])
+        arms = slice(tb.J_ARM, tb.J_ARM + MOST_ROWS)
+        self.numbers[self.places, arms] = (
+            np.where(self.are_lengths, 1.0, arm[self.owner][:, None]) / self.per_unit
+        )
+
+    def note_masses(self) -> None:
+        """Hear that bodies weigh other numbers, from which the arms of points follow."""
+        if np.isinf(self.sizes).any():
+            self._note_arms()
 
     @property
     def counts(self) -> IntArray:

@@ -24,6 +24,23 @@ def size_of_joint(joint: Joint, engine: Engine) -> float:
     return max(lengths) or math.inf
 
 
+def arm_of_joint(joint: Joint, engine: Engine) -> float:
+    """Return at which arm, m, a turn of a joint counts as a way: its size.
+
+    Of points it is how far from their centres the mass of its bodies is; 1 if none turns.
+    """
+    size = size_of_joint(joint, engine)
+    if math.isfinite(size):
+        return size
+    inverse_mass, inverse_inertia = engine.inverse_mass, engine.inverse_inertia
+    gyration = [
+        math.sqrt(inverse_mass[k] / inverse_inertia[k])
+        for k in joint.bodies
+        if inverse_inertia[k] > 0.0
+    ]
+    return max(gyration, default=1.0)
+
+
 def separations(joints: Sequence[Joint], pose: Array, time: float) -> tuple[Array, Array]:
     """Return by how much joints (j,) are apart, m, and turned, rad, at poses (n, 3) and a time, s.
 

@@ -218,6 +218,11 @@ class JointSet:
         if any(bodies & set(joint.bodies) for joint in self):
             self._change(self.layout.kept())
 
+    def note_masses(self) -> None:
+        """Hear that bodies weigh other numbers than when the engine was told of the joints."""
+        if self._layout is not None and not self.new:
+            self._layout.note_masses()
+
     def settle(self, engine: Engine) -> None:
         """Tell the engine which joints there are."""
         for joint in self:
