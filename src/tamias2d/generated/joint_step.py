@@ -480,7 +480,7 @@ def spring_change(row_impulse: Scalar, row_yield: Scalar) -> Scalar:
         row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
             1/kg
 
-    Source: DD86, srs/models/joint_step.md:249.
+    Source: DD86, srs/models/joint_step.md:250.
     """
     return row_impulse * row_impulse * row_yield / 2
 
@@ -500,7 +500,7 @@ def change_most(
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:250.
+    Source: DD86, srs/models/joint_step.md:251.
     """
     return amplification * amplification * mass * rates_squared / 2 + spring_change
 
@@ -516,7 +516,7 @@ def firmness_most(mass: Scalar, row_arm: Scalar, amplification: Scalar) -> Scala
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:251.
+    Source: DD86, srs/models/joint_step.md:252.
     """
     return amplification * amplification * mass * row_arm * row_arm
 
@@ -530,7 +530,7 @@ def closing_share(row_value: Scalar, closing_way: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         closing_way: Way by which a row that has yielded may close in a substep at most, m
 
-    Source: DD86, srs/models/joint_step.md:252.
+    Source: DD86, srs/models/joint_step.md:253.
     """
     return closing_way / abs(row_value)
 
@@ -550,7 +550,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:330.
+    Source: IM19, srs/models/joint_step.md:331.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -572,7 +572,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:334.
+    Source: IM19, srs/models/joint_step.md:335.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -607,7 +607,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:336.
+    Source: IM19, srs/models/joint_step.md:337.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -623,7 +623,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:337.
+    Source: IM19, srs/models/joint_step.md:338.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -637,7 +637,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:440.
+    Source: DD79, srs/models/joint_step.md:441.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -651,7 +651,7 @@ def drive_work(row_impulse: Scalar, drive_rate: Scalar) -> Scalar:
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: DD79, srs/models/joint_step.md:441.
+    Source: DD79, srs/models/joint_step.md:442.
     """
     return row_impulse * drive_rate
 
@@ -676,7 +676,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:442.
+    Source: DD79, srs/models/joint_step.md:443.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -695,7 +695,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:444.
+    Source: DD79, srs/models/joint_step.md:445.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -719,7 +719,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:446.
+    Source: DD79, srs/models/joint_step.md:447.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -734,7 +734,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:448.
+    Source: DD79, srs/models/joint_step.md:449.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -750,6 +750,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:449.
+    Source: DD79, srs/models/joint_step.md:450.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

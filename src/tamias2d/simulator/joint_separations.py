@@ -9,6 +9,7 @@ import numpy as np
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.generated.constraints import CONSTRAINTS
+from tamias2d.generated.definitions import gyration_radius
 from tamias2d.scene.joint_start import numbers_of, steepness
 from tamias2d.scene.joints import Joint
 from tamias2d.spec.constraint import ENDS
@@ -33,12 +34,9 @@ def arm_of_joint(joint: Joint, engine: Engine) -> float:
     if math.isfinite(size):
         return size
     inverse_mass, inverse_inertia = engine.inverse_mass, engine.inverse_inertia
-    gyration = [
-        math.sqrt(inverse_mass[k] / inverse_inertia[k])
-        for k in joint.bodies
-        if inverse_inertia[k] > 0.0
-    ]
-    return max(gyration, default=1.0)
+    turning = [k for k in joint.bodies if inverse_inertia[k] > 0.0]
+    radii = (gyration_radius(float(inverse_mass[k]), float(inverse_inertia[k])) for k in turning)
+    return max(radii, default=1.0)
 
 
 def separations(joints: Sequence[Joint], pose: Array, time: float) -> tuple[Array, Array]:
