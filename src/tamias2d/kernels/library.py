@@ -16,7 +16,7 @@ from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compiled import is_kept, loaded
 from tamias2d.kernels.copied import Function, leaving_out
 from tamias2d.kernels.kept_source import is_of_package, kept_source
-from tamias2d.kernels.progress import progress
+from tamias2d.kernels.progress import progress, time_of_compiling
 
 T = TypeVar("T")
 
@@ -41,6 +41,10 @@ class Library:
     def is_kept(self) -> bool:
         """Whether it was compiled before, as far as can be told without the compiler."""
         return is_kept(_text(self))
+
+    def time_of_compiling(self) -> float:
+        """Return about how long it takes to compile, s of processor time, as people are told."""
+        return time_of_compiling(_text(self))
 
     def is_loaded(self) -> bool:
         """Whether it is at hand, compiled."""
