@@ -107,6 +107,14 @@ def copied(sim: t2.Simulator, _folder: Path) -> t2.Simulator:
 
 
 @pytest.mark.usefixtures("without_contact")
+def test_what_goes_back_to_a_state_expects_joints_on() -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)), joints=True)
+    sim.restore_state(sim.copy_state())
+    sim.step()
+    assert entries(sim) is JOINTED.compiled()
+
+
+@pytest.mark.usefixtures("without_contact")
 @pytest.mark.parametrize("again", [saved, pickled, copied])
 def test_what_expects_joints_does_so_again(
     again: Callable[[t2.Simulator, Path], t2.Simulator], loaded: list[Library], tmp_path: Path

@@ -53,6 +53,7 @@ class Engine(Store):
     ) -> None:
         """Start without bodies; steps of `time_step`, s, are plain Python unless compiled."""
         super().__init__(Capacities(), compiled=compiled)
+        self.expects_joints = False  # whether there were any, or may be
         control = self.world.control
         control.settings[tb.GRAVITY_X : tb.GRAVITY_Y + 1] = gravity
         control.settings[tb.TIME_STEP], control.counts[tb.SUBSTEPS] = time_step, substeps
@@ -62,7 +63,6 @@ class Engine(Store):
     def begin(self, rank: NDArray[np.int64], generation: NDArray[np.int64]) -> None:
         """Find out what the arrays hold; bodies have ranks and generations (n,), as told below."""
         self._library: SimpleNamespace | None = None  # what steps are taken with, once they are
-        self.expects_joints = False  # whether there were any, or may be
         self._take: _Take | None = None  # takes steps with the arrays as they are
         self._alone = True  # whether it is worth while to try ballistic motion
         self._course_known = False  # whether chunks know where bodies may be

@@ -168,6 +168,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
             engine=self._engine,
             bodies=copy_state(self._engine),
             joints=self._joints.copied(),
+            expects_joints=self._engine.expects_joints,
             names=dict(self._names.rows),
             staying=frozenset(self._staying),
             touching=self._report(),
@@ -192,6 +193,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         state = checked_state(state, self._engine)
         size = self._engine.size
         restore_state(self._engine, state.bodies)
+        self._engine.expects_joints = state.expects_joints
         self._joints = state.joints.copied()
         self._names, self._staying = BodyNames(state.names), set(state.staying)
         self._forget()
