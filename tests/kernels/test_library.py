@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
+import tamias2d as t2
 from tamias2d.commands import warm
 from tamias2d.kernels import Library, library
 from tamias2d.kernels.arrays import Floats
@@ -35,7 +36,7 @@ def as_engine(function: Callable[..., Any]) -> Callable[..., Any]:
 def forget() -> None:
     """What is compiled is on disk only, as for a process that has just started."""
     loaded.cache_clear()
-    library._compiled.cache_clear()
+    library._compiled.__wrapped__.cache_clear()
 
 
 for part in (plain_parts.halved, plain_parts.clamped, plain_parts.pushed, plain_parts.fallen):
@@ -64,6 +65,63 @@ def test_the_collector_of_the_process_keeps_its_pace_after_compiling() -> None:
         assert gc.get_threshold() == (701, 11, 12)
     finally:
         gc.set_threshold(*before)
+
+
+def unassembled() -> float:
+    """What uses a function of another package."""
+    return float(np.sin(1.0))
+
+
+def test_a_library_that_cannot_be_assembled_is_tried_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each of thousands of tests tried again, for ten seconds or more, and seemed to hang."""
+    tried: list[Library] = []
+    assemble = Library.source
+
+    def counted(made: Library) -> str:
+        tried.append(made)
+        return assemble(made)
+
+    monkeypatch.setattr(Library, "source", counted)
+    broken = Library("broken library", (as_engine(unassembled),))
+    said = []
+    for _ in range(3):
+        with pytest.raises(TypeError, match=r"test\.unassembled: 'np\.sin' is ") as refused:
+            broken.compiled()
+        said.append((str(refused.value), len(refused.traceback)))
+    assert tried == [broken]
+    assert said[1] == said[2]  # no longer each time
+    assert said[0][0] == said[1][0]
+
+
+def test_a_library_that_is_not_compiled_is_tried_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    tried: list[str] = []
+
+    def refused(text: str) -> ModuleType:
+        tried.append(text)
+        raise ValueError("the compiler refuses")
+
+    monkeypatch.setattr(library, "loaded", refused)
+    broken = Library("refused library", (plain_parts.pushed,))
+    for _ in range(3):
+        with pytest.raises(ValueError, match="the compiler refuses"):
+            broken.compiled()
+    assert len(tried) == 1
+
+
+@pytest.mark.parametrize("fault", [OSError("no space"), t2.InputError("others may write")])
+def test_what_may_be_mended_meanwhile_is_tried_again(
+    fault: Exception, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = Library(f"library in want of {type(fault).__name__}", (plain_parts.pushed,))
+
+    def refused(_text: str) -> ModuleType:
+        raise fault
+
+    with monkeypatch.context() as without:
+        without.setattr(library, "loaded", refused)
+        with pytest.raises(type(fault), match=str(fault)):
+            made.compiled()
+    assert made.compiled().pushed is not None
 
 
 def lesser(first: float, second: float) -> float:
@@ -231,9 +289,8 @@ def test_who_waits_is_told_and_only_then(
     LIBRARY.compiled()
     told = capsys.readouterr()
     assert told.out == ""
-    assert re.search(
-        r"Compiling the library of the tests: 6 functions, about 1 s of processor time", told.err
-    )
+    seconds = f"{LIBRARY.time_of_compiling():.0f} s of processor time"
+    assert f"Compiling the library of the tests: 6 functions, about {seconds}" in told.err
     forget()
     LIBRARY.compiled()
     assert capsys.readouterr().err == ""

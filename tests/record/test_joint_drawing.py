@@ -40,6 +40,27 @@ def test_a_rod_goes_from_anchor_to_anchor_and_is_gone_once_broken() -> None:
     assert not np.ptp(rod.points[~held], axis=1).any()
 
 
+def test_links_without_shapes_go_from_anchor_to_anchor() -> None:
+    """A chain of two rods that have no shape, and a bob on an arm: each has lines to its joints."""
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    for x in (0.5, 1.5):
+        scene.add_body(None, mass=1.0, inertia=0.1, position=(x, 0.0))
+    scene.add_joint(t2.Revolute(), (0.0, 0.0), 0, at=(0.0, 0.0), name="root")
+    scene.add_joint(t2.Revolute(), 0, 1, at=(1.0, 0.0), name="elbow")
+    scene.add_body(t2.Disc(radius=0.1), mass=1.0, position=(9.0, 0.0), restitution=0.0)
+    scene.add_joint(t2.Revolute(), (8.0, 0.0), 2, at=(8.0, 0.0), name="shown")
+    run = t2.simulate(scene, duration=0.3, times=np.linspace(0, 0.3, 4))
+    lines = joint_drawing.lines(run, drawing.view_of(run))
+    limbs = [line for line in lines if line.points.shape[1] == 2]
+    assert [line.name for line in limbs] == ["root", "elbow", "elbow"]
+    turn = run.orientation[:, 0]
+    along = 0.5 * np.column_stack((np.cos(turn), np.sin(turn)))
+    for line, end in zip(limbs, (-along, along), strict=False):
+        assert line.points[:, 0] == pytest.approx(run.position[:, 0], abs=1e-14)
+        assert line.points[:, 1] == pytest.approx(run.position[:, 0] + end, abs=1e-14)
+    assert limbs[2].points[:, 1] == pytest.approx(limbs[1].points[:, 1], abs=1e-12)
+
+
 def test_a_slide_has_ticks_at_its_limits_and_a_hinge_spokes() -> None:
     _, lines = drawn("Prismatic(limits=...)")
     ticks = [line.points[-1].mean(axis=0) for line in lines if line.kind == "limit"]

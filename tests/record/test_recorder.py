@@ -106,6 +106,19 @@ def test_joints_are_drawn_while_they_are_there(tmp_path: Path) -> None:
     assert list(dict(rows(path, "/world/joints/joint2", "Clear:is_recursive"))) == [4]
 
 
+def test_links_without_shapes_are_drawn(tmp_path: Path) -> None:
+    path, scene = tmp_path / "links.rrd", t2.Scene(gravity=(0.0, -10.0))
+    for x in (0.5, 1.5):
+        scene.add_body(None, mass=1.0, inertia=0.1, position=(x, 0.0))
+    scene.add_joint(t2.Revolute(), (0.0, 0.0), 0, at=(0.0, 0.0))
+    scene.add_joint(t2.Revolute(), 0, 1, at=(1.0, 0.0))
+    with t2.Recorder(t2.Simulator(scene, compiled=False), path) as recorder:
+        recorder.frame()
+    ((_, links),) = rows(path, "/world/joints/joint2", "LineStrips2D:strips")
+    wanted = [[(0.5, 0.0), (0.0, 0.0)], [(0.5, 0.0), (1.0, 0.0)], [(1.5, 0.0), (1.0, 0.0)]]
+    assert np.array(links) == pytest.approx(np.array(wanted), abs=1e-6)  # float32
+
+
 def test_an_error_in_the_loop_loses_no_frame(tmp_path: Path) -> None:
     path, sim = tmp_path / "loop.rrd", loop()
 

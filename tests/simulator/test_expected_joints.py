@@ -1,6 +1,10 @@
 """The code for joints is loaded where they are expected, and stays; its bits are the same."""
 
+import copy
 import json
+import pickle
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -72,17 +76,61 @@ def test_a_simulator_that_has_had_no_joints_takes_the_engine_without() -> None:
     assert entries(sim) is CONTACT.compiled()
 
 
-def test_joints_that_are_expected_are_loaded_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    loaded: list[Library] = []
+@pytest.fixture
+def loaded(monkeypatch: pytest.MonkeyPatch) -> list[Library]:
+    """The libraries that are loaded from now on, as often as they are asked for."""
+    found: list[Library] = []
     compiled = Library.compiled
 
     def noted(library: Library) -> Any:
-        loaded.append(library)
+        found.append(library)
         return compiled(library)
 
     monkeypatch.setattr(Library, "compiled", noted)
     functions = "tamias2d.engine.engine.functions"
     monkeypatch.setattr(functions, lambda library, **_: library.compiled())
+    return found
+
+
+def saved(sim: t2.Simulator, folder: Path) -> t2.Simulator:
+    sim.save(folder / "game.npz")
+    return t2.Simulator.restore(folder / "game.npz")
+
+
+def pickled(sim: t2.Simulator, _folder: Path) -> t2.Simulator:
+    again: t2.Simulator = pickle.loads(pickle.dumps(sim))
+    return again
+
+
+def copied(sim: t2.Simulator, _folder: Path) -> t2.Simulator:
+    return copy.deepcopy(sim)
+
+
+@pytest.mark.usefixtures("without_contact")
+def test_what_goes_back_to_a_state_expects_joints_on() -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)), joints=True)
+    sim.restore_state(sim.copy_state())
+    sim.step()
+    assert entries(sim) is JOINTED.compiled()
+
+
+@pytest.mark.usefixtures("without_contact")
+@pytest.mark.parametrize("again", [saved, pickled, copied])
+def test_what_expects_joints_does_so_again(
+    again: Callable[[t2.Simulator, Path], t2.Simulator], loaded: list[Library], tmp_path: Path
+) -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)), joints=True)
+    loaded.clear()
+    other = again(again(sim, tmp_path), tmp_path)
+    assert loaded == [JOINTED, JOINTED]
+    other.step()
+    assert entries(other) is JOINTED.compiled()
+    loaded.clear()
+    again(t2.Simulator(t2.Scene(gravity=(0.0, -10.0))), tmp_path)
+    assert loaded == []
+
+
+def test_joints_that_are_expected_are_loaded_at_once(loaded: list[Library]) -> None:
     t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
     assert loaded == []
     t2.Simulator(t2.Scene(gravity=(0.0, 0.0)), joints=True)

@@ -255,3 +255,87 @@ def test_a_motor_that_gives_all_it_can_and_stands_falls_asleep() -> None:
     sim.add_joint(weak, (0.0, 0.0), int(arm), other_anchor=(-0.5, 0.0))
     sim.step(120)
     assert sim.asleep[arm]
+
+
+def arm_at_a_stop(maximum: float | None, *, shape: bool = True, gravity: float = 9.81) -> Simulator:
+    """A motor that leans on a stop, half a radian up."""
+    sim = Simulator(Scene(gravity=(0.0, -gravity)), sleeping=True)
+    arm: dict[str, Any] = {"mass": 1.0, "position": (0.5, 0.0)}
+    if shape:
+        sim.add(Box(width=1.0, height=0.1), restitution=0.0, **arm)
+    else:
+        sim.add(None, inertia=0.1, **arm)
+    stop = Limits(lower=-0.5, upper=0.5, restitution=0.0)
+    leaning = Revolute(motor=Motor(speed=2.0, maximum=maximum), limits=stop)
+    sim.add_joint(leaning, (0.0, 0.0), 0, other_anchor=(-0.5, 0.0), name="hinge")
+    return sim
+
+
+@pytest.mark.parametrize("gravity", [0.0, 9.81])
+@pytest.mark.parametrize("shape", [False, True])
+@pytest.mark.parametrize("maximum", [None, 20.0])
+def test_a_motor_that_leans_on_a_limit_falls_asleep_there(
+    maximum: float | None, shape: bool, gravity: float
+) -> None:
+    sim = arm_at_a_stop(maximum, shape=shape, gravity=gravity)
+    sim.step(120)
+    assert sim.asleep[0]
+    assert sim.orientation[0] == pytest.approx(0.5, abs=1e-3)
+    sim.step(120)
+    assert sim.asleep[0]
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.5])
+@pytest.mark.parametrize("speed", [0.5, 2.0, 100.0])
+def test_a_motor_without_a_maximum_goes_no_further_than_a_limit(
+    speed: float, restitution: float
+) -> None:
+    """It was taken as far beyond as it goes in some substeps, with half of its speed."""
+    sim = Simulator(Scene(gravity=(0.0, -9.81)))
+    sim.add(Box(width=1.0, height=0.1), mass=1.0, position=(0.5, 0.0), restitution=0.0)
+    stop = Limits(lower=-0.5, upper=0.5, restitution=restitution)
+    leaning = Revolute(motor=Motor(speed=speed), limits=stop)
+    sim.add_joint(leaning, (0.0, 0.0), 0, other_anchor=(-0.5, 0.0), name="hinge")
+    sim.step(240)
+    assert sim.orientation[0] == pytest.approx(0.5, abs=1e-9)
+    assert sim.angular_velocity[0] == pytest.approx(0.0, abs=1e-9)
+    assert sim.reactions.limit[0] == 1
+    sim.set_motor("hinge", Motor(speed=-speed))
+    sim.step(240)
+    assert sim.orientation[0] == pytest.approx(-0.5, abs=1e-9)
+
+
+@pytest.mark.parametrize("waking", ["motor", "limits", "torque", "contact", "wake"])
+@pytest.mark.parametrize("maximum", [None, 20.0])
+def test_what_leans_wakes(maximum: float | None, waking: str) -> None:
+    sim = arm_at_a_stop(maximum)
+    sim.step(120)
+    assert sim.asleep[0]
+    if waking == "motor":
+        sim.set_motor("hinge", Motor(speed=-2.0, maximum=maximum))
+    elif waking == "limits":
+        sim.set_limits("hinge", Limits(lower=-0.5, upper=0.8, restitution=0.0))
+    elif waking == "torque":
+        sim.torque[0] = -1.0
+    elif waking == "wake":
+        sim.wake(0)
+    else:
+        place = (0.8, 0.6)
+        sim.add(Box(width=0.1, height=0.1), mass=1.0, position=place, restitution=0.0, friction=0.5)
+    woken = False
+    for _ in range(60):
+        sim.step()
+        woken |= not sim.asleep[0]
+    assert woken
+    there = {"motor": -0.5, "limits": 0.8}.get(waking, 0.5)
+    assert sim.orientation[0] == pytest.approx(there, abs=1e-2)
+
+
+@pytest.mark.parametrize("maximum", [1e-3, 1e-2])
+def test_a_wheel_that_a_weak_motor_turns_does_not_fall_asleep(maximum: float) -> None:
+    """It is slow for a second, as the motor gives all that it can."""
+    sim = Simulator(Scene(gravity=(0.0, -9.81)), sleeping=True)
+    sim.add(Box(width=1.0, height=1.0), mass=6.0, position=(0.0, 0.0), restitution=0.0)
+    sim.add_joint(Revolute(motor=Motor(speed=9.0, maximum=maximum)), (0.0, 0.0), 0)
+    sim.step(240)
+    assert sim.angular_velocity[0] == pytest.approx(4 * maximum, rel=1e-9)  # 1 kg m^2

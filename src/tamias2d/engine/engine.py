@@ -53,6 +53,7 @@ class Engine(Store):
     ) -> None:
         """Start without bodies; steps of `time_step`, s, are plain Python unless compiled."""
         super().__init__(Capacities(), compiled=compiled)
+        self.expects_joints = False  # whether there were any, or may be
         control = self.world.control
         control.settings[tb.GRAVITY_X : tb.GRAVITY_Y + 1] = gravity
         control.settings[tb.TIME_STEP], control.counts[tb.SUBSTEPS] = time_step, substeps
@@ -62,7 +63,6 @@ class Engine(Store):
     def begin(self, rank: NDArray[np.int64], generation: NDArray[np.int64]) -> None:
         """Find out what the arrays hold; bodies have ranks and generations (n,), as told below."""
         self._library: SimpleNamespace | None = None  # what steps are taken with, once they are
-        self._expects_joints = False  # whether there were any, or may be
         self._take: _Take | None = None  # takes steps with the arrays as they are
         self._alone = True  # whether it is worth while to try ballistic motion
         self._course_known = False  # whether chunks know where bodies may be
@@ -263,7 +263,7 @@ class Engine(Store):
         them, what it knows of contacts fits them already.
         """
         places = set_joints(self, rows)
-        self._expects_joints |= len(rows) > 0
+        self.expects_joints |= len(rows) > 0
         self._library = self._take = None
         if not restored:
             self._pool.drop_pairs(kept_apart(self))
@@ -272,7 +272,7 @@ class Engine(Store):
 
     def expect_joints(self) -> None:
         """Load the code for joints, which takes a while, before there are any."""
-        self._expects_joints = True
+        self.expects_joints = True
         functions(JOINTED, compiled=self.compiled)
 
     def settle(self) -> None:
@@ -416,7 +416,7 @@ class Engine(Store):
         """The compiled functions, found when a step is taken: joints have to be known by then."""
         if self._library is None:
             joints = bool(self.world.joints.counts[tb.JOINTS])
-            library = chosen(joints=joints, had_joints=self._expects_joints)
+            library = chosen(joints=joints, had_joints=self.expects_joints)
             self._library = functions(library, compiled=self.compiled)
         return self._library
 

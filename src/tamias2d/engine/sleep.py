@@ -13,6 +13,7 @@ Cost: a pass over bodies and one over contacts in each step, where sleeping is w
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.islands import find_islands
+from tamias2d.engine.joints.at_rest import note_joined_support, wake_tied
 from tamias2d.engine.tables import (
     Bodies,
     BroadPhase,
@@ -23,10 +24,17 @@ from tamias2d.engine.tables import (
     Joints,
     Touching,
 )
+from tamias2d.engine.waking import (
+    NO_SUPPORT,
+    SUPPORTED_AT_REST,
+    SUPPORTED_IN_MOTION,
+    wake_island,
+    wake_pair,
+)
+from tamias2d.generated.definitions import gyration_radius
 from tamias2d.generated.sleeping import quiet, quiet_square
 from tamias2d.state import Array
 
-NO_SUPPORT, SUPPORTED_AT_REST, SUPPORTED_IN_MOTION = range(3)  # what a body touches
 SLEEP_SPEED = 0.02  # of the velocity of a fall through half the radius: through 1/5000 of it
 
 
@@ -87,35 +95,6 @@ def wake_touched(contacts: Contacts, touching: Touching, islands: Islands) -> bo
     return woken
 
 
-def wake_pair(i: int, j: int, links: Integers) -> bool:
-    """Wake the one of two bodies that may not wake others, if the other may and it sleeps."""
-    if links[i, tb.AWAKE] == links[j, tb.AWAKE]:
-        return False
-    sleep_id = max(links[i, tb.SLEEP_ID], links[j, tb.SLEEP_ID])
-    wake_island(sleep_id, links)
-    return bool(sleep_id > 0)
-
-
-def wake_tied(islands: Islands, joints: Joints) -> None:
-    """Wake mechanisms that joints tie to a body which may wake others."""
-    for n in range(joints.counts[tb.MECHANISMS]):
-        i = joints.members[joints.sparse[n, tb.I_NODE] + 1, tb.JOINED_SLOT]
-        for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-            for end in range(tb.ENDS_OF_JOINT):
-                if joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED:
-                    by = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
-                    wake_pair(i, by, islands.links)
-
-
-def wake_island(sleep_id: int, links: Integers) -> None:
-    """Wake all bodies that sleep under an id; 0 is that of bodies awake."""
-    if sleep_id == 0:
-        return
-    for i in range(len(links)):
-        if links[i, tb.SLEEP_ID] == sleep_id:
-            links[i, tb.SLEEP_ID], links[i, tb.SLOW_STEPS], links[i, tb.AWAKE] = 0, 0, 1
-
-
 def count_sleeping(bodies: Bodies, islands: Islands) -> None:
     """Count the bodies that sleep."""
     asleep = 0
@@ -143,14 +122,19 @@ def keep_touching_flags(broad_phase: BroadPhase, contacts: Contacts, islands: Is
 
 
 def note_support_kinds(
-    bodies: Bodies, contacts: Contacts, touching: Touching, islands: Islands, joints: Joints
+    control: Control,
+    bodies: Bodies,
+    contacts: Contacts,
+    touching: Touching,
+    islands: Islands,
+    joints: Joints,
 ) -> None:
     """Note what each body touches: nothing, bodies at rest, or one that moves by itself."""
     find_islands(bodies, touching, islands, joints)
     links = islands.links
     for i in range(len(bodies.kind)):
         links[i, tb.SUPPORT_KIND] = NO_SUPPORT
-    note_joined_support(islands, joints)
+    note_joined_support(control.progress[tb.PART_TIME], bodies, islands, joints)
     for k in range(touching.counts[tb.TOUCHING]):
         pair = contacts.pairs[touching.contact[k]]
         i, j = pair[tb.SLOT_A], pair[tb.SLOT_B]
@@ -160,30 +144,6 @@ def note_support_kinds(
         support = SUPPORTED_IN_MOTION if in_motion else SUPPORTED_AT_REST
         links[i, tb.SUPPORT_KIND] = max(links[i, tb.SUPPORT_KIND], support)
         links[j, tb.SUPPORT_KIND] = max(links[j, tb.SUPPORT_KIND], support)
-
-
-def note_joined_support(islands: Islands, joints: Joints) -> None:
-    """Note that bodies which joints hold are supported by what these hold besides."""
-    for n in range(joints.counts[tb.MECHANISMS]):
-        timed = joints.mechanisms[n, tb.M_TIMED] == 1
-        support = SUPPORTED_IN_MOTION if timed else SUPPORTED_AT_REST
-        for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-            if motor_drives(j, joints):
-                support = SUPPORTED_IN_MOTION
-            for end in range(tb.ENDS_OF_JOINT):
-                by = joints.members[joints.joints[j, tb.J_MEMBER + end], tb.JOINED_SLOT]
-                tied = joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED
-                if tied and islands.links[by, tb.AWAKE] == 1:
-                    support = SUPPORTED_IN_MOTION
-        for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
-            links = islands.links[joints.members[m, tb.JOINED_SLOT]]
-            links[tb.SUPPORT_KIND] = max(links[tb.SUPPORT_KIND], support)
-
-
-def motor_drives(j: int, joints: Joints) -> bool:
-    """Return whether a motor moves its joint, however slowly: it does not give all that it can."""
-    motor = joints.joints[j, tb.J_LAW] == tb.MOTOR and joints.laws[j, tb.LAW_RATE] != 0.0
-    return bool(motor and joints.joints[j, tb.J_STATE] == tb.HOLDS)
 
 
 def fall_asleep(control: Control, bodies: Bodies, islands: Islands) -> None:
@@ -211,12 +171,20 @@ def fall_asleep(control: Control, bodies: Bodies, islands: Islands) -> None:
 
 def count_slow_step(i: int, control: Control, bodies: Bodies, links: Integers) -> None:
     """Count for how many steps a body has been slow."""
-    support, radius = links[i, tb.SUPPORT_KIND], bodies.properties[i, tb.BOUNDING_RADIUS]
+    support, radius = links[i, tb.SUPPORT_KIND], extent_of_body(bodies.properties[i])
     limit = sleep_speed_squared(control.settings, radius) if support == SUPPORTED_AT_REST else 0.0
     slow = is_slow(control.progress[tb.PART_TIME], limit, bodies.motion[i], radius)
     links[i, tb.SLOW_STEPS] = (
         links[i, tb.SLOW_STEPS] + 1 if slow and support != SUPPORTED_IN_MOTION else 0
     )
+
+
+def extent_of_body(properties: Array) -> float:
+    """Return how far a body reaches, m; of a particle that turns, how far its mass is."""
+    extent = properties[tb.BOUNDING_RADIUS]
+    if extent == 0.0 and properties[tb.INVERSE_INERTIA] > 0.0:
+        return gyration_radius(properties[tb.INVERSE_MASS], properties[tb.INVERSE_INERTIA])
+    return extent
 
 
 def note_rest(i: int, control: Control, bodies: Bodies, rest: Array) -> None:

@@ -267,7 +267,8 @@ def integrate(world: World) -> int:
     bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
     contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[tb.SLEEP_STEPS] > 0:
-        note_support_kinds(bodies, contacts, world.touching, islands, world.joints)
+        touching, joints = world.touching, world.joints
+        note_support_kinds(world.control, bodies, contacts, touching, islands, joints)
     if islands.counts[tb.SLEEPING] > 0:
         hold_sleeping(bodies, islands)
         keep_touching_flags(broad_phase, contacts, islands)

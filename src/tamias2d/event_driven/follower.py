@@ -26,7 +26,7 @@ from tamias2d.state import Array, History, State
 
 LIBRARY = Library("located impacts", (follow, follow_worlds))
 _NEAR = 1.1  # times the radii: more than what may touch
-_TAKE, _LOAD, _COMPILE = 0.003, 0.5, 20.0  # s: of what is at hand, of what is kept, and else
+_TAKE, _LOAD = 0.003, 0.5  # s: of what is at hand, and of what is kept
 _LOOK = 0.1  # s, after which it is asked which of the last two it is
 
 
@@ -96,7 +96,9 @@ class EventDriven:
         if (spent < _LOOK and not at_hand) or time <= 0 or not hypot_agrees():
             return False
         if not self._price:
-            self._price = _TAKE if at_hand else _LOAD if LIBRARY.is_kept() else _COMPILE
+            self._price = _TAKE if at_hand else _LOAD
+            if not at_hand and not LIBRARY.is_kept():
+                self._price = LIBRARY.time_of_compiling()
         return spent / time * (until - time) > self._price
 
     def take(self, time: float, until: float, tracks: Tracks, *, begun: bool) -> None:

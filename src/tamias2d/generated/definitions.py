@@ -1,8 +1,8 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
-of a capsule; Bodies of several parts; Inertia in proportion to the mass; Acceleration by
-inverse mass; Flow through a step; Momentum; Restitution of a pair; Contact of two vertices;
-Tangential velocity of a contact; Friction of a pair; Kinetic energy; Potential energy; Energy
-lost in an impact; Spring along a joint; Spring about a joint.
+of a capsule; Bodies of several parts; Inertia in proportion to the mass; Radius of gyration;
+Acceleration by inverse mass; Flow through a step; Momentum; Restitution of a pair; Contact of
+two vertices; Tangential velocity of a contact; Friction of a pair; Kinetic energy; Potential
+energy; Energy lost in an impact; Spring along a joint; Spring about a joint.
 
 Generated from srs/definitions.md and srs/models/joints.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -282,6 +282,20 @@ def inertia_later(inertia: Scalar, mass: Scalar, mass_later: Scalar) -> Scalar:
     return inertia * mass_later / mass
 
 
+def gyration_radius(inverse_mass: Scalar, inverse_inertia: Scalar) -> Scalar:
+    """Radius of gyration, how far from its centre the mass of a body is (m).
+
+    gyration_radius = sqrt(inverse_mass/inverse_inertia)
+
+    Args:
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+
+    Source: DD95, srs/definitions.md:232.
+    """
+    return sqrt(inverse_mass / inverse_inertia)
+
+
 def acceleration(gravity: Vector, force: Vector, inverse_mass: Scalar) -> Vector:
     """Acceleration of the centre of mass (m/s^2).
 
@@ -292,7 +306,7 @@ def acceleration(gravity: Vector, force: Vector, inverse_mass: Scalar) -> Vector
         force: Applied force on a body, without its weight, N
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD30, srs/definitions.md:245.
+    Source: DD30, srs/definitions.md:258.
     """
     gravity_x, gravity_y = gravity
     force_x, force_y = force
@@ -308,7 +322,7 @@ def angular_acceleration(torque: Scalar, inverse_inertia: Scalar) -> Scalar:
         torque: Applied torque about the centre of mass, positive counter-clockwise, N*m
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD30, srs/definitions.md:246.
+    Source: DD30, srs/definitions.md:259.
     """
     return inverse_inertia * torque
 
@@ -323,7 +337,7 @@ def coordinate_velocity_gain(propagator_gain: Scalar, coordinate_acceleration: S
         coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
             m/s^2
 
-    Source: DD41, srs/definitions.md:271.
+    Source: DD41, srs/definitions.md:284.
     """
     return propagator_gain * coordinate_acceleration
 
@@ -342,7 +356,7 @@ def coordinate_velocity_later(
         coordinate_velocity_gain: What an acceleration adds to a velocity along one axis in a
             step, m/s
 
-    Source: DD41, srs/definitions.md:272.
+    Source: DD41, srs/definitions.md:285.
     """
     return propagator_decay * coordinate_velocity + coordinate_velocity_gain
 
@@ -365,7 +379,7 @@ def coordinate_displacement(
         coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
             m/s^2
 
-    Source: DD41, srs/definitions.md:274.
+    Source: DD41, srs/definitions.md:287.
     """
     return propagator_gain * coordinate_velocity + propagator_lift * coordinate_acceleration
 
@@ -379,7 +393,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:357.
+    Source: DD21, srs/definitions.md:370.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -394,7 +408,7 @@ def angular_momentum_own(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:358.
+    Source: DD21, srs/definitions.md:371.
     """
     return inertia * angular_velocity
 
@@ -414,7 +428,7 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:359.
+    Source: DD21, srs/definitions.md:372.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
@@ -433,7 +447,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:455.
+    Source: DD17, srs/definitions.md:468.
     """
     return least(restitution_a, restitution_b)
 
@@ -449,7 +463,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:488.
+    Source: GD11, srs/definitions.md:501.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -475,7 +489,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:515.
+    Source: DD22, srs/definitions.md:528.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -492,7 +506,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:528.
+    Source: DD23, srs/definitions.md:541.
     """
     return sqrt(friction_a * friction_b)
 
@@ -510,7 +524,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:546.
+    Source: DD15, srs/definitions.md:559.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -529,7 +543,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:560.
+    Source: DD16, srs/definitions.md:573.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -548,7 +562,7 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:577.
+    Source: DD60, srs/definitions.md:590.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
 

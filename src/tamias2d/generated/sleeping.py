@@ -79,6 +79,6 @@ def kinetic_energy_most(
             does, m
         quiet_square: Square of the velocity up to which a body is quiet, m^2/s^2
 
-    Source: IM13, srs/models/sleeping.md:68.
+    Source: IM13, srs/models/sleeping.md:69.
     """
     return largest(mass, inertia / (extent * extent)) * quiet_square / 2

@@ -107,6 +107,15 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=79,
     ),
+    "gyration_radius": Symbol(
+        "gyration_radius",
+        "m",
+        "radius of gyration, how far from its centre the mass of a body is",
+        range=Range("> 0", low=0.0),
+        tex="r_g",
+        file="srs/symbols.md",
+        line=84,
+    ),
     "restitution": Symbol(
         "restitution",
         "1",
@@ -116,7 +125,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="0.8",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=84,
+        line=89,
     ),
     "pair_restitution": Symbol(
         "pair_restitution",
@@ -125,7 +134,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="C_R",
         file="srs/symbols.md",
-        line=93,
+        line=98,
     ),
     "friction": Symbol(
         "friction",
@@ -136,7 +145,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="0.5",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=98,
+        line=103,
     ),
     "pair_friction": Symbol(
         "pair_friction",
@@ -145,7 +154,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\mu",
         file="srs/symbols.md",
-        line=107,
+        line=112,
     ),
     "position": Symbol(
         "position",
@@ -156,7 +165,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0.412 m, 0.502 m]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=121,
+        line=126,
     ),
     "displacement": Symbol(
         "displacement",
@@ -165,7 +174,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=128,
+        line=133,
     ),
     "velocity": Symbol(
         "velocity",
@@ -176,7 +185,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[2.51 m/s, 0 m/s]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=133,
+        line=138,
     ),
     "acceleration": Symbol(
         "acceleration",
@@ -185,7 +194,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=140,
+        line=145,
     ),
     "orientation": Symbol(
         "orientation",
@@ -195,7 +204,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="90 deg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=145,
+        line=150,
     ),
     "angular_displacement": Symbol(
         "angular_displacement",
@@ -203,7 +212,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of orientation since the start",
         tex="\\theta",
         file="srs/symbols.md",
-        line=153,
+        line=158,
     ),
     "angular_velocity": Symbol(
         "angular_velocity",
@@ -213,7 +222,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="2.1 rad/s",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=157,
+        line=162,
     ),
     "angular_acceleration": Symbol(
         "angular_acceleration",
@@ -221,7 +230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the angular velocity",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=163,
+        line=168,
     ),
     "point_velocity": Symbol(
         "point_velocity",
@@ -230,7 +239,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}^P",
         file="srs/symbols.md",
-        line=167,
+        line=172,
     ),
     "force": Symbol(
         "force",
@@ -241,7 +250,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[98.1 N, 0 N]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=181,
+        line=186,
     ),
     "torque": Symbol(
         "torque",
@@ -251,7 +260,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="200 N*m",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=188,
+        line=193,
     ),
     "gravity": Symbol(
         "gravity",
@@ -262,7 +271,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0 m/s^2, -9.81 m/s^2]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=194,
+        line=199,
     ),
     "gravitational_constant": Symbol(
         "gravitational_constant",
@@ -272,7 +281,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="G",
         typical="6.6743e-11 m^3/(kg*s^2)",
         file="srs/symbols.md",
-        line=201,
+        line=206,
     ),
     "attraction": Symbol(
         "attraction",
@@ -281,7 +290,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=216,
+        line=221,
     ),
     "gravitational_energy": Symbol(
         "gravitational_energy",
@@ -289,7 +298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of two bodies that attract each other, zero when far apart",
         tex="U^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=221,
+        line=226,
     ),
     "linear_drag": Symbol(
         "linear_drag",
@@ -299,7 +308,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_1",
         typical="0.5 kg/s",
         file="srs/symbols.md",
-        line=225,
+        line=230,
     ),
     "quadratic_drag": Symbol(
         "quadratic_drag",
@@ -309,7 +318,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_2",
         typical="0.05 kg/m",
         file="srs/symbols.md",
-        line=231,
+        line=236,
     ),
     "linear_drag_force": Symbol(
         "linear_drag_force",
@@ -318,7 +327,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=237,
+        line=242,
     ),
     "quadratic_drag_force": Symbol(
         "quadratic_drag_force",
@@ -327,7 +336,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{quad}}",
         file="srs/symbols.md",
-        line=242,
+        line=247,
     ),
     "angular_drag": Symbol(
         "angular_drag",
@@ -337,7 +346,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_\\omega",
         typical="0.1 kg*m^2/s",
         file="srs/symbols.md",
-        line=247,
+        line=252,
     ),
     "angular_drag_torque": Symbol(
         "angular_drag_torque",
@@ -345,7 +354,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of angular drag on a body",
         tex="\\tau^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=253,
+        line=258,
     ),
     "angular_drag_rate": Symbol(
         "angular_drag_rate",
@@ -354,7 +363,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma_\\omega",
         file="srs/symbols.md",
-        line=257,
+        line=262,
     ),
     "drag_rate": Symbol(
         "drag_rate",
@@ -363,7 +372,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma",
         file="srs/symbols.md",
-        line=264,
+        line=269,
     ),
     "speed": Symbol(
         "speed",
@@ -372,7 +381,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="v",
         file="srs/symbols.md",
-        line=269,
+        line=274,
     ),
     "stiffness": Symbol(
         "stiffness",
@@ -382,7 +391,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\kappa",
         typical="100 N/m",
         file="srs/symbols.md",
-        line=274,
+        line=279,
     ),
     "rest_length": Symbol(
         "rest_length",
@@ -392,7 +401,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\ell_0",
         typical="0.5 m",
         file="srs/symbols.md",
-        line=280,
+        line=285,
     ),
     "damping": Symbol(
         "damping",
@@ -402,7 +411,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\eta",
         typical="2 kg/s",
         file="srs/symbols.md",
-        line=286,
+        line=291,
     ),
     "point": Symbol(
         "point",
@@ -411,7 +420,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}^P",
         file="srs/symbols.md",
-        line=292,
+        line=297,
     ),
     "span": Symbol(
         "span",
@@ -420,7 +429,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\ell}",
         file="srs/symbols.md",
-        line=297,
+        line=302,
     ),
     "distance": Symbol(
         "distance",
@@ -429,7 +438,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell",
         file="srs/symbols.md",
-        line=302,
+        line=307,
     ),
     "axis": Symbol(
         "axis",
@@ -438,7 +447,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=307,
+        line=312,
     ),
     "extension": Symbol(
         "extension",
@@ -446,7 +455,7 @@ SYMBOLS: dict[str, Symbol] = {
         "excess of a spring's length over its rest length",
         tex="\\delta",
         file="srs/symbols.md",
-        line=312,
+        line=317,
     ),
     "extension_rate": Symbol(
         "extension_rate",
@@ -454,7 +463,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a spring's extension",
         tex="\\dot{\\delta}",
         file="srs/symbols.md",
-        line=316,
+        line=321,
     ),
     "tension": Symbol(
         "tension",
@@ -462,7 +471,7 @@ SYMBOLS: dict[str, Symbol] = {
         "pull of a spring and its damper, negative where it pushes",
         tex="S",
         file="srs/symbols.md",
-        line=320,
+        line=325,
     ),
     "spring_force": Symbol(
         "spring_force",
@@ -471,7 +480,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=324,
+        line=329,
     ),
     "spring_energy": Symbol(
         "spring_energy",
@@ -480,7 +489,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="U^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=329,
+        line=334,
     ),
     "half_turn": Symbol(
         "half_turn",
@@ -488,7 +497,7 @@ SYMBOLS: dict[str, Symbol] = {
         "half of the angle by which a body turns in a step",
         tex="\\vartheta",
         file="srs/symbols.md",
-        line=334,
+        line=339,
     ),
     "half_turn_sine": Symbol(
         "half_turn_sine",
@@ -496,7 +505,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of half of the angle by which a body turns in a step",
         tex="\\sin\\vartheta",
         file="srs/symbols.md",
-        line=338,
+        line=343,
     ),
     "damping_step": Symbol(
         "damping_step",
@@ -505,7 +514,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="z",
         file="srs/symbols.md",
-        line=342,
+        line=347,
     ),
     "resistance_along": Symbol(
         "resistance_along",
@@ -514,7 +523,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{\\parallel}",
         file="srs/symbols.md",
-        line=349,
+        line=354,
     ),
     "resistance_across": Symbol(
         "resistance_across",
@@ -523,7 +532,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{\\perp}",
         file="srs/symbols.md",
-        line=354,
+        line=359,
     ),
     "velocity_along": Symbol(
         "velocity_along",
@@ -531,7 +540,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which the ends of a spring part",
         tex="u_{\\parallel}",
         file="srs/symbols.md",
-        line=359,
+        line=364,
     ),
     "end_velocity": Symbol(
         "end_velocity",
@@ -540,7 +549,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=363,
+        line=368,
     ),
     "spring_impulse": Symbol(
         "spring_impulse",
@@ -549,7 +558,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=368,
+        line=373,
     ),
     "resisting_impulse": Symbol(
         "resisting_impulse",
@@ -558,7 +567,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}^{\\mathrm{res}}",
         file="srs/symbols.md",
-        line=373,
+        line=378,
     ),
     "critical_step": Symbol(
         "critical_step",
@@ -567,7 +576,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="h_{\\mathrm{crit}}",
         file="srs/symbols.md",
-        line=378,
+        line=383,
     ),
     "angular_frequency": Symbol(
         "angular_frequency",
@@ -576,7 +585,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\Omega",
         file="srs/symbols.md",
-        line=383,
+        line=388,
     ),
     "equilibrium": Symbol(
         "equilibrium",
@@ -585,7 +594,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{p}}",
         file="srs/symbols.md",
-        line=388,
+        line=393,
     ),
     "field_force": Symbol(
         "field_force",
@@ -594,7 +603,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=393,
+        line=398,
     ),
     "field_torque": Symbol(
         "field_torque",
@@ -602,7 +611,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of the fields of a scene about the body's centre of mass",
         tex="\\tau^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=398,
+        line=403,
     ),
     "anchor": Symbol(
         "anchor",
@@ -611,7 +620,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{b}",
         file="srs/symbols.md",
-        line=410,
+        line=415,
     ),
     "post": Symbol(
         "post",
@@ -620,7 +629,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=417,
+        line=422,
     ),
     "guide": Symbol(
         "guide",
@@ -629,7 +638,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=424,
+        line=429,
     ),
     "joint_length": Symbol(
         "joint_length",
@@ -638,7 +647,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="L",
         file="srs/symbols.md",
-        line=429,
+        line=434,
     ),
     "joint_angle": Symbol(
         "joint_angle",
@@ -646,7 +655,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle that a joint keeps between two bodies",
         tex="\\theta",
         file="srs/symbols.md",
-        line=434,
+        line=439,
     ),
     "gear_ratio": Symbol(
         "gear_ratio",
@@ -654,7 +663,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how often one side of a joint moves for once that the other does",
         tex="\\rho",
         file="srs/symbols.md",
-        line=438,
+        line=443,
     ),
     "joint_travel": Symbol(
         "joint_travel",
@@ -662,7 +671,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is along the line on which a joint lets it slide",
         tex="z",
         file="srs/symbols.md",
-        line=442,
+        line=447,
     ),
     "stretch": Symbol(
         "stretch",
@@ -670,7 +679,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a joint is beyond the place at which its spring is at rest",
         tex="\\zeta",
         file="srs/symbols.md",
-        line=446,
+        line=451,
     ),
     "stretch_rate": Symbol(
         "stretch_rate",
@@ -678,7 +687,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a joint's stretch",
         tex="\\dot{\\zeta}",
         file="srs/symbols.md",
-        line=450,
+        line=455,
     ),
     "twist": Symbol(
         "twist",
@@ -686,7 +695,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a joint is turned beyond the angle at which its spring is at rest",
         tex="\\psi",
         file="srs/symbols.md",
-        line=454,
+        line=459,
     ),
     "twist_rate": Symbol(
         "twist_rate",
@@ -694,7 +703,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a joint's twist",
         tex="\\dot{\\psi}",
         file="srs/symbols.md",
-        line=458,
+        line=463,
     ),
     "rotary_stiffness": Symbol(
         "rotary_stiffness",
@@ -703,7 +712,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\kappa_\\theta",
         file="srs/symbols.md",
-        line=462,
+        line=467,
     ),
     "rotary_damping": Symbol(
         "rotary_damping",
@@ -712,7 +721,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\eta_\\theta",
         file="srs/symbols.md",
-        line=467,
+        line=472,
     ),
     "joint_spring_force": Symbol(
         "joint_spring_force",
@@ -720,7 +729,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a joint's spring and damper, by which its stretch grows",
         tex="F^\\zeta",
         file="srs/symbols.md",
-        line=472,
+        line=477,
     ),
     "joint_spring_torque": Symbol(
         "joint_spring_torque",
@@ -728,7 +737,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of a joint's spring and damper, by which its twist grows",
         tex="\\tau^\\psi",
         file="srs/symbols.md",
-        line=476,
+        line=481,
     ),
     "joint_spring_energy": Symbol(
         "joint_spring_energy",
@@ -736,7 +745,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is stretched",
         tex="E^\\zeta",
         file="srs/symbols.md",
-        line=480,
+        line=485,
     ),
     "rotary_spring_energy": Symbol(
         "rotary_spring_energy",
@@ -744,7 +753,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is twisted",
         tex="E^\\psi",
         file="srs/symbols.md",
-        line=484,
+        line=489,
     ),
     "motor_speed": Symbol(
         "motor_speed",
@@ -752,7 +761,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed that a motor gives to a joint",
         tex="w",
         file="srs/symbols.md",
-        line=488,
+        line=493,
     ),
     "motor_spin": Symbol(
         "motor_spin",
@@ -760,7 +769,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that a motor gives to a joint",
         tex="w_\\theta",
         file="srs/symbols.md",
-        line=492,
+        line=497,
     ),
     "joint_force_most": Symbol(
         "joint_force_most",
@@ -769,7 +778,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="F^{\\max}",
         file="srs/symbols.md",
-        line=496,
+        line=501,
     ),
     "joint_torque_most": Symbol(
         "joint_torque_most",
@@ -778,7 +787,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tau^{\\max}",
         file="srs/symbols.md",
-        line=501,
+        line=506,
     ),
     "tooth_pitch": Symbol(
         "tooth_pitch",
@@ -787,7 +796,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\theta_p",
         file="srs/symbols.md",
-        line=506,
+        line=511,
     ),
     "normal": Symbol(
         "normal",
@@ -796,7 +805,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=520,
+        line=525,
     ),
     "tangent": Symbol(
         "tangent",
@@ -805,7 +814,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=525,
+        line=530,
     ),
     "direction": Symbol(
         "direction",
@@ -813,7 +822,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=530,
+        line=535,
     ),
     "arm": Symbol(
         "arm",
@@ -822,7 +831,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=534,
+        line=539,
     ),
     "separation": Symbol(
         "separation",
@@ -830,7 +839,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=539,
+        line=544,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -838,7 +847,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=543,
+        line=548,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -846,7 +855,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=549,
+        line=554,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -854,7 +863,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=555,
+        line=560,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -862,7 +871,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=559,
+        line=564,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -871,7 +880,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=563,
+        line=568,
     ),
     "coupling": Symbol(
         "coupling",
@@ -879,7 +888,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=568,
+        line=573,
     ),
     "impulse": Symbol(
         "impulse",
@@ -888,7 +897,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=574,
+        line=579,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -896,7 +905,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=579,
+        line=584,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -904,7 +913,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=583,
+        line=588,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -913,7 +922,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=589,
+        line=594,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -922,7 +931,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=594,
+        line=599,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -930,7 +939,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=601,
+        line=606,
     ),
     "inverse_rolling_mass": Symbol(
         "inverse_rolling_mass",
@@ -939,7 +948,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_r",
         file="srs/symbols.md",
-        line=607,
+        line=612,
     ),
     "disc_force": Symbol(
         "disc_force",
@@ -947,7 +956,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force along the normal that holds a disc up",
         tex="F_d",
         file="srs/symbols.md",
-        line=614,
+        line=619,
     ),
     "rolling_friction": Symbol(
         "rolling_friction",
@@ -955,7 +964,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force along the tangent with which a disc does not begin to slide",
         tex="F_r",
         file="srs/symbols.md",
-        line=618,
+        line=623,
     ),
     "settling_impulse": Symbol(
         "settling_impulse",
@@ -964,7 +973,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="j_r",
         file="srs/symbols.md",
-        line=622,
+        line=627,
     ),
     "bounced_impulse": Symbol(
         "bounced_impulse",
@@ -973,7 +982,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_b",
         file="srs/symbols.md",
-        line=629,
+        line=634,
     ),
     "creep": Symbol(
         "creep",
@@ -981,7 +990,7 @@ SYMBOLS: dict[str, Symbol] = {
         "way along the tangent in the bounces that are left, at each of which a contact sticks",
         tex="s_b",
         file="srs/symbols.md",
-        line=634,
+        line=639,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -989,7 +998,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=640,
+        line=645,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -997,7 +1006,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=644,
+        line=649,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -1006,7 +1015,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=648,
+        line=653,
     ),
     "share": Symbol(
         "share",
@@ -1015,7 +1024,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\kappa",
         file="srs/symbols.md",
-        line=653,
+        line=658,
     ),
     "sense": Symbol(
         "sense",
@@ -1024,7 +1033,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=660,
+        line=665,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -1033,7 +1042,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=667,
+        line=672,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -1042,7 +1051,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=672,
+        line=677,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -1050,7 +1059,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=677,
+        line=682,
     ),
     "overlap": Symbol(
         "overlap",
@@ -1058,7 +1067,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=681,
+        line=686,
     ),
     "line": Symbol(
         "line",
@@ -1067,7 +1076,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=693,
+        line=698,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -1075,7 +1084,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=698,
+        line=703,
     ),
     "bend": Symbol(
         "bend",
@@ -1083,7 +1092,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=703,
+        line=708,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -1091,7 +1100,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=708,
+        line=713,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -1100,7 +1109,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=712,
+        line=717,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -1108,7 +1117,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=717,
+        line=722,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -1117,7 +1126,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=721,
+        line=726,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -1126,7 +1135,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=726,
+        line=731,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -1135,7 +1144,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=731,
+        line=736,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -1143,7 +1152,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=736,
+        line=741,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -1151,7 +1160,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=740,
+        line=745,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -1160,7 +1169,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=744,
+        line=749,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -1169,7 +1178,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=749,
+        line=754,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -1177,7 +1186,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=754,
+        line=759,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -1186,7 +1195,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=758,
+        line=763,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -1195,7 +1204,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=763,
+        line=768,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -1204,7 +1213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=768,
+        line=773,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -1213,7 +1222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=775,
+        line=780,
     ),
     "extent": Symbol(
         "extent",
@@ -1222,7 +1231,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=782,
+        line=787,
     ),
     "firmest": Symbol(
         "firmest",
@@ -1231,7 +1240,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=789,
+        line=794,
     ),
     "preload": Symbol(
         "preload",
@@ -1240,7 +1249,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=794,
+        line=799,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -1249,7 +1258,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=799,
+        line=804,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1258,7 +1267,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=804,
+        line=809,
     ),
     "gap_share": Symbol(
         "gap_share",
@@ -1267,7 +1276,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=809,
+        line=814,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1276,7 +1285,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=814,
+        line=819,
     ),
     "half_width": Symbol(
         "half_width",
@@ -1285,7 +1294,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w",
         file="srs/symbols.md",
-        line=819,
+        line=824,
     ),
     "corner_fall": Symbol(
         "corner_fall",
@@ -1294,7 +1303,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_f",
         file="srs/symbols.md",
-        line=824,
+        line=829,
     ),
     "extent_thin": Symbol(
         "extent_thin",
@@ -1303,7 +1312,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=830,
+        line=835,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1312,7 +1321,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=835,
+        line=840,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1321,7 +1330,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=840,
+        line=845,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1330,7 +1339,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=845,
+        line=850,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1338,7 +1347,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=850,
+        line=855,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1346,7 +1355,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=854,
+        line=859,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1354,7 +1363,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=858,
+        line=863,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1362,7 +1371,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=862,
+        line=867,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1370,7 +1379,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=866,
+        line=871,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1379,7 +1388,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=870,
+        line=875,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1388,7 +1397,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=875,
+        line=880,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1397,7 +1406,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=880,
+        line=885,
     ),
     "shift": Symbol(
         "shift",
@@ -1406,7 +1415,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=885,
+        line=890,
     ),
     "turn": Symbol(
         "turn",
@@ -1414,7 +1423,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=890,
+        line=895,
     ),
     "early_share": Symbol(
         "early_share",
@@ -1423,7 +1432,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=894,
+        line=899,
     ),
     "step_share": Symbol(
         "step_share",
@@ -1431,7 +1440,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of a step that is over",
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=901,
+        line=906,
     ),
     "impulse_late": Symbol(
         "impulse_late",
@@ -1439,7 +1448,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sum of the impulses of a contact in a step, each times the share of the step that was over",
         tex="j_{\\mathrm{late}}",
         file="srs/symbols.md",
-        line=905,
+        line=910,
     ),
     "impulse_turned": Symbol(
         "impulse_turned",
@@ -1448,7 +1457,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{j}",
         file="srs/symbols.md",
-        line=911,
+        line=916,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1457,7 +1466,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=916,
+        line=921,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1466,7 +1475,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=923,
+        line=928,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1475,7 +1484,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=928,
+        line=933,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1484,7 +1493,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=935,
+        line=940,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1493,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=942,
+        line=947,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1502,7 +1511,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=948,
+        line=953,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1510,7 +1519,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=955,
+        line=960,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1519,7 +1528,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=968,
+        line=973,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1527,7 +1536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=973,
+        line=978,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1535,7 +1544,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=977,
+        line=982,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1544,7 +1553,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=983,
+        line=988,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1552,7 +1561,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=988,
+        line=993,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1561,7 +1570,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=992,
+        line=997,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1569,7 +1578,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=997,
+        line=1002,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1578,7 +1587,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=1001,
+        line=1006,
     ),
     "advance": Symbol(
         "advance",
@@ -1587,7 +1596,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=1006,
+        line=1011,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1595,7 +1604,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=1011,
+        line=1016,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1604,7 +1613,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=1015,
+        line=1020,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1612,7 +1621,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=1020,
+        line=1025,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1620,7 +1629,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=1024,
+        line=1029,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1629,7 +1638,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=1028,
+        line=1033,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1637,7 +1646,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=1033,
+        line=1038,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1645,7 +1654,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=1037,
+        line=1042,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1653,7 +1662,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1042,
+        line=1047,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1661,7 +1670,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1048,
+        line=1053,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1670,7 +1679,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=1052,
+        line=1057,
     ),
     "slip": Symbol(
         "slip",
@@ -1678,7 +1687,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1059,
+        line=1064,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1686,7 +1695,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=1065,
+        line=1070,
     ),
     "circling": Symbol(
         "circling",
@@ -1695,7 +1704,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=1069,
+        line=1074,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1703,7 +1712,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1076,
+        line=1081,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1712,7 +1721,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1080,
+        line=1085,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1721,7 +1730,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1085,
+        line=1090,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1730,7 +1739,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1090,
+        line=1095,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1738,7 +1747,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1095,
+        line=1100,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1747,7 +1756,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1099,
+        line=1104,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1755,7 +1764,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1104,
+        line=1109,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1763,7 +1772,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1108,
+        line=1113,
     ),
     "arc": Symbol(
         "arc",
@@ -1772,7 +1781,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1114,
+        line=1119,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1781,7 +1790,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1119,
+        line=1124,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1789,7 +1798,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1129,
+        line=1134,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1797,7 +1806,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1133,
+        line=1138,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1806,7 +1815,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1137,
+        line=1142,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1815,7 +1824,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1142,
+        line=1147,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1824,7 +1833,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1147,
+        line=1152,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1833,7 +1842,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1152,
+        line=1157,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1842,7 +1851,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1157,
+        line=1162,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1850,7 +1859,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1162,
+        line=1167,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1859,7 +1868,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1171,
+        line=1176,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1867,7 +1876,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1176,
+        line=1181,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1876,7 +1885,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1180,
+        line=1185,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1884,7 +1893,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1185,
+        line=1190,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1892,7 +1901,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1189,
+        line=1194,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1901,7 +1910,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1193,
+        line=1198,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1910,7 +1919,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1198,
+        line=1203,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1919,7 +1928,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1203,
+        line=1208,
     ),
     "work": Symbol(
         "work",
@@ -1927,7 +1936,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1208,
+        line=1213,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -1936,7 +1945,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1212,
+        line=1217,
     ),
     "support_work": Symbol(
         "support_work",
@@ -1945,7 +1954,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1217,
+        line=1222,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -1954,7 +1963,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1222,
+        line=1227,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -1962,7 +1971,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1227,
+        line=1232,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -1970,7 +1979,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_s",
         file="srs/symbols.md",
-        line=1231,
+        line=1236,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -1979,7 +1988,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1235,
+        line=1240,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -1987,7 +1996,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1241,
+        line=1246,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -1996,7 +2005,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1245,
+        line=1250,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2005,7 +2014,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1250,
+        line=1255,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2014,7 +2023,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1255,
+        line=1260,
     ),
     "rising_energy_charged": Symbol(
         "rising_energy_charged",
@@ -2023,7 +2032,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1260,
+        line=1265,
     ),
     "velocity_charged": Symbol(
         "velocity_charged",
@@ -2032,7 +2041,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1265,
+        line=1270,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2040,7 +2049,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1270,
+        line=1275,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2049,7 +2058,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1276,
+        line=1281,
     ),
     "energy_along_given_charged": Symbol(
         "energy_along_given_charged",
@@ -2058,7 +2067,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1281,
+        line=1286,
     ),
     "velocity_repaid": Symbol(
         "velocity_repaid",
@@ -2067,7 +2076,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1286,
+        line=1291,
     ),
     "angular_velocity_repaid": Symbol(
         "angular_velocity_repaid",
@@ -2075,7 +2084,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body that has paid for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1291,
+        line=1296,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2084,7 +2093,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1295,
+        line=1300,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2092,7 +2101,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1300,
+        line=1305,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2101,7 +2110,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1304,
+        line=1309,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2109,7 +2118,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1309,
+        line=1314,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2118,7 +2127,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1314,
+        line=1319,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2127,7 +2136,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1319,
+        line=1324,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2136,7 +2145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1324,
+        line=1329,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2144,7 +2153,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1329,
+        line=1334,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2152,7 +2161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1333,
+        line=1338,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2160,7 +2169,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1337,
+        line=1342,
     ),
     "energy_unpaid": Symbol(
         "energy_unpaid",
@@ -2168,7 +2177,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1341,
+        line=1346,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2177,7 +2186,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1347,
+        line=1352,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2186,7 +2195,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1352,
+        line=1357,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2195,7 +2204,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1359,
+        line=1364,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2204,7 +2213,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1364,
+        line=1369,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2212,7 +2221,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1369,
+        line=1374,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2220,7 +2229,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1374,
+        line=1379,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2228,7 +2237,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1380,
+        line=1385,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2237,7 +2246,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1384,
+        line=1389,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2246,7 +2255,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1391,
+        line=1396,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2255,7 +2264,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1396,
+        line=1401,
     ),
     "energy": Symbol(
         "energy",
@@ -2263,7 +2272,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1401,
+        line=1406,
     ),
     "radius": Symbol(
         "radius",
@@ -2272,7 +2281,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1410,
+        line=1415,
     ),
     "length": Symbol(
         "length",
@@ -2281,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1415,
+        line=1420,
     ),
     "width": Symbol(
         "width",
@@ -2290,7 +2299,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1422,
+        line=1427,
     ),
     "height": Symbol(
         "height",
@@ -2299,7 +2308,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1427,
+        line=1432,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2308,7 +2317,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1432,
+        line=1437,
     ),
     "center": Symbol(
         "center",
@@ -2317,7 +2326,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1437,
+        line=1442,
     ),
     "offset": Symbol(
         "offset",
@@ -2325,7 +2334,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1442,
+        line=1447,
     ),
     "area": Symbol(
         "area",
@@ -2334,7 +2343,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1446,
+        line=1451,
     ),
     "way": Symbol(
         "way",
@@ -2343,7 +2352,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1451,
+        line=1456,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2351,7 +2360,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1456,
+        line=1461,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2360,7 +2369,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1460,
+        line=1465,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2369,7 +2378,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1465,
+        line=1470,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2377,7 +2386,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1470,
+        line=1475,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2385,7 +2394,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1474,
+        line=1479,
     ),
     "lean": Symbol(
         "lean",
@@ -2393,7 +2402,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1478,
+        line=1483,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2401,7 +2410,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1482,
+        line=1487,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2409,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1486,
+        line=1491,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2418,7 +2427,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1492,
+        line=1497,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2426,7 +2435,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1505,
+        line=1510,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2434,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1509,
+        line=1514,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2442,7 +2451,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1513,
+        line=1518,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2450,7 +2459,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1517,
+        line=1522,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2459,7 +2468,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1521,
+        line=1526,
     ),
     "slope": Symbol(
         "slope",
@@ -2468,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1526,
+        line=1531,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2477,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1531,
+        line=1536,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2486,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1536,
+        line=1541,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2495,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1541,
+        line=1546,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2503,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1546,
+        line=1551,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2511,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1550,
+        line=1555,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2519,7 +2528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1554,
+        line=1559,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2528,7 +2537,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1558,
+        line=1563,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2536,7 +2545,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1563,
+        line=1568,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2544,7 +2553,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1567,
+        line=1572,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2552,7 +2561,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1571,
+        line=1576,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2560,7 +2569,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1575,
+        line=1580,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2568,7 +2577,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1579,
+        line=1584,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2576,7 +2585,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1583,
+        line=1588,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2584,7 +2593,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1587,
+        line=1592,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2592,7 +2601,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1591,
+        line=1596,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2600,7 +2609,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1595,
+        line=1600,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2609,7 +2618,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1599,
+        line=1604,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2617,7 +2626,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1604,
+        line=1609,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2626,7 +2635,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1608,
+        line=1613,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2635,7 +2644,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1613,
+        line=1618,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2644,7 +2653,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1618,
+        line=1623,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2653,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1623,
+        line=1628,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2661,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1628,
+        line=1633,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2670,7 +2679,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1632,
+        line=1637,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2678,7 +2687,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1637,
+        line=1642,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2686,7 +2695,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1641,
+        line=1646,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2695,7 +2704,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1645,
+        line=1650,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2704,7 +2713,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1650,
+        line=1655,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2712,7 +2721,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1655,
+        line=1660,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2721,7 +2730,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1659,
+        line=1664,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2729,7 +2738,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1664,
+        line=1669,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2737,7 +2746,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1668,
+        line=1673,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2746,7 +2755,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1672,
+        line=1677,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2755,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1677,
+        line=1682,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2764,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1682,
+        line=1687,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2773,7 +2782,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1687,
+        line=1692,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2782,7 +2791,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1692,
+        line=1697,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2791,7 +2800,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1697,
+        line=1702,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2800,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1702,
+        line=1707,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2809,7 +2818,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1707,
+        line=1712,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2818,7 +2827,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1712,
+        line=1717,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2826,7 +2835,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1717,
+        line=1722,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2835,7 +2844,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1721,
+        line=1726,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2844,7 +2853,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1726,
+        line=1731,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2853,7 +2862,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1731,
+        line=1736,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2861,7 +2870,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1736,
+        line=1741,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2870,7 +2879,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1740,
+        line=1745,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2878,7 +2887,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1745,
+        line=1750,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2886,7 +2895,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1749,
+        line=1754,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2895,7 +2904,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1753,
+        line=1758,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2904,7 +2913,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1758,
+        line=1763,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2913,7 +2922,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1763,
+        line=1768,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2921,7 +2930,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1768,
+        line=1773,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2929,7 +2938,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1772,
+        line=1777,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2937,7 +2946,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1776,
+        line=1781,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2946,7 +2955,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1780,
+        line=1785,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2955,7 +2964,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1785,
+        line=1790,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2964,7 +2973,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1790,
+        line=1795,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2973,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1795,
+        line=1800,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2982,7 +2991,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1800,
+        line=1805,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2991,7 +3000,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1805,
+        line=1810,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3000,7 +3009,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1810,
+        line=1815,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3009,7 +3018,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1815,
+        line=1820,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3017,7 +3026,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1820,
+        line=1825,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3026,7 +3035,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1824,
+        line=1829,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3034,7 +3043,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1829,
+        line=1834,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3043,7 +3052,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1833,
+        line=1838,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3052,7 +3061,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1838,
+        line=1843,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3061,7 +3070,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1843,
+        line=1848,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3070,7 +3079,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1848,
+        line=1853,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3079,7 +3088,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1853,
+        line=1858,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3087,7 +3096,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1858,
+        line=1863,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3096,7 +3105,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1862,
+        line=1867,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3105,7 +3114,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1867,
+        line=1872,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3114,7 +3123,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1872,
+        line=1877,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3123,7 +3132,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1877,
+        line=1882,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3131,7 +3140,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1882,
+        line=1887,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3139,7 +3148,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1886,
+        line=1891,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3148,7 +3157,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1890,
+        line=1895,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3157,7 +3166,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1895,
+        line=1900,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3166,7 +3175,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1900,
+        line=1905,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3175,7 +3184,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1905,
+        line=1910,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3184,7 +3193,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1910,
+        line=1915,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3193,7 +3202,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1915,
+        line=1920,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3202,7 +3211,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1920,
+        line=1925,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3211,7 +3220,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1925,
+        line=1930,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3220,7 +3229,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1930,
+        line=1935,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3228,7 +3237,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1935,
+        line=1940,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3236,7 +3245,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1939,
+        line=1944,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3245,7 +3254,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1943,
+        line=1948,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3253,7 +3262,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1948,
+        line=1953,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3261,7 +3270,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1952,
+        line=1957,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3270,7 +3279,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1956,
+        line=1961,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3279,7 +3288,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1961,
+        line=1966,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3288,7 +3297,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1966,
+        line=1971,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3296,7 +3305,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1971,
+        line=1976,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3305,7 +3314,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1975,
+        line=1980,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3313,7 +3322,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1980,
+        line=1985,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3322,7 +3331,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1984,
+        line=1989,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3330,7 +3339,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1989,
+        line=1994,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3339,7 +3348,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1993,
+        line=1998,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3347,7 +3356,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1998,
+        line=2003,
     ),
     "change": Symbol(
         "change",
@@ -3356,7 +3365,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=2002,
+        line=2007,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3365,7 +3374,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2007,
+        line=2012,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3374,7 +3383,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2012,
+        line=2017,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3382,7 +3391,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2017,
+        line=2022,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3391,7 +3400,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2021,
+        line=2026,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3399,7 +3408,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2026,
+        line=2031,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3407,7 +3416,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2030,
+        line=2035,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3415,7 +3424,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2034,
+        line=2039,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3424,7 +3433,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=2038,
+        line=2043,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3432,7 +3441,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2043,
+        line=2048,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3441,6 +3450,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2047,
+        line=2052,
     ),
 }

@@ -4,17 +4,21 @@ Serves: the engine, and `tamias2d warm`. Hides: assembling and compiling.
 """
 
 import gc
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cache
-from types import SimpleNamespace
+from functools import cache, wraps
+from types import SimpleNamespace, TracebackType
+from typing import TypeVar
 
+from tamias2d.errors import InputError
 from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compiled import is_kept, loaded
 from tamias2d.kernels.copied import Function, leaving_out
 from tamias2d.kernels.kept_source import is_of_package, kept_source
-from tamias2d.kernels.progress import progress
+from tamias2d.kernels.progress import progress, time_of_compiling
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -37,6 +41,10 @@ class Library:
     def is_kept(self) -> bool:
         """Whether it was compiled before, as far as can be told without the compiler."""
         return is_kept(_text(self))
+
+    def time_of_compiling(self) -> float:
+        """Return about how long it takes to compile, s of processor time, as people are told."""
+        return time_of_compiling(_text(self))
 
     def is_loaded(self) -> bool:
         """Whether it is at hand, compiled."""
@@ -61,6 +69,31 @@ _SELDOM = 50_000
 Python's own pace take a sixteenth of the time of compiling."""
 
 
+def _fault_again(make: Callable[[Library], T]) -> Callable[[Library], T]:
+    """Let who asks for a library that could not be made be told the fault of then, at once.
+
+    To assemble and to compile one takes from seconds to minutes: to try it again for each of
+    thousands of tests looks like hanging. What may be mended meanwhile, such as a directory, is.
+    """
+    faults: dict[Library, tuple[Exception, TracebackType | None]] = {}
+
+    @wraps(make)
+    def ask(library: Library) -> T:
+        if library in faults:
+            fault, where = faults[library]
+            raise fault.with_traceback(where)
+        try:
+            return make(library)
+        except (InputError, OSError, MemoryError):
+            raise
+        except Exception as fault:
+            faults[library] = fault, fault.__traceback__
+            raise
+
+    return ask
+
+
+@_fault_again
 @cache
 def _compiled(library: Library) -> SimpleNamespace:
     text = _text(library)
@@ -82,6 +115,7 @@ def _seldom_collected() -> Iterator[None]:
         gc.set_threshold(*before)
 
 
+@_fault_again
 @cache
 def _text(library: Library) -> str:
     keeps = all(is_of_package(entry) for entry in library.entries)

@@ -9,7 +9,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-_PACE = 9000  # bytes of source a second of processor time, to say about how long it takes
+_PACE = 9000  # bytes of source a second of processor time
+
+
+def time_of_compiling(source: str) -> float:
+    """Return about how long it takes to compile a source, s of processor time."""
+    return max(len(source) / _PACE, 1.0)
 
 
 @contextmanager
@@ -53,7 +58,7 @@ class _Shown:
         self.name = name
         self.console = console
         self.count = source.count("\ndef ")
-        self.seconds = max(len(source) / _PACE, 1)
+        self.seconds = time_of_compiling(source)
         self.compiled: set[str] = set()  # one function may be compiled for several types
         self.started: float | None = None
         self.bar: Any = None

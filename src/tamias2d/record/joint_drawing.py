@@ -131,6 +131,18 @@ def _joint(drawn: _Drawn) -> Iterator[tuple[str, Points]]:
             yield "joint", _ring(drawn.b, view)
     for freedom in joint.freedoms:
         yield from _freedom(drawn, freedom)
+    yield from _limbs(drawn)
+
+
+def _limbs(drawn: _Drawn) -> Iterator[tuple[str, Points]]:
+    """Yield lines from the centres of bodies without shapes to the points at which they are held.
+
+    A body that two joints hold is a link from one to the other so.
+    """
+    run = drawn.run
+    for body, anchor in zip(drawn.joint.ends, drawn.joint.anchors, strict=True):
+        if body is not None and run.scene.bodies[body].shape is None and any(anchor):
+            yield "joint", np.stack([run.position[:, body], _point(run, body, anchor)], axis=1)
 
 
 def _freedom(drawn: _Drawn, freedom: Freedom) -> Iterator[tuple[str, Points]]:

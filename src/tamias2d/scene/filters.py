@@ -56,7 +56,9 @@ def checked_whole(value: object, key: str, of: str) -> int:
         )
     whole = int(value)
     if not low <= whole <= high:
-        raise RuleError(f"{key} {whole} of {of}: must be from {low} to {high} (R3). {remedy}", key)
+        raise RuleError(
+            f"{key} {shown(whole)} of {of}: must be from {low} to {high} (R3). {remedy}", key
+        )
     return whole
 
 

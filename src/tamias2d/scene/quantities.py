@@ -46,7 +46,7 @@ def _whole(raw: object, path: KeyPath) -> int:
     """Return a whole number, which may be written like 0b101 or 0xff."""
     text = scalar_text(raw, path)
     try:
-        return int(text, 0)
+        return int(text if text.isascii() else "", 0)
     except ValueError:
         raise RuleError(
             f"{label(path[-1:])}: found {shown(text)}: must be a whole number (R3). "

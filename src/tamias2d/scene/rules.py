@@ -16,6 +16,7 @@ from tamias2d.errors import InputError
 from tamias2d.generated.symbols import SYMBOLS
 
 Vector: TypeAlias = tuple[float, float]
+_LONGEST = 60  # characters of a value that a message repeats whole
 VectorLike: TypeAlias = Sequence[float] | NDArray[np.floating | np.integer]
 
 
@@ -107,8 +108,15 @@ def label(at: tuple[str | int, ...]) -> str:
 
 def shown(value: object) -> str:
     """Return a value as a message prints it: short, on one line."""
-    text = " ".join(repr(value).split())
-    return text if len(text) <= 60 else text[:57] + "..."
+    try:
+        text = " ".join(repr(value).split())
+    except ValueError:  # Python writes no whole number that is longer
+        return f"{type(value).__name__} with a number of more than 4300 digits"
+    if len(text) <= _LONGEST:
+        return text
+    if isinstance(value, int):
+        return f"{text[:20]}... ({len(text.removeprefix('-'))} digits)"
+    return text[: _LONGEST - 3] + "..."
 
 
 def _in(unit: str) -> str:

@@ -161,6 +161,7 @@ class Altering(Stepping):
         """Let bodies weigh other numbers, and loads that depend on their masses follow."""
         engine = self._engine
         weigh(engine, rows, now, new)
+        self._joints.note_masses()
         if self._scene is None or np.array_equal(now.mass, new.mass):
             return
         own, listed = self._staying, rows.tolist()

@@ -23,9 +23,10 @@ from tamias2d.simulator.joint_rows import (
     joint_rows,
     laws_of,
     place_of_row,
+    row_count,
     units_of_row,
 )
-from tamias2d.simulator.joint_separations import separations, size_of_joint
+from tamias2d.simulator.joint_separations import arm_of_joint, separations, size_of_joint
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
@@ -42,9 +43,9 @@ class JointLayout:
     """Joints (j,) of an engine, and their rows (r,) in its arrays."""
 
     def __init__(
-        self, engine: Engine, joints: Sequence[Joint], kept: Array | None, *, restored: bool
+        self, engine: Engine, joints: Sequence[Joint], kept: Array, *, restored: bool
     ) -> None:
-        """Tell the engine which joints there are, with what a step left of their rows, if known.
+        """Tell the engine which joints there are, with what a step left of their rows.
 
         An engine that was restored with them knows which pairs these keep apart.
         """
@@ -73,23 +74,16 @@ class JointLayout:
         """(r, 1), by how much a value changes for a m, or for a rad"""
         self._begin(kept)
 
-    def _begin(self, kept: Array | None) -> None:
-        """Give the rows what a step left of them, or begin to pull together what is apart."""
+    def _begin(self, kept: Array) -> None:
+        """Give the rows what a step left of them."""
         numbers = self.numbers
         size = np.broadcast_to(self.sizes[:, None], self.are_lengths.shape)
         slight = slice(tb.J_SLIGHT, tb.J_SLIGHT + MOST_ROWS)
         numbers[self.places, slight] = (
             APART / math.sqrt(MOST_ROWS) * np.where(self.are_lengths, size, 1.0) * self.per_unit
         )
-        arms = slice(tb.J_ARM, tb.J_ARM + MOST_ROWS)
-        numbers[self.places, arms] = (
-            np.where(self.are_lengths | np.isinf(size), 1.0, size) / self.per_unit
-        )
-        if kept is not None:
-            numbers[self.places[:, None], _KEPT] = kept
-        else:
-            pulled = pulled_apart(self.joints, self._engine)
-            numbers[self.places, tb.J_PULLED] = pulled[self.owner]
+        self._note_arms()
+        numbers[self.places[:, None], _KEPT] = kept
         for column in (tb.J_PULLED, tb.J_OPENED):
             most = np.zeros(len(numbers))
             np.maximum.at(most, self.first_rows, numbers[self.places, column])
@@ -98,6 +92,19 @@ class JointLayout:
         least = np.full(len(numbers), np.inf)
         np.minimum.at(least, self.first_rows, numbers[self.places, tb.J_FIRMEST])
         numbers[self.places[least[self.first_rows] == 0.0], firmest] = 0.0  # a joint has come
+
+    def _note_arms(self) -> None:
+        """Tell at which arms turns count as ways."""
+        arm = np.array([arm_of_joint(joint, self._engine) for joint in self.joints])
+        arms = slice(tb.J_ARM, tb.J_ARM + MOST_ROWS)
+        self.numbers[self.places, arms] = (
+            np.where(self.are_lengths, 1.0, arm[self.owner][:, None]) / self.per_unit
+        )
+
+    def note_masses(self) -> None:
+        """Hear that bodies weigh other numbers, from which the arms of points follow."""
+        if np.isinf(self.sizes).any():
+            self._note_arms()
 
     @property
     def counts(self) -> IntArray:
@@ -122,6 +129,8 @@ class JointLayout:
         These are three numbers each, N s, N s and N m s.
         """
         kept: Array = self.numbers[self.places[:, None], _KEPT]
+        if not len(kept):
+            return kept
         kept[:, _PULLED] = np.maximum(kept[:, _PULLED], self._pulled_since())
         return kept
 
@@ -167,6 +176,13 @@ class JointLayout:
         for (place, row), new, old in zip(rows, laws, known, strict=True):
             if new != old:
                 set_law(self._engine, place, row.kind, *new[1:])
+
+
+def by_joint(joints: Sequence[Joint], kept: Array) -> dict[str, Array]:
+    """Return what `JointLayout.kept` told of joints, by their names."""
+    ends = np.cumsum([row_count(joint) for joint in joints])
+    parts = np.split(kept, ends[:-1]) if joints else []
+    return {joint.name: part for joint, part in zip(joints, parts, strict=True)}
 
 
 def kept_of_new(joints: Sequence[Joint], engine: Engine) -> Array:

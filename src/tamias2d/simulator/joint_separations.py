@@ -9,6 +9,7 @@ import numpy as np
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.generated.constraints import CONSTRAINTS
+from tamias2d.generated.definitions import gyration_radius
 from tamias2d.scene.joint_start import numbers_of, steepness
 from tamias2d.scene.joints import Joint
 from tamias2d.spec.constraint import ENDS
@@ -22,6 +23,20 @@ def size_of_joint(joint: Joint, engine: Engine) -> float:
     lengths += [float(engine.world.state.properties[k, tb.BOUNDING_RADIUS]) for k in joint.bodies]
     lengths += [value for value in (joint.given.get("joint_length"),) if isinstance(value, float)]
     return max(lengths) or math.inf
+
+
+def arm_of_joint(joint: Joint, engine: Engine) -> float:
+    """Return at which arm, m, a turn of a joint counts as a way: its size.
+
+    Of points it is how far from their centres the mass of its bodies is; 1 if none turns.
+    """
+    size = size_of_joint(joint, engine)
+    if math.isfinite(size):
+        return size
+    inverse_mass, inverse_inertia = engine.inverse_mass, engine.inverse_inertia
+    turning = [k for k in joint.bodies if inverse_inertia[k] > 0.0]
+    radii = (gyration_radius(float(inverse_mass[k]), float(inverse_inertia[k])) for k in turning)
+    return max(radii, default=1.0)
 
 
 def separations(joints: Sequence[Joint], pose: Array, time: float) -> tuple[Array, Array]:

@@ -29,7 +29,7 @@ from tamias2d.simulator.joint_events import (
     tooth_of,
     tooth_reached,
 )
-from tamias2d.simulator.joint_layout import JointLayout, kept_of_new
+from tamias2d.simulator.joint_layout import JointLayout, by_joint, kept_of_new
 from tamias2d.simulator.joint_reactions import Reactions, reactions_of
 from tamias2d.simulator.joint_rows import refuse_unknown
 from tamias2d.spec.constraint import ENDS
@@ -62,7 +62,8 @@ class JointSet:
         self._layout: JointLayout | None = None
         self._watch: JointWatch | None = None  # where something may happen to them
         self._limits: LimitEvents | None = None
-        self._saved = kept  # until a step is taken, or they change
+        self._saved = {} if kept is None else by_joint(list(self), kept)  # of rows, until settled
+        self._fresh: set[str] = set()  # joints of which the engine has not been told
         self._restored = kept is not None
         self.new = bool(self._joints)
         """Whether the engine has to be told of them."""
@@ -70,7 +71,7 @@ class JointSet:
     def copied(self) -> "JointSet":
         """Return the joints as they are now, for the same engine: they do not change with these."""
         other = copy(self)
-        other._joints = dict(self._joints)
+        other._joints, other._fresh = dict(self._joints), set(self._fresh)
         other._limits = copy(self._limits)
         other._watch = self._watch and self._watch.copied()
         return other
@@ -111,6 +112,7 @@ class JointSet:
         )
         refuse_unknown([joint])
         self._joints[name] = joint
+        self._fresh.add(name)
         if self._limits:
             self._limits.forget(name)
         self._change()
@@ -192,7 +194,7 @@ class JointSet:
         if self._layout is not None and not self.new:
             self._layout.govern(joint, before)
             if joint.name in self._layout.alike:
-                self._change(self._layout.kept())
+                self._change()
         return True
 
     def pull(self, joint: Joint, *, along: bool) -> None:
@@ -201,8 +203,6 @@ class JointSet:
         The engine knows of the joint.
         """
         self.layout.pull(joint.name, along=along)
-        if self.new:
-            self._saved = self.layout.kept()
 
     def drop_bodies(self, gone: set[int]) -> list[int]:
         """Take out the joints of bodies that leave; return the other bodies that these held."""
@@ -216,7 +216,12 @@ class JointSet:
     def renew(self, bodies: set[int]) -> None:
         """Let the engine be told anew of the joints of bodies that got another size."""
         if any(bodies & set(joint.bodies) for joint in self):
-            self._change(self.layout.kept())
+            self._change()
+
+    def note_masses(self) -> None:
+        """Hear that bodies weigh other numbers than when the engine was told of the joints."""
+        if self._layout is not None and not self.new:
+            self._layout.note_masses()
 
     def settle(self, engine: Engine) -> None:
         """Tell the engine which joints there are."""
@@ -225,7 +230,8 @@ class JointSet:
                 self._joints[joint.name] = on_tooth(joint, tooth_reached(joint, engine.pose))
         joints = list(self)
         pushed = self._limits.pushed if self._limits else {}
-        self._layout = JointLayout(engine, joints, self._saved, restored=self._restored)
+        self._layout = JointLayout(engine, joints, self.kept(engine), restored=self._restored)
+        self._saved, self._fresh = {}, set()
         watched = any(joint.breaks or joint.pitch for joint in joints)
         self._watch = JointWatch(self._layout) if watched else None
         self._limits = LimitEvents(self._layout, pushed)
@@ -266,20 +272,20 @@ class JointSet:
         before = self._joints[event.joint]
         self._joints[event.joint] = on_tooth(before, event.value)
         if event.joint in self.layout.alike:
-            self._change(self.layout.kept())
+            self._change()
         else:
             self.layout.govern(self._joints[event.joint], before)
 
     def _break(self, names: Sequence[str]) -> set[int]:
-        """Take joints out; the others go on with what the step left of them."""
-        there = [joint.name not in names for joint in self]
-        self._change(self.layout.kept()[np.array(there)[self.layout.owner]])
+        """Take joints out."""
+        self._change()
         return {body for name in names for body in self._joints.pop(name).bodies}
 
     def begin_anew_if_infinite(self) -> bool:
         """Forget what a step left of joints if float64 could not hold it; return whether so."""
         infinite = not bool(np.isfinite(self.layout.kept()).all())
         if infinite:
+            self._fresh.update(self._joints)
             self._change()
         return infinite
 
@@ -288,16 +294,23 @@ class JointSet:
         held = (joint.name for joint in self if joint.equations and body in joint.bodies)
         return next(held, None)
 
-    def forget_report(self) -> None:
-        """Note that a step is taken."""
-        self._saved = None
-
     def kept(self, engine: Engine) -> Array:
-        """Return what the last step left of each row, as `JointLayout.kept` does."""
-        if self._saved is not None:
-            return self._saved
-        known = len(self) > 0 and not self.new
-        return self.layout.kept() if known else kept_of_new(list(self), engine)
+        """Return what the last step left of each row, as `JointLayout.kept` does.
+
+        Joints go on with it where others come or go.
+        """
+        if self._layout is not None and not self.new:
+            return self._layout.kept()
+        known = self._saved
+        if self._layout is not None:
+            known = by_joint(self._layout.joints, self._layout.kept())
+        rows = [
+            known[joint.name]
+            if joint.name in known and joint.name not in self._fresh
+            else kept_of_new([joint], engine)
+            for joint in self
+        ]
+        return np.concatenate(rows) if rows else kept_of_new([], engine)
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
         """Return what joints exerted in the last step, and how well they hold now."""
@@ -310,9 +323,9 @@ class JointSet:
             time_step=time_step,
         )
 
-    def _change(self, kept: Array | None = None) -> None:
-        """Note that the engine has to be told of joints, with what a step left of their rows."""
-        self.new, self._saved, self._restored = True, kept, False
+    def _change(self) -> None:
+        """Note that the engine has to be told of joints."""
+        self.new, self._restored = True, False
 
     def _free_name(self, name: object) -> str:
         if name is None:

@@ -21,6 +21,7 @@ class KeptState:
     engine: Engine
     bodies: StateCopy
     joints: JointSet
+    expects_joints: bool
     names: Mapping[str, int]
     staying: frozenset[int]
     touching: Touching

@@ -21,7 +21,7 @@ from tamias2d.scene.reading import read_scene
 from tamias2d.simulator.settings import checked_count, checked_substeps, checked_time_step
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 18  # of the saved state: its arrays, and the columns of the engine's
+VERSION = 19  # of the saved state: its arrays, and the columns of the engine's
 _MARK = "tamias2d simulator"
 _ABOUT, _DIGEST = "about", "digest"
 
@@ -41,6 +41,8 @@ class About:
     """The text of a scene whose loads vary."""
     joints: list[dict[str, Any]]
     """As plain data."""
+    expects_joints: bool
+    """Whether some are expected, or there were any: the code for them is loaded."""
     warnings: dict[str, str]
     """What was warned of so far, by the names under which it is told once."""
 
@@ -128,6 +130,7 @@ def _about(text: str) -> About:
         fits = fits and isinstance(about.time_step, float) and isinstance(about.substeps, int)
         fits = fits and isinstance(about.names, dict) and isinstance(about.staying, list)
         fits = fits and isinstance(about.joints, list) and isinstance(about.warnings, dict)
+        fits = fits and isinstance(about.expects_joints, bool)
         fits = fits and all(isinstance(text, str) for text in about.warnings.values())
     except (TypeError, ValueError, AttributeError, RecursionError) as error:
         raise UnfitError(f"{_ABOUT}: {error}") from error

@@ -24,7 +24,7 @@ def selected(bodies: object, kind: NDArray[np.int8], names: Mapping[str, int]) -
         missing = [name for name in given.ravel().tolist() if name not in names]
         if missing:
             raise RuleError(
-                f"body '{missing[0]}': the simulator has none such (R1). Name one of "
+                f"body {shown(missing[0])}: the simulator has none such (R1). Name one of "
                 f"{shown(list(names))}.",
                 "bodies",
             )

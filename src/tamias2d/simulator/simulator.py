@@ -168,6 +168,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
             engine=self._engine,
             bodies=copy_state(self._engine),
             joints=self._joints.copied(),
+            expects_joints=self._engine.expects_joints,
             names=dict(self._names.rows),
             staying=frozenset(self._staying),
             touching=self._report(),
@@ -192,6 +193,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         state = checked_state(state, self._engine)
         size = self._engine.size
         restore_state(self._engine, state.bodies)
+        self._engine.expects_joints = state.expects_joints
         self._joints = state.joints.copied()
         self._names, self._staying = BodyNames(state.names), set(state.staying)
         self._forget()
@@ -217,6 +219,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
             staying=sorted(self._staying),
             scene=None if self._scene is None else scene_text(self._scene),
             joints=[asdict(joint) for joint in self._joints],
+            expects_joints=self._engine.expects_joints,
             warnings=self._warned.texts,
         )
         parts = {
@@ -245,6 +248,8 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         self._joints = JointSet(*restored_joints(about.joints, arrays.get("joints"), engine.kind))
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
         self._pushed = saving.pushed_of(arrays, engine.size)
+        if about.expects_joints:
+            engine.expect_joints()
 
     def _start(self) -> Start:
         """Return the state before the first step, to which `_rewind` leads back."""

@@ -117,8 +117,6 @@ class Stepping(Views):
                 if self._unsettled:
                     self._settle()
                 self._touching = None
-                if self._jointed:
-                    self._joints.forget_report()
                 loaded = self._varying is not None or self._pushed is not None
                 watched = self._jointed and self._joints.watched
                 if not loaded and (nothing_happens or not watched):

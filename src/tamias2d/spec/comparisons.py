@@ -10,7 +10,7 @@ from tamias2d.spec.schema import TEXT, WHOLE, mapping
 
 _LIST: dict[str, Any] = {"type": "array"}
 _MAPPING: dict[str, Any] = {"type": "object"}
-_NUMBER = {"type": "string", "pattern": r"^\d+(\.\d+)?([eE][+-]?\d+)?$"}
+_NUMBER = {"type": "string", "pattern": r"^[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]+)?$"}
 _TREND = {"enum": ["constant", "falls"]}
 _GROUNDS = {"tolerance": _NUMBER, "because": TEXT, "source": TEXT}
 

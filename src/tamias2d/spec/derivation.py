@@ -30,7 +30,7 @@ POINTS = 24
 _TOLERANCE = 1e-9  # of the largest term: far above rounding, far below any wrong factor
 _PARTICLES = 5
 _DEEPEST = 8  # substitutions within substitutions
-_CITED = re.compile(r"(TM|GD|DD|IM|P)\d+")
+_CITED = re.compile(r"(TM|GD|DD|IM|P)[0-9]+")
 
 Values = dict[str, Value]
 

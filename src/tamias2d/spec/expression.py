@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 
-from tamias2d.spec.messages import Code, SpecFault
+from tamias2d.spec.messages import Code, SpecFault, excerpt
 from tamias2d.spec.units import Unit, parse_unit
 
 MAX_LENGTH = 1000
@@ -29,7 +29,7 @@ ARITY = {
 }  # fmt: skip
 _OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _RELATIONS = {ast.Eq: "==", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
-_NUMBER = re.compile(r"(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
+_NUMBER = re.compile(r"([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,3})?")
 _TOKEN = re.compile(rf"{_NUMBER.pattern}|\w+|\S")
 _OPERAND = re.compile(r"(?!and$)\.?\w[\w.]*")
 
@@ -134,7 +134,9 @@ def parse(text: str) -> Node:
     if not source.isascii():
         place = next(k for k, letter in enumerate(source) if not letter.isascii())
         raise SpecFault(
-            Code.NOT_ALLOWED, f"'{source[place]}' is not ASCII. Write names as words", lead + place
+            Code.NOT_ALLOWED,
+            f"'{source[place]}' is not ASCII. Write names as words, digits as 0 to 9",
+            lead + place,
         )
     if "#" in source:
         raise SpecFault(
@@ -157,11 +159,11 @@ def _python_tree(source: str, lead: int) -> ast.expr:
             reason = f"Nothing is between '{first.group()}' and '{second.group()}'. Write '*'"
             place = second.start()
         raise SpecFault(
-            Code.SYNTAX, f"'{source[:40]}' cannot be read here. {reason}", lead + place
+            Code.SYNTAX, f"'{excerpt(source)}' cannot be read here. {reason}", lead + place
         ) from None
     except (ValueError, RecursionError, MemoryError):
         raise SpecFault(
-            Code.SYNTAX, f"'{source[:40]}' cannot be read. Correct the expression", lead
+            Code.SYNTAX, f"'{excerpt(source)}' cannot be read. Correct the expression", lead
         ) from None
 
 
@@ -240,7 +242,7 @@ class _Reader:
         if len(text) > MAX_DIGITS or not _fits_float64(value := Fraction(text)):
             raise SpecFault(
                 Code.TOO_LARGE,
-                f"'{text}' does not fit float64. Give a number that does",
+                f"'{excerpt(text)}' does not fit float64. Give a number that does",
                 self.lead + node.col_offset,
             )
         return value

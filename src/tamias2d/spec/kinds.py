@@ -73,17 +73,17 @@ KINDS = {
     for kind in (
         Kind("symbols", None, _table(_SYMBOL)),
         Kind("indices", None, _table(_INDEX)),
-        Kind("goal", r"GS\d+", mapping(("says", "uses"), says=TEXT, uses=_IDS, label_2018=TEXT)),
+        Kind("goal", r"GS[0-9]+", mapping(("says", "uses"), says=TEXT, uses=_IDS, label_2018=TEXT)),
         Kind(
             "assumption",
-            r"A\d+",
+            r"A[0-9]+",
             mapping(("says",), says=TEXT, because=TEXT, uses=_IDS, label_2018=TEXT),
         ),
-        Kind("theory", r"TM\d+", mapping(("says",), **_STATEMENT)),
-        Kind("definition", r"(GD|DD)\d+", mapping(("says",), **_STATEMENT)),
+        Kind("theory", r"TM[0-9]+", mapping(("says",), **_STATEMENT)),
+        Kind("definition", r"(GD|DD)[0-9]+", mapping(("says",), **_STATEMENT)),
         Kind(
             "model",
-            r"IM\d+",
+            r"IM[0-9]+",
             mapping(
                 ("says", "input", "output", "equations"),
                 **_STATEMENT,
@@ -134,7 +134,7 @@ KINDS = {
         ),
         Kind(
             "requirement",
-            r"(R|NFR)\d+",
+            r"(R|NFR)[0-9]+",
             mapping(
                 ("says",),
                 says=TEXT,
@@ -146,12 +146,12 @@ KINDS = {
         ),
         Kind(
             "change",
-            r"(LC|UC)\d+",
+            r"(LC|UC)[0-9]+",
             mapping(("says",), says=TEXT, affects=_IDS, uses=_IDS, label_2018=TEXT),
         ),
         Kind(
             "property",
-            r"P\d+",
+            r"P[0-9]+",
             mapping(
                 ("says",),
                 says=TEXT,
@@ -169,7 +169,7 @@ KINDS = {
         ),
         Kind(
             "erratum",
-            r"E\d+",
+            r"E[0-9]+",
             mapping(
                 ("document", "found", "now", "corrects"),
                 document={"enum": ["SRS", "plan", "Drasil", "code", "report"]},
@@ -180,7 +180,7 @@ KINDS = {
         ),
         Kind(
             "case",
-            r"(TC|O[A-Z])\d+[a-z]?",
+            r"(TC|O[A-Z])[0-9]+[a-z]?",
             mapping(
                 ("verifies", "uses"),
                 verifies=_IDS,

@@ -39,6 +39,14 @@ class Code(Enum):
         self.meaning = meaning
 
 
+_LONGEST = 40  # characters of a text that a message repeats whole
+
+
+def excerpt(text: str) -> str:
+    """Return a text as a message repeats it: whole, or how it begins and how long it is."""
+    return text if len(text) <= _LONGEST else f"{text[:20]}... ({len(text)} characters)"
+
+
 class SpecFault(Exception):  # noqa: N818 - it becomes a Diagnostic, the error that users see
     """A fault in one text, before its place in a file is known; `offset` counts characters."""
 

@@ -15,9 +15,9 @@ from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.units import Dimension, parse_unit
 
 Shape = Literal["scalar", "vector"]
-_HALF_LINE = re.compile(r"(>=|>|<=|<)\s*(-?[\d.]+(?:e-?\d+)?)")
+_HALF_LINE = re.compile(r"(>=|>|<=|<)\s*(-?[0-9.]+(?:e-?[0-9]+)?)")
 _INTERVAL = re.compile(r"([\[(])\s*(-?[^,]+?)\s*,\s*(-?[^,]+?)\s*([\])])")
-_BOUND = re.compile(r"(-)?(?:(\d+\.?\d*)\s*\*?\s*)?(pi)?")
+_BOUND = re.compile(r"(-)?(?:([0-9]+\.?[0-9]*)\s*\*?\s*)?(pi)?")
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
-from tamias2d.spec.messages import Code, SpecFault
+from tamias2d.spec.messages import Code, SpecFault, excerpt
 
 BASES = ("kg", "m", "s")
 
@@ -89,9 +89,9 @@ UNITS = {
     )
 }
 
-_TOKEN = re.compile(r"\s*([A-Za-z]+|1(?![0-9.])|\*\*|[*/^()]|-?\d+)")
+_TOKEN = re.compile(r"\s*([A-Za-z]+|1(?![0-9.])|\*\*|[*/^()]|-?[0-9]+)")
 _QUANTITY = re.compile(
-    r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?:\s+(.*\S))?\s*\Z", re.DOTALL
+    r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)(?:\s+(.*\S))?\s*\Z", re.DOTALL
 )
 _MAX_TEXT = 100
 _MAX_POWER = 8
@@ -139,7 +139,7 @@ class _UnitReader:
             return dimension, factor
         self.take()
         token = self.take()
-        if not re.fullmatch(r"-?\d", token) or abs(int(token)) > _MAX_POWER:
+        if not re.fullmatch(r"-?[0-9]", token) or abs(int(token)) > _MAX_POWER:
             raise self.fault(token)
         return dimension ** int(token), factor ** int(token)
 
@@ -163,11 +163,28 @@ def parse_unit(text: str) -> Unit:
     Raises:
         SpecFault: a name is unknown, or the text is not a product of powers.
     """
+    refuse_other_digits(text)
     reader = _UnitReader(text)
     dimension, factor = reader.product()
     if reader.peek():
         raise reader.fault(reader.peek())
     return Unit(text.strip(), dimension, factor)
+
+
+def refuse_other_digits(text: str) -> None:
+    """Refuse digits of other scripts, wide ones and raised ones, which look like others.
+
+    Raises:
+        SpecFault: there is one; says where.
+    """
+    for place, sign in enumerate(text):
+        if sign.isdigit() and not sign.isascii():
+            raise SpecFault(
+                Code.BAD_VALUE,
+                f"'{sign}' in '{excerpt(text)}': digits are 0 to 9, and powers as in m^2. "
+                "Write it so",
+                place,
+            )
 
 
 def parse_quantity(text: str) -> Quantity:
@@ -176,16 +193,18 @@ def parse_quantity(text: str) -> Quantity:
     Raises:
         SpecFault: no finite number stands in front, or the unit is unknown.
     """
+    refuse_other_digits(text)
     match = _QUANTITY.match(text)
     if match is None:
         raise SpecFault(
             Code.BAD_VALUE,
-            f"'{text[:40]}': must be a number, a space and a unit, as in '9.81 m/s^2'. Write it so",
+            f"'{excerpt(text)}': must be a number, a space and a unit, as in '9.81 m/s^2'. "
+            "Write it so",
         )
     value = float(match.group(1))
     unit = parse_unit(match.group(2)) if match.group(2) else UNITS["1"]
     if not math.isfinite(value * unit.factor):
         raise SpecFault(
-            Code.TOO_LARGE, f"'{text[:40]}': must be finite in float64. Give a smaller number"
+            Code.TOO_LARGE, f"'{excerpt(text)}': must be finite in float64. Give a smaller number"
         )
     return Quantity(value * unit.factor, unit.dimension)

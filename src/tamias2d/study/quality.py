@@ -16,6 +16,7 @@ from tamias2d.errors import InputError
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Scene
+from tamias2d.scene.rules import shown
 from tamias2d.solve import solve
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError
@@ -120,8 +121,8 @@ def checked_quality(value: object) -> float:
     number = isinstance(value, int | float) and not isinstance(value, bool)
     if not number or not 0 < value < 1:  # type: ignore[operator]
         raise InputError(
-            f"quality {value!r}: must be a number between 0 and 1, a share of a body's radius and "
-            f"of the energy (R5). {remedy}"
+            f"quality {shown(value)}: must be a number between 0 and 1, a share of a body's "
+            f"radius and of the energy (R5). {remedy}"
         )
     return float(value)  # type: ignore[arg-type]
 

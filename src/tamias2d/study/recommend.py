@@ -23,7 +23,7 @@ from tamias2d.motion import (
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
-from tamias2d.scene.rules import number
+from tamias2d.scene.rules import number, shown
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.solve import solve
 from tamias2d.study.certify import is_bounded
@@ -138,11 +138,11 @@ def checked_tolerance(value: object) -> float:
     """Return a tolerance that a run can be asked for; raise `InputError` otherwise."""
     remedy = "Give a relative error such as 1e-6."
     if isinstance(value, bool) or not isinstance(value, int | float) or not value == value:
-        raise InputError(f"tolerance {value!r}: must be a number (R5). {remedy}")
+        raise InputError(f"tolerance {shown(value)}: must be a number (R5). {remedy}")
     if not TIGHTEST <= value <= LOOSEST:
         raise InputError(
-            f"tolerance {value!r}: must lie from {TIGHTEST:g}, which is as far as float64 goes, to "
-            f"{LOOSEST:g} (R5). {remedy}"
+            f"tolerance {shown(value)}: must lie from {TIGHTEST:g}, which is as far as float64 "
+            f"goes, to {LOOSEST:g} (R5). {remedy}"
         )
     return float(value)
 

@@ -12,6 +12,7 @@ from tamias2d.engine.joints.activity import (
     join_slabs,
     note_mechanisms,
 )
+from tamias2d.engine.joints.at_rest import note_joined_support, wake_tied
 from tamias2d.engine.joints.island_charge import charge_joined, support_joined
 from tamias2d.engine.joints.payment import pay_together, repay_as_one
 from tamias2d.engine.joints.placement import note_places
@@ -26,7 +27,6 @@ from tamias2d.engine.joints.stages import (
 )
 from tamias2d.engine.joints.step_impulses import keep_joint_impulses
 from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
-from tamias2d.engine.sleep import note_joined_support, wake_tied
 from tamias2d.engine.solver.angular_momentum import add_given_by_joints
 from tamias2d.engine.solver.joined_gains import joints_disagree, note_gains, noted_if_free
 

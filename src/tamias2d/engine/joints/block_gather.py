@@ -73,6 +73,7 @@ def begin_spring(m: int, member: int, row: Array, joints: Joints) -> None:
         row[tb.T_JOINT_ANGLE + m] = joints.given[j, 0]
         row[tb.T_STIFFNESS + m] = joints.laws[j, tb.LAW_STIFFNESS]
         row[tb.T_DAMPING + m] = joints.laws[j, tb.LAW_DAMPING]
+        row[tb.T_LAW_ARM + m] = joints.numbers[j, tb.J_ARM]
         row[tb.T_LAW_SIDE + m] = 1.0 if joints.joints[j, tb.J_MEMBER + 1] == member else -1.0
         row[tb.T_LAW_LEFT + m] = joints.numbers[j, tb.J_LEFT]
 

@@ -4,6 +4,7 @@ Cost: where there are limits that bounce, a visit to each of these in a substep.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.governed import is_leant_on
 from tamias2d.engine.joints.solve import rate_of_row
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.joint_step import bounce_rate
@@ -23,13 +24,14 @@ def note_limits(n: int, bodies: Bodies, joints: Joints) -> None:
 def bounce_limits(n: int, bodies: Bodies, joints: Joints) -> None:
     """Let rows leave the limits that they struck in a part, as it ends.
 
-    One that leaves faster by itself, as a spring has pushed it since, is left alone.
+    One that leaves faster by itself, as a spring has pushed it since, is left alone; one on which a
+    motor without a maximum leans stays there.
     """
     if joints.mechanisms[n, tb.M_BOUNCING] == 0:
         return
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         restitution, struck = joints.laws[j, tb.LAW_RESTITUTION], joints.numbers[j, tb.J_STRUCK]
-        if restitution > 0.0 and struck != 0.0:
+        if restitution > 0.0 and struck != 0.0 and not is_leant_on(j, joints):
             rate, sign = bounce_rate(restitution, struck), -1.0 if struck > 0.0 else 1.0
             if sign * rate_of_row(j, 0, bodies, joints) < sign * rate:
                 joints.joints[j, tb.J_STATE] = tb.HOLDS

@@ -4,10 +4,13 @@ Of each row it is chosen whether it holds; the mechanism is solved, and the choi
 Cost: for each choice that changes, a factorization. Source: an active set, as for contacts.
 """
 
+from math import inf
+
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.impulse import apply_joint_impulse
-from tamias2d.engine.tables import Bodies, Joints
+from tamias2d.engine.tables import Bodies, Integers, Joints
 from tamias2d.generated.joint_step import row_impulse_most, struck_rate, struck_share
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 HALF = 0.5  # of a substep: in the first one and after the last, where loads are kicks at both ends
@@ -34,8 +37,7 @@ def begin_motors(n: int, substep: float, bodies: Bodies, joints: Joints) -> None
         return
     time = time_of_loads(n, substep, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        state = joints.joints[j, tb.J_STATE]
-        if joints.joints[j, tb.J_LAW] == tb.MOTOR and state != tb.HOLDS:
+        if gives_the_most(joints.joints[j]):
             give_the_most(j, time, bodies, joints)
 
 
@@ -44,8 +46,14 @@ def end_motors(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         if joints.joints[j, tb.J_LAW] == tb.MOTOR:
             joints.numbers[j, tb.J_GIVEN] = 0.0
-            if joints.joints[j, tb.J_STATE] != tb.HOLDS:
+            if gives_the_most(joints.joints[j]):
                 give_the_most(j, HALF * substep, bodies, joints)
+
+
+@inlined
+def gives_the_most(ends: Integers) -> bool:
+    """Return whether a row is that of a motor which gives what it can."""
+    return bool((ends[tb.J_LAW] == tb.MOTOR) & (ends[tb.J_STATE] > tb.FREE_ROW))
 
 
 def give_the_most(j: int, time: float, bodies: Bodies, joints: Joints) -> None:
@@ -135,11 +143,14 @@ def is_to_change(j: int, time: float, joints: Joints) -> bool:
     """Return whether a limit or a motor, which has a time, s, is to change whether it holds.
 
     That is a limit that pulls, or one that would be passed, and a motor that gives more than it
-    can, or would go beyond its speed by the most that it can.
+    can, or would go beyond its speed by the most that it can. A limit on which a motor without a
+    maximum leans holds both ways, for that gives whatever it takes, and the motor lets go.
     """
     ends, numbers = joints.joints[j], joints.numbers[j]
     law, holds, given = ends[tb.J_LAW], ends[tb.J_STATE] == tb.HOLDS, numbers[tb.J_GIVEN]
     if law == tb.MOTOR:
+        if ends[tb.J_STATE] == tb.FREE_ROW:
+            return False
         if holds:
             return bool(abs(given) > row_impulse_most(joints.laws[j, tb.LAW_MOST], time))
         sign = 1.0 if ends[tb.J_STATE] == tb.AT_MOST else -1.0
@@ -148,7 +159,7 @@ def is_to_change(j: int, time: float, joints: Joints) -> bool:
         return False
     sign = 1.0 if law == tb.LOWER_LIMIT else -1.0
     if holds:
-        return bool(sign * given < 0.0)
+        return bool(sign * given < 0.0 and not is_leant_on(j, joints))
     return bool(sign * numbers[tb.J_ROW] < sign * numbers[tb.J_AIM])
 
 
@@ -158,13 +169,57 @@ def change_row(j: int, time: float, bodies: Bodies, joints: Joints) -> None:
     motor, given = ends[tb.J_LAW] == tb.MOTOR, numbers[tb.J_GIVEN]
     if ends[tb.J_STATE] != tb.HOLDS:
         ends[tb.J_STATE] = tb.HOLDS
-        if not motor and numbers[tb.J_STRUCK] == 0.0:
-            note_struck(1.0 if ends[tb.J_LAW] == tb.LOWER_LIMIT else -1.0, numbers)
+        if not motor:
+            if numbers[tb.J_STRUCK] == 0.0:
+                note_struck(1.0 if ends[tb.J_LAW] == tb.LOWER_LIMIT else -1.0, numbers)
+            let_go_of_leaning(j, bodies, joints)
         return
     ends[tb.J_STATE] = tb.FREE_ROW
     if motor:
         ends[tb.J_STATE] = tb.AT_MOST if given > 0.0 else tb.AT_LEAST
     apply_joint_impulse(j, 0, bound_of(j, given, time, joints) - given, bodies, joints)
+
+
+def leaning_motor(j: int, joints: Joints) -> int:
+    """Return the motor without a maximum that drives a row towards a limit of it, or -1.
+
+    It comes after the limits of its bodies.
+    """
+    ends = joints.joints[j]
+    sign = 1.0 if ends[tb.J_LAW] == tb.LOWER_LIMIT else -1.0
+    for k in range(j + 1, joints.counts[tb.JOINTS]):
+        other, law = joints.joints[k], joints.laws[k]
+        for end in range(tb.ENDS_OF_JOINT):
+            if other[tb.J_MEMBER + end] != ends[tb.J_MEMBER + end]:
+                return -1
+        unlimited = other[tb.J_LAW] == tb.MOTOR and law[tb.LAW_MOST] == inf
+        if unlimited and sign * law[tb.LAW_RATE] < 0.0 and measures_the_same(j, k, joints):
+            return k
+    return -1
+
+
+def measures_the_same(j: int, k: int, joints: Joints) -> bool:
+    """Return whether two rows of the same bodies measure one freedom: only from where differs."""
+    if joints.joints[j, tb.J_KIND] != joints.joints[k, tb.J_KIND]:
+        return False
+    differ = 0
+    for n in range(len(joints.given[j])):
+        differ += joints.given[j, n] != joints.given[k, n]
+    return differ <= 1
+
+
+def is_leant_on(j: int, joints: Joints) -> bool:
+    """Return whether a motor has let go because it leans on a limit, which holds it."""
+    motor = leaning_motor(j, joints)
+    return bool(motor >= 0 and joints.joints[motor, tb.J_STATE] == tb.FREE_ROW)
+
+
+def let_go_of_leaning(j: int, bodies: Bodies, joints: Joints) -> None:
+    """Let the motor go that would give any impulse against a limit, which holds from now on."""
+    motor = leaning_motor(j, joints)
+    if motor >= 0:
+        joints.joints[motor, tb.J_STATE] = tb.FREE_ROW
+        apply_joint_impulse(motor, 0, -joints.numbers[motor, tb.J_GIVEN], bodies, joints)
 
 
 def note_struck(sign: float, numbers: Array) -> None:

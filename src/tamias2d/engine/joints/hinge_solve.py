@@ -216,11 +216,15 @@ def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> f
 
 
 def firm_errors(j: int, joints: Joints) -> float:
-    """Return the sum of the squares of the errors of the firm rows of a joint, m^2/s^2."""
+    """Return the sum of the squares of the errors of the firm rows of a joint, m^2/s^2.
+
+    A rate of turning counts at the arm of its row.
+    """
     numbers, size = joints.numbers[j], 0.0
     for r in range(joints.joints[j, tb.J_ROWS]):
         if numbers[tb.J_FIRMNESS + r] > 0.0:
-            size += numbers[tb.J_ERROR + r] * numbers[tb.J_ERROR + r]
+            error = numbers[tb.J_ARM + r] * numbers[tb.J_ERROR + r]
+            size += error * error
     return size
 
 

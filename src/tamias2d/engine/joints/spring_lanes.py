@@ -85,6 +85,7 @@ def spring_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Arra
         error = spring_error(angle, start, rate, given, stiffness, damping, share, divisor, substep)
         error = error if firm > 0.0 else 0.0
         row[tb.T_LAW_ERROR + m] = error
+        error = row[tb.T_LAW_ARM + m] * error
         lanes[tb.T_SIZE + m] = lanes[tb.T_SIZE + m] + error * error
 
 

@@ -46,6 +46,7 @@ tree_lane_columns(5 * LANES)  # unused: `load_part` writes eight
 T_JOINT_ANGLE = tree_lane_columns()  # rad, at which a spring is at rest
 T_STIFFNESS = tree_lane_columns()  # N m/rad, of the spring; 0 if there is none
 T_DAMPING = tree_lane_columns()  # N m s
+T_LAW_ARM = tree_lane_columns()  # m, at which its angle counts as a length
 T_LAW_SIDE = (
     tree_lane_columns()
 )  # 1 if the body is B of the spring, -1 if it is A, 0 if there is none
