@@ -40,6 +40,7 @@ class Store:
         self._addresses = Addresses()
         self._argument: Any = None
         self._slots = 0  # that it tells of
+        self._by_slot: tuple[NDArray[Any], ...] | None = None  # arrays with a row for each slot
         state = self.world.state
         state.slot_of_body[:] = state.body_of_slot[:] = np.arange(capacities.slots, dtype=np.uint32)
 
@@ -74,7 +75,7 @@ class Store:
 
     def forget_addresses(self) -> None:
         """Find the addresses of the arrays anew before they are next used."""
-        self._argument = None
+        self._argument = self._by_slot = None
 
     def reserve(self, count: int) -> None:
         """Reserve rows for so many bodies more, in whole chunks.
@@ -101,7 +102,10 @@ class Store:
 
         Small scenes get rows for the contacts of a pile: to make arrays longer takes many steps.
         """
-        capacities, taken, longer = self.capacities, self.capacities.shapes, {}
+        capacities, taken = self.capacities, self.capacities.shapes
+        if shapes <= taken and vertices <= capacities.vertices:
+            return
+        longer = {}
         if shapes > capacities.shapes:
             longer["shapes"] = max(shapes, capacities.shapes * 3 // 2)
             contacts = min(CONTACTS_OF_SHAPE * shapes, MOST_FORESEEN)
@@ -136,7 +140,9 @@ class Store:
         state = self.world.state
         for values in (state.pose, state.properties, state.kind):
             values[rows] = 0
-        for values in arrays_by_slot(self.world):
+        if self._by_slot is None:
+            self._by_slot = tuple(arrays_by_slot(self.world))
+        for values in self._by_slot:
             values[slots] = 0
 
     def forget_pairs(self) -> None:
@@ -145,7 +151,15 @@ class Store:
         self.revision += 1
         self._reserve_clip()
         if self._slots != self.size + 1:
+            self._tell_size()
+
+    def _tell_size(self) -> None:
+        """Let the argument tell of the slots that are in use now."""
+        if self._argument is None or not self.compiled:
             self.forget_addresses()
+            return
+        self._slots = self.size + 1
+        self._argument[shortened_rows(), 1] = self._slots
 
     def _reserve_clip(self) -> None:
         """Reserve rows to clip the two shapes with most vertices."""

@@ -93,7 +93,8 @@ def sequence(
 
 def refuse_masked(value: object, of: str, remedy: str, *, at: tuple[str | int, ...]) -> None:
     """Refuse an array of which something is masked: NumPy would take what is below the mask."""
-    if np.any(getattr(value, "mask", False)):
+    masked = getattr(value, "mask", False)
+    if masked is not False and np.any(masked):
         raise RuleError(
             f"{label(at)} of {of}: found a masked value: must be there (R4). {remedy}", *at
         )

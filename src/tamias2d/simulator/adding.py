@@ -1,5 +1,6 @@
 """Bodies that are added while a simulator runs, from arrays of arguments (R2, R3, R4)."""
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -13,7 +14,17 @@ from tamias2d.scene.filters import ALL, checked_sensor, checked_whole
 from tamias2d.scene.rules import RuleError, sequence
 from tamias2d.scene.shapes import HalfPlane
 from tamias2d.simulator.batch import drag_rates
-from tamias2d.simulator.columns import as_array, numbers, vectors, wholes
+from tamias2d.simulator.columns import (
+    Column,
+    as_array,
+    column,
+    is_finite,
+    numbers,
+    plain_pair,
+    table,
+    two_columns,
+    whole_column,
+)
 from tamias2d.state import Array, IntArray
 
 Shapes = Shape | None | Sequence[Shape | None]
@@ -52,28 +63,28 @@ def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
         refuse_shape(shape, of, static=kind == STATIC, told=kind == KINEMATIC, none=kind == DYNAMIC)
     _refuse_placed(known, given)
     many = {
-        key: numbers(given.get(key, 0.0), key, of, remedy, count=count, symbol=key)
+        key: column(given[key], key, of, remedy, count=count, symbol=key) if key in given else 0.0
         for key, remedy in _NUMBERS.items()
     }
     pairs = {
-        key: vectors(given.get(key, (0.0, 0.0)), key, of, remedy, count=count, symbol=key)
+        key: two_columns(given[key], key, of, remedy, count=count, symbol=key)
+        if key in given
+        else (0.0, 0.0)
         for key, remedy in _VECTORS.items()
     }
-    mass = masses(given["mass"], of, count) if kind == DYNAMIC else np.full(count, np.inf)
-    inertia = _inertias(known, mass, given, of) if kind == DYNAMIC else np.full(count, np.inf)
-    _refuse_turned(many, inertia, of, kind)
-    return Batch(
-        kind=np.full(count, kind),
-        pose=np.column_stack((pairs["position"], many["orientation"])),
-        motion=np.column_stack((pairs["velocity"], many["angular_velocity"])),
-        load=np.column_stack((pairs["force"], many["torque"])),
-        mass=mass,
-        inertia=inertia,
-        drag_rates=drag_rates(many["linear_drag"], mass, many["angular_drag"], inertia),
-        filters=_filters(given, of, count),
-        shapes=known,
-        **{key: _surface(given.get(key), key, of, count) for key in SURFACE},
+    mass: Column = _mass(given["mass"], of, count) if kind == DYNAMIC else math.inf
+    inertia = _inertias(known, mass, given, of) if kind == DYNAMIC else math.inf
+    if kind == DYNAMIC:
+        _refuse_turned(many, inertia, of)
+    columns = (
+        *(*pairs["position"], many["orientation"]),
+        *(*pairs["velocity"], many["angular_velocity"]),
+        *(*pairs["force"], many["torque"]),
+        *(mass, inertia),
+        *drag_rates(many["linear_drag"], mass, many["angular_drag"], inertia),
+        *(_surface(given.get(key), key, of, count) for key in SURFACE),
     )
+    return Batch(table(columns, count), _wholes(kind, given, of, count), known)
 
 
 def listed_shapes(shapes: object, count: int, of: str) -> list[Any]:
@@ -92,10 +103,9 @@ def listed_shapes(shapes: object, count: int, of: str) -> list[Any]:
 
 def _counted(shapes: object, position: object, of: str) -> tuple[Shape | None, ...]:
     """Return a shape for each body: one for all, as many as there are positions, or a list."""
-    place = as_array(position, "position", of, _VECTORS["position"])
+    rows = count_of(position, of)
     single = shapes is None or not isinstance(shapes, Sequence | np.ndarray)
     listed: Any = (shapes,) if single else sequence(shapes, of, "Give shapes.", at=("shape",))
-    rows = place.shape[0] if place.ndim == 2 else None
     if single:
         return tuple(listed) * (1 if rows is None else rows)
     if rows is not None and rows != len(listed):
@@ -107,9 +117,18 @@ def _counted(shapes: object, position: object, of: str) -> tuple[Shape | None, .
     return tuple(listed)
 
 
+def count_of(position: object, of: str = "the bodies added") -> int | None:
+    """Return for how many bodies places are given, or None for one place, or raise `RuleError`."""
+    if plain_pair(position) is not None:
+        return None
+    place = as_array(position, "position", of, _VECTORS["position"])
+    return place.shape[0] if place.ndim == 2 else None
+
+
 def _refuse_placed(shapes: Sequence[Shape | None], given: dict[str, Any]) -> None:
-    placed = np.any(given["position"]) or np.any(given.get("orientation", 0.0))
-    if placed and any(isinstance(shape, HalfPlane) for shape in shapes):
+    if not any(isinstance(shape, HalfPlane) for shape in shapes):
+        return
+    if np.any(given["position"]) or np.any(given.get("orientation", 0.0)):
         raise RuleError(
             "position of the static bodies added: a half-plane has none (R4). Say where it is by "
             "its normal and offset.",
@@ -119,8 +138,12 @@ def _refuse_placed(shapes: Sequence[Shape | None], given: dict[str, Any]) -> Non
 
 def masses(value: object, of: str, count: int) -> Array:
     """Return the masses of so many bodies, kg, or raise `RuleError`."""
+    return np.full(count, _mass(value, of, count))
+
+
+def _mass(value: object, of: str, count: int) -> Column:
     remedy = "Give a positive mass in kg, or add the body as a static one."
-    mass = numbers(value, "mass", of, remedy, count=count, symbol="mass")
+    mass = column(value, "mass", of, remedy, count=count, symbol="mass")
     refuse_tiny(mass, "mass", of)
     return mass
 
@@ -133,35 +156,42 @@ def stated_inertias(value: object, of: str, count: int) -> Array:
     return inertia
 
 
-def _inertias(shapes: Sequence[Shape | None], mass: Array, given: dict[str, Any], of: str) -> Array:
-    if given.get("inertia") is not None:
-        return stated_inertias(given["inertia"], of, len(mass))
+def _inertias(
+    shapes: Sequence[Shape | None], mass: Column, given: dict[str, Any], of: str
+) -> Column:
+    if given["inertia"] is not None:
+        return stated_inertias(given["inertia"], of, len(shapes))
+    if isinstance(mass, float) and len(shapes) == 1:
+        return checked_inertia(None, mass, shapes[0], of)
+    each = np.full(len(shapes), mass).tolist()
     found: dict[tuple[Shape | None, float], float] = {}
-    for key in zip(shapes, mass.tolist(), strict=True):
+    for key in zip(shapes, each, strict=True):
         if key not in found:
             found[key] = checked_inertia(None, key[1], key[0], of)
-    return np.array([found[key] for key in zip(shapes, mass.tolist(), strict=True)])
+    return np.array([found[key] for key in zip(shapes, each, strict=True)])
 
 
-def refuse_tiny(values: Array, key: str, of: str) -> None:
+def refuse_tiny(values: Column, key: str, of: str) -> None:
     """Refuse masses or inertias whose inverses float64 cannot hold."""
     with np.errstate(all="ignore"):
-        bad = ~np.isfinite(1 / values)
-    if bad.any():
-        k = int(np.argmax(bad))
+        inverse = 1 / values
+    if not is_finite(inverse):
+        k = int(np.argmin(np.isfinite(inverse)))
         raise RuleError(
-            f"{key}[{k}] {values[k]:g} of {of}: float64 cannot hold its inverse (R4). Choose units "
-            "in which it is nearer to 1.",
+            f"{key}[{k}] {np.atleast_1d(values)[k]:g} of {of}: float64 cannot hold its inverse "
+            "(R4). Choose units in which it is nearer to 1.",
             key,
             k,
         )
 
 
-def _refuse_turned(many: dict[str, Array], inertia: Array, of: str, kind: int) -> None:
+def _refuse_turned(many: dict[str, Column], inertia: Column, of: str) -> None:
     """Refuse a torque or spin where nothing says the inertia."""
+    if is_finite(inertia):
+        return
     for key in ("torque", "angular_velocity"):
-        bad = np.isinf(inertia) & (many[key] != 0.0)
-        if kind == DYNAMIC and bad.any():
+        bad = np.isinf(inertia) & np.not_equal(many[key], 0.0)
+        if bad.any():
             raise RuleError(
                 f"inertia[{int(np.argmax(bad))}] of {of}: found none, though its {key} is not 0 "
                 "(R2, IM2). State the inertia in kg m^2, or give the body a shape.",
@@ -169,20 +199,24 @@ def _refuse_turned(many: dict[str, Array], inertia: Array, of: str, kind: int) -
             )
 
 
-def _surface(value: object, key: str, of: str, count: int) -> Array:
+def _surface(value: object, key: str, of: str, count: int) -> Column:
     if value is None:
-        return np.full(count, UNSTATED)
-    return numbers(value, key, of, SURFACE[key], count=count, symbol=key)
+        return UNSTATED
+    return column(value, key, of, SURFACE[key], count=count, symbol=key)
 
 
-def _filters(given: dict[str, Any], of: str, count: int) -> IntArray:
-    columns = [
-        wholes(value, key, of, count=count, check=checked_whole)
-        for key, value in (
-            ("category", given.get("category", 1)),
-            ("mask", ALL if given.get("mask") is None else given["mask"]),
-            ("group", given.get("group", 0)),
+def _wholes(kind: int, given: dict[str, Any], of: str, count: int) -> IntArray:
+    """Return the kind and the filters (count, 5)."""
+    found = np.empty((count, 5), dtype=np.int64)
+    found[:, 0] = kind
+    mask = given["mask"]
+    for k, (key, value) in enumerate(
+        (
+            ("category", given["category"]),
+            ("mask", ALL if mask is None else mask),
+            ("group", given["group"]),
         )
-    ]
-    sensor = checked_sensor(given.get("sensor", False), of)
-    return np.column_stack((*columns, np.full(count, int(sensor))))
+    ):
+        found[:, 1 + k] = whole_column(value, key, of, count=count, check=checked_whole)
+    found[:, 4] = checked_sensor(given["sensor"], of)
+    return found

@@ -7,7 +7,7 @@ import numpy as np
 from tamias2d.engine.batch import Batch
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.simulator.acting_scene import with_steady_loads
-from tamias2d.simulator.adding import Shapes, added_batch
+from tamias2d.simulator.adding import Shapes, added_batch, count_of
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.selection import Bodies
@@ -111,7 +111,7 @@ class Changing(Stepping):
         self._names.give(rows.tolist() if names else (), names)
         self._look_anew()
         self._unsettled = True
-        one = len(rows) == 1 and np.ndim(position) == 1  # type: ignore[arg-type]
+        one = len(rows) == 1 and count_of(position) is None
         return int(rows[0]) if one else rows
 
     @exclusive

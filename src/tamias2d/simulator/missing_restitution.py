@@ -87,9 +87,9 @@ def _refuse(
 
 
 def _new(batch: Batch, first: int) -> Iterator[tuple[int, _Class]]:
-    silent = (batch.restitution < 0.0) & (batch.filters[:, SENSOR] == 0)
+    silent = batch.surfaces[:, 1] < 0.0
     for k in np.flatnonzero(silent).tolist():
-        if batch.shapes[k] is not None:
+        if batch.shapes[k] is not None and not batch.filters[k, SENSOR]:
             dynamic = int(batch.kind[k] == DYNAMIC)
             yield first + k, _Class(dynamic, *batch.filters[k, :SENSOR].tolist())
 
