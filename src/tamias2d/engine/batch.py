@@ -40,13 +40,11 @@ class Batch:
 
     @property
     def masses(self) -> Array:
-        """(k, 2), mass, infinite unless dynamic, and inertia, infinite where nothing turns it."""
-        return self.numbers[:, 9:11]
+        """(k, 4): mass and inertia, infinite where nothing pushes or turns it; rates of drag, 1/s.
 
-    @property
-    def drag_rates(self) -> Array:
-        """(k, 2), rates at which drag slows the velocity and the angular velocity, 1/s."""
-        return self.numbers[:, 11:13]
+        Drag slows the velocity at the first rate, and the angular velocity at the second.
+        """
+        return self.numbers[:, 9:13]
 
     @property
     def surfaces(self) -> Array:

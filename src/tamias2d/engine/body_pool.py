@@ -7,7 +7,7 @@ and went, arrays as long as the scene.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +28,14 @@ from tamias2d.state import Array, IntArray
 _EXTENTS = slice(tb.BOUNDING_RADIUS, tb.CORE_RADIUS + 1)  # of the properties
 
 
+class _New(NamedTuple):
+    """A body without a rank."""
+
+    form: Form
+    shapes: list[int]
+    """in the order of its parts"""
+
+
 class BodyPool:
     """The taken and the free rows of an engine."""
 
@@ -43,26 +51,33 @@ class BodyPool:
         self._shapes = ShapePool(store)
         self._contacts = ContactList(store, self.wake)
         self._order = self._ranked_shapes()
-        self._new: dict[int, Form] = {}  # of bodies without a rank
-        self._placed: list[int] = []  # shapes of such bodies, of each in their order
+        self._new: dict[int, _New] = {}  # bodies without a rank
         self._leaving: list[int] = []  # removed since the pool was settled
         self._refiltered = False  # whether filters were changed since then
         self._propagators = Propagators(store)
 
     def add(self, batch: Batch) -> IntArray:
         """Add the bodies of a batch, and return their rows (k,)."""
-        rows, forms = self._take(len(batch)), [form_of(shape) for shape in batch.shapes]
+        rows, forms = self._take(len(batch)), [*map(form_of, batch.shapes)]
         state, at = self.store.world.state, index_of(rows)
         state.pose[at], state.velocity[at], state.load[at] = batch.pose, batch.motion, batch.load
-        state.properties[at, tb.INVERSE_MASS : tb.INVERSE_INERTIA + 1] = 1 / batch.masses
-        state.properties[at, _EXTENTS] = np.array([form.extents for form in forms]).reshape(-1, 3)
+        state.properties[at, : tb.JOINED] = self._properties(batch, forms)
         state.kind[at] = batch.kind
         self.generation[at] += 1
-        self._propagators.assign(at, batch.drag_rates)
-        self._new.update(zip(rows, forms, strict=True))
-        self._placed += self._shapes.add(rows, forms, batch.surfaces, batch.filters)
+        places = self._shapes.add(rows, forms, batch.surfaces, batch.filters)
+        self._new.update(zip(rows, map(_New, forms, places), strict=True))
         self.store.forget_pairs()
         return np.array(rows, dtype=np.int64)
+
+    def _properties(self, batch: Batch, forms: Sequence[Form]) -> Array:
+        """Return the columns of properties of new bodies, but for the last one."""
+        masses = batch.masses.tolist()
+        propagators = self._propagators.rows_of([(rate, spin) for _, _, rate, spin in masses])
+        rows = [
+            (1.0 / mass, 1.0 / inertia, *form.extents, row)
+            for (mass, inertia, *_), form, row in zip(masses, forms, propagators, strict=True)
+        ]
+        return np.array(rows).reshape(-1, tb.JOINED)
 
     def remove(self, rows: IntArray) -> None:
         """Take bodies out; their rows are free once the pool is settled, all others stay.
@@ -119,10 +134,10 @@ class BodyPool:
         surfaces = table.material[first, tb.FRICTION : tb.RESTITUTION + 1]
         filters = table.filters[first]
         self._shapes.free(changed)
-        forms = [form_of(shape) for shape in shapes]
+        forms = [*map(form_of, shapes)]
         state.properties[rows, _EXTENTS] = [form.extents for form in forms]
         added = self._shapes.add(rows.tolist(), forms, surfaces, filters)
-        self._shapes.arrange(np.array(added, dtype=np.int64))
+        self._shapes.arrange(np.array([place for each in added for place in each], dtype=np.int64))
         self._order = self._ranked_shapes()
         self.publish_order()
         self.store.copy_to_slots(rows)
@@ -200,18 +215,14 @@ class BodyPool:
             self._refiltered = False
         if not (self._leaving or self._new):
             return
-        gone, new = (
-            np.array(self._leaving, dtype=np.int64),
-            np.array(list(self._new), dtype=np.int64),
-        )
+        gone, new = np.array(self._leaving, dtype=np.int64), np.array([*self._new], dtype=np.int64)
         if len(gone):
             self._let_go(gone)
             self._leaving.clear()
             self._propagators.forget_unused()
         if len(new):
             self._assign_ranks(new)
-        self._new.clear()
-        self._placed.clear()  # what was removed before it was settled is here, too
+            self._new.clear()
         self.store.copy_to_slots(np.concatenate((gone, new)))
         self.publish_order()
         self.store.forget_pairs()
@@ -233,6 +244,8 @@ class BodyPool:
     def wake(self, rows: NDArray[np.integer]) -> None:
         """Wake bodies that sleep, with their islands."""
         self.store.world.control.counts[tb.ALL_ASLEEP] = 0
+        if not len(rows):
+            return
         links = self.store.world.islands.links
         asleep = links[self.store.world.state.slot_of_body[rows], tb.SLEEP_ID]
         if asleep.any():
@@ -297,9 +310,9 @@ class BodyPool:
     def _assign_ranks(self, rows: IntArray) -> None:
         """Order new bodies by what and where they are, and give them and their shapes places."""
         store, state = self.store, self.store.world.state
-        owned = np.array(self._placed, dtype=np.int64)
-        owned = owned[self._marked(rows)[state.body_of_shape[owned]]]
-        forms = [form.numbers for form in self._new.values()]
+        shapes = [place for new in self._new.values() for place in new.shapes]
+        owned = np.array(shapes, dtype=np.int64)
+        forms = [new.form.numbers for new in self._new.values()]
         sequence = in_order(store.world, rows, owned, forms)
         first = int(self.rank.max(initial=-1)) + 1
         self.rank[sequence] = np.arange(first, first + len(rows))

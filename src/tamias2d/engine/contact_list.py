@@ -39,7 +39,8 @@ class ContactList:
 
     def _slots(self) -> NDArray[np.uint32]:
         world = self._store.world
-        side, size = world.broad_phase.counts[[tb.BUFFER, tb.CONTACTS]]
+        counts = world.broad_phase.counts
+        side, size = counts.item(tb.BUFFER), counts.item(tb.CONTACTS)
         return world.buffers.pairs[side, :size, tb.SLOT_A : tb.SLOT_B + 1]
 
     def _may_touch(self) -> NDArray[np.bool_]:

@@ -1,5 +1,6 @@
 """Propagators of drag (DD41): one row stands for all bodies that drag slows alike."""
 
+from collections.abc import Sequence
 from itertools import count
 
 import numpy as np
@@ -23,16 +24,18 @@ class Propagators:
         self._set(store.world.state.drag_rates.copy())
         self._note_rows()
 
-    def assign(self, at: slice | IntArray, rates: Array) -> None:
+    def assign(self, rows: IntArray, rates: Array) -> None:
         """Let bodies slow down at their rates (k, 2), 1/s: of the velocity, and of the spin."""
-        wanted = [tuple(rate) for rate in rates.tolist()]
-        new = sorted({rate for rate in wanted if rate not in self._row})
-        if new:
+        found = self.rows_of([*map(tuple, rates.tolist())])
+        self._store.world.state.properties[rows, tb.PROPAGATOR] = found
+
+    def rows_of(self, wanted: Sequence[tuple[float, float]]) -> list[int]:
+        """Return the rows of propagators for pairs of rates, 1/s, after adding new ones."""
+        if new := sorted(set(wanted).difference(self._row)):
             self._row.update(zip(new, count(len(self._row)), strict=False))
             known = self._store.world.state.drag_rates
             self._set(np.concatenate((known, np.array(new))))
-        properties = self._store.world.state.properties
-        properties[at, tb.PROPAGATOR] = [self._row[rate] for rate in wanted]
+        return [self._row[rate] for rate in wanted]
 
     def forget_unused(self) -> None:
         """Give up the rows that no body uses, where these are most."""

@@ -6,10 +6,10 @@ Bodies that come and go in a game are of few shapes, so that adding one finds it
 import math
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple
+from itertools import chain
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tamias2d.engine.shape_rows import ShapeRow, shape_rows
 from tamias2d.scene.compound import Shape
@@ -18,8 +18,8 @@ from tamias2d.state import Array, IntArray
 _KEPT = 256  # forms
 
 
-class Form(NamedTuple):
-    """The m convex shapes of a body, side by side."""
+class Pieces(NamedTuple):
+    """Convex shapes (m,) side by side, as the engine's arrays take them."""
 
     kinds: IntArray
     """(m,), each one of those in `tables`"""
@@ -31,6 +31,12 @@ class Form(NamedTuple):
     """(v, 4), vertex, m, and outward normal of the side that begins there, shape by shape"""
     counts: tuple[int, ...]
     """m numbers of vertices"""
+
+
+class Form(NamedTuple):
+    """What the engine holds of a body's shape."""
+
+    pieces: Pieces
     extents: tuple[float, float, float]
     """bounding radius, least half width and core radius of the body, m"""
     numbers: tuple[float, ...]
@@ -39,23 +45,28 @@ class Form(NamedTuple):
 
 @lru_cache(_KEPT)
 def form_of(shape: Shape | None) -> Form:
-    """Return the form of a body's shape; that of a particle is empty."""
+    """Return the form of a body's shape; that of a particle has no pieces."""
     rows = shape_rows(shape)
     bounds = [(row.bounding_radius, row.inradius, *row.corners) for row in rows]
-    return Form(
+    pieces = Pieces(
         kinds=np.array([row.kind for row in rows], dtype=np.int64),
         radii=np.array([row.radius for row in rows]),
         bounds=np.array(bounds).reshape(-1, 6),
         vertices=np.concatenate([np.zeros((0, 4)), *(row.vertices for row in rows)]),
         counts=tuple(len(row.vertices) for row in rows),
-        extents=_extents(rows),
-        numbers=tuple(value for row in rows for value in _numbers(row)),
     )
+    numbers = (value for row in rows for value in _numbers(row))
+    return Form(pieces, _extents(rows), tuple(numbers))
 
 
-def joined(values: Sequence[NDArray[Any]]) -> NDArray[Any]:
-    """Return arrays one after another; one alone is not copied."""
-    return values[0] if len(values) == 1 else np.concatenate(values)
+def joined(forms: Sequence[Form]) -> Pieces:
+    """Return the pieces of forms one after another; those of one alone are not copied."""
+    if len(forms) == 1:
+        return forms[0].pieces
+    none = form_of(None).pieces
+    *columns, counts = zip(none, *(form.pieces for form in forms), strict=True)
+    kinds, radii, bounds, vertices = map(np.concatenate, columns)
+    return Pieces(kinds, radii, bounds, vertices, tuple(chain.from_iterable(counts)))
 
 
 def _extents(rows: Sequence[ShapeRow]) -> tuple[float, float, float]:

@@ -1,13 +1,14 @@
 """The shape pool: which rows hold the shapes of which bodies."""
 
 from collections.abc import Sequence
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.rows import index_of
-from tamias2d.engine.shape_form import Form, joined
+from tamias2d.engine.shape_form import Form, Pieces, joined
 from tamias2d.engine.store import Store
 from tamias2d.state import Array, IntArray
 
@@ -30,31 +31,33 @@ class ShapePool:
         forms: Sequence[Form],
         surfaces: Array,
         filters: NDArray[np.int64],
-    ) -> list[int]:
-        """Give bodies (k,) shapes; return the rows of these, body by body in the order of parts.
+    ) -> list[list[int]]:
+        """Give bodies (k,) shapes; return the rows of those of each, in the order of parts.
 
         All shapes of a body have its friction and restitution (k, 2), and its filters (k, 4).
         """
-        sizes = [len(form.counts) for form in forms]
-        if not any(sizes):
-            return []
-        vertices = joined([form.vertices for form in forms])
-        self._store.reserve_shapes(self._taken + sum(sizes), self._vertices + len(vertices))
-        places = [place for form in forms for place in self._take(form)]
-        state, shapes, at = self._store.world.state, self._store.world.shapes, index_of(places)
-        owner = np.array(rows, dtype=np.int64)
+        pieces = joined(forms)
+        if not pieces.counts:
+            return [[] for _ in forms]
+        self._store.reserve_shapes(
+            self._taken + len(pieces.counts),
+            self._vertices + len(pieces.vertices),
+            max(pieces.counts),
+        )
+        found = [self._take(form.pieces) for form in forms]
+        places, owner = [*chain.from_iterable(found)], np.array(rows, dtype=np.int64)
         if len(forms) > 1:
-            each = np.repeat(np.arange(len(forms)), sizes)
+            each = np.repeat(np.arange(len(forms)), [*map(len, found)])
             owner, surfaces, filters = owner[each], surfaces[each], filters[each]
+        state, shapes, at = self._store.world.state, self._store.world.shapes, index_of(places)
         state.body_of_shape[at] = owner
-        shapes.kind[at] = joined([form.kinds for form in forms])
-        shapes.radius[at] = joined([form.radii for form in forms])
+        shapes.kind[at], shapes.radius[at] = pieces.kinds, pieces.radii
         shapes.material[at, : tb.SHAPE_RADIUS] = surfaces
-        shapes.material[at, tb.SHAPE_RADIUS :] = joined([form.bounds for form in forms])
+        shapes.material[at, tb.SHAPE_RADIUS :] = pieces.bounds
         shapes.filters[at] = filters
         corners = self._corners_of(places)
-        shapes.local_vertices[corners] = shapes.world_vertices[corners] = vertices
-        return places
+        shapes.local_vertices[corners] = shapes.world_vertices[corners] = pieces.vertices
+        return found
 
     def free(self, bodies: NDArray[np.bool_]) -> IntArray:
         """Free the rows of the shapes of marked bodies (slots,), and return them."""
@@ -123,11 +126,11 @@ class ShapePool:
     def _idle(self) -> int:
         return self._store.capacities.slots - 1
 
-    def _take(self, form: Form) -> list[int]:
+    def _take(self, pieces: Pieces) -> list[int]:
         """Return rows for the shapes of a body; pieces of a chain lie side by side."""
-        if form.counts and form.kinds[0] >= tb.PIECE:
-            return self._take_chain(len(form.counts))
-        return [self._take_shape(count) for count in form.counts]
+        if pieces.counts and pieces.kinds.item(0) >= tb.PIECE:
+            return self._take_chain(len(pieces.counts))
+        return [*map(self._take_shape, pieces.counts)]
 
     def _take_shape(self, vertices: int) -> int:
         """Return a row for a shape with so many vertices."""

@@ -50,6 +50,8 @@ def drag_rates(
     Raises:
         InputError: float64 cannot hold one.
     """
+    if _are_zero(linear_drag, angular_drag):
+        return 0.0, 0.0
     with np.errstate(all="ignore"):
         rates: tuple[Column, Column] = (
             drag.drag_rate(linear_drag, mass),
@@ -66,6 +68,10 @@ def drag_rates(
             k,
         )
     return rates
+
+
+def _are_zero(*drags: Column) -> bool:
+    return all(isinstance(values, float) and values == 0.0 for values in drags)
 
 
 def _kind(body: Body) -> int:

@@ -17,8 +17,11 @@ from tamias2d.state import Array, IntArray
 
 Column: TypeAlias = float | Array
 """One number for all bodies, or an array with one for each."""
+WholeColumn: TypeAlias = int | list[int]
+"""One whole number for all bodies, or a list of one for each."""
 _MANY = {"body": "bodies", "ray": "rays", "world": "worlds"}
 _EXACT = 2**53  # whole numbers up to it are numbers of float64
+_LIMITS = {name: (known.range.least, known.range.most) for name, known in SYMBOLS.items()}
 
 
 def numbers(value: object, key: str, of: str, remedy: str, *, count: int, symbol: str) -> Array:
@@ -29,8 +32,9 @@ def numbers(value: object, key: str, of: str, remedy: str, *, count: int, symbol
 
 def column(value: object, key: str, of: str, remedy: str, *, count: int, symbol: str) -> Column:
     """Return a number for all of so many bodies, or one for each, or raise `RuleError`."""
-    plain = _plain(value)
-    if plain is not None and SYMBOLS[symbol].admits(plain):
+    plain = value if type(value) is float else _plain(value)
+    least, most = _LIMITS[symbol]
+    if plain is not None and least <= plain <= most:
         return plain + 0.0  # no negative zeros
     return judged(spread(value, key, of, remedy, (count,)), key, of, remedy, symbol)
 
@@ -53,9 +57,8 @@ def two_columns(
     """Return the components of a vector for all, or for each, as `vectors` does."""
     plain = plain_pair(value)
     if plain is not None:
-        x, y = plain
-        meaning = SYMBOLS[symbol]
-        if meaning.admits(x) and meaning.admits(y):
+        (x, y), (least, most) = plain, _LIMITS[symbol]
+        if least <= x <= most and least <= y <= most:
             return x + 0.0, y + 0.0
     rows = judged(spread(value, key, of, remedy, (count, 2), each), key, of, remedy, symbol)
     return rows[:, 0], rows[:, 1]
@@ -63,7 +66,20 @@ def two_columns(
 
 def table(columns: Sequence[Column], count: int) -> Array:
     """Return columns side by side (count, k)."""
+    if count == 1 and set(map(type, columns)) == {float}:
+        found: Array = np.array((columns,))
+        return found
     found = np.empty((count, len(columns)))
+    for k, values in enumerate(columns):
+        found[:, k] = values
+    return found
+
+
+def whole_table(columns: Sequence[WholeColumn], count: int) -> IntArray:
+    """Return columns of whole numbers side by side (count, k)."""
+    if count == 1 and set(map(type, columns)) == {int}:
+        return np.array((columns,), dtype=np.int64)
+    found = np.empty((count, len(columns)), dtype=np.int64)
     for k, values in enumerate(columns):
         found[:, k] = values
     return found
@@ -81,7 +97,7 @@ def wholes(value: object, key: str, of: str, *, count: int, check: Callable[...,
 
 def whole_column(
     value: object, key: str, of: str, *, count: int, check: Callable[..., int]
-) -> int | list[int]:
+) -> WholeColumn:
     """Return a whole number for all of so many bodies, or one for each, as `wholes` does."""
     if type(value) is int:
         return check(value, key, of)
@@ -111,7 +127,10 @@ def plain_pair(value: object) -> tuple[float, float] | None:
     if type(value) is np.ndarray and value.shape == (2,):
         value = value.tolist()
     if (type(value) is tuple or type(value) is list) and len(value) == 2:
-        x, y = _plain(value[0]), _plain(value[1])
+        x, y = value
+        if type(x) is float and type(y) is float:
+            return x, y
+        x, y = _plain(x), _plain(y)
         return None if x is None or y is None else (x, y)
     return None
 
@@ -171,8 +190,8 @@ def _misshapen(
 
 def judged(values: Array, key: str, of: str, remedy: str, symbol: str) -> Array:
     """Return the values if each is finite and in the range of its symbol."""
-    limits = SYMBOLS[symbol].range
-    good = (values >= limits.least) & (values <= limits.most)  # nan is neither
+    least, most = _LIMITS[symbol]
+    good = (values >= least) & (values <= most)  # nan is neither
     if not good.all():
         place = tuple(int(k) for k in np.argwhere(~good)[0])
         number(float(values[place]), symbol, of, remedy, at=(key, *place))
