@@ -33,6 +33,8 @@ def number(value: object, symbol: str, of: str, remedy: str, *, at: tuple[str | 
     Truth values are no numbers. `of` says whose value it is, `remedy` what to do about a bad one.
     """
     meaning = SYMBOLS[symbol]
+    if type(value) is float and meaning.admits(value):
+        return value + 0.0  # no negative zero: equal scenes have equal texts
     unit = "" if meaning.unit == "1" else f" {meaning.unit}"
     what = f"{label(at)} of {of}"
     if isinstance(value, bool) or not isinstance(value, Real):
@@ -48,7 +50,7 @@ def number(value: object, symbol: str, of: str, remedy: str, *, at: tuple[str | 
     if not meaning.admits(plain):
         found = repr(plain).removesuffix(".0")
         raise RuleError(f"{label(at)} {found}{unit} of {of}: {meaning.rule}. {remedy}", *at)
-    return plain + 0.0  # no negative zero: equal scenes have equal texts
+    return plain + 0.0
 
 
 def vector(
