@@ -135,7 +135,8 @@ class BodyPool:
         filters = table.filters[first]
         self._shapes.free(changed)
         forms = [*map(form_of, shapes)]
-        state.properties[rows, _EXTENTS] = [form.extents for form in forms]
+        extents = np.array([form.extents for form in forms]).reshape(-1, 3)
+        state.properties[rows, _EXTENTS] = extents
         added = self._shapes.add(rows.tolist(), forms, surfaces, filters)
         self._shapes.arrange(np.array([place for each in added for place in each], dtype=np.int64))
         self._order = self._ranked_shapes()

@@ -24,25 +24,23 @@ _NAMES = ("position", "orientation", "velocity", "angular_velocity", "force", "t
 class Views:
     """What can be read and written between steps; assigning to a view writes into it."""
 
-    __slots__ = ("_earlier", "_engine", "_lock", "_seen", "_shown", "_views")
+    __slots__ = ("_earlier", "_engine", "_lock", "_seen", "_views")
     _earlier: EarlierViews
     _engine: Engine
     _lock: Lock
     _seen: bool  # whether anybody has looked in between since the last step
-    _shown: Array | None  # the array of poses that is seen
     # made as they are asked for, and kept: a step of few bodies takes little longer than a view
     _views: tuple[Array, ...]
 
     def _look(self) -> None:
         """Look at the arrays of the engine for the first time, or where nobody has a view."""
-        self._earlier, self._views, self._shown = EarlierViews(_NAMES), (), None
-        self._seen = True
+        self._seen, self._earlier, self._views = True, EarlierViews(_NAMES), ()
 
     def _look_anew(self) -> None:
         """Look at the arrays of the engine anew, which adding may put elsewhere."""
-        self._seen, before, size = True, self._views, self._engine.size
-        if before and self._shown is self._engine.world.state.pose and len(before[0]) == size:
-            return
+        self._seen, before, pose = True, self._views, self._engine.pose
+        if before and len(before[0]) == len(pose) and np.may_share_memory(before[0], pose):
+            return  # a row is used again
         self._views = ()
         if self._earlier or (before and is_held(before)):
             later = self._current()
@@ -56,7 +54,6 @@ class Views:
             rows = (pose, velocity, load)
             parts = (part for values in rows for part in (values[..., :2], values[..., 2]))
             self._views = tuple(map(lent, (*parts, engine.gravity)))
-            self._shown = engine.world.state.pose
         return self._views
 
     @property
