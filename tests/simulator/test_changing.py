@@ -238,6 +238,7 @@ BAD: dict[str, tuple[dict[str, Any], str]] = {
     "place": ({"position": [(0, 0), (np.nan, 0)]}, r"position\[1\]\[0\] of the bodies added"),
     "places": ({"position": [(0, 0, 0)]}, r"position of the bodies added: found an array of shape"),
     "ragged": ({"position": [(0, 0), (0,)]}, "its rows must have one length"),
+    "turns": ({"orientation": [(0, 0), (0,)]}, "its rows must have one length"),
     "restitution": ({"restitution": 1.5}, r"restitution\[0\] 1.5 of the bodies added"),
     "friction": ({"friction": [-1.0, 0.0]}, r"friction\[0\] -1 of the bodies added"),
     "category": ({"category": [1, -2]}, "category -2 of the bodies added"),

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from tamias2d.errors import StepWarning
-from tamias2d.scene import Box, Disc, HalfPlane, Scene
+from tamias2d.scene import Box, Disc, HalfPlane, Polygon, Scene
 from tamias2d.scene.freedoms import JointSpring, Limits, Motor
 from tamias2d.scene.joint_kinds import Revolute
 from tamias2d.simulator import Simulator
@@ -25,6 +25,7 @@ from tools.measurements.progress import TOLD
 _STEP = 1 / 60
 _HEIGHT = 10  # boxes of a tower
 _MANY = 100  # bodies that come at once
+_SINGLES = 20  # bodies that come one by one
 _SETTLING = 60  # steps
 _Call = Callable[[], object]
 
@@ -104,6 +105,8 @@ class _Own:
         return {
             "a body comes and goes": lambda: sim.remove(self._comes((-9.0, 5.0))),
             "a frame with that": self._frame,
+            "one of a new shape": self._of_new_shape,
+            f"{_SINGLES} come and go one by one": self._one_by_one,
             f"{_MANY} come and go at once": lambda: sim.remove(self._come()),
             "what touches": lambda: sim.contacts,
             "what began to touch": lambda: sim.began,
@@ -132,6 +135,19 @@ class _Own:
                 "hinge", JointSpring(stiffness=1.0 + 1e-9 * next(other))
             ),
         }
+
+    def _of_new_shape(self) -> None:
+        size = 0.1 + 1e-9 * next(self._other)
+        corners = [(0.0, 0.0), (size, 0.0), (size, 0.1), (0.0, 0.2)]
+        piece = Polygon(vertices=corners)
+        self._sim.remove(
+            self._sim.add(piece, mass=size, position=(-9.0, 5.0), friction=0.5, restitution=0.0)
+        )
+
+    def _one_by_one(self) -> None:
+        rows = [self._comes((-9.0, 5.0 + 0.2 * k)) for k in range(_SINGLES)]
+        for row in rows:
+            self._sim.remove(row)
 
     def _frame_filtered(self) -> None:
         self._sim.set_filters(3, group=next(self._other))
@@ -197,7 +213,9 @@ class _Chipmunk:
         return {
             "a body comes and goes": lambda: space.remove(*self._comes(5.0)),
             "a frame with that": self._frame,
-            f"{_MANY} come and go at once": self._many,
+            "one of a new shape": self._of_new_shape,
+            f"{_SINGLES} come and go one by one": lambda: self._one_by_one(_SINGLES),
+            f"{_MANY} come and go at once": lambda: self._one_by_one(_MANY),
             "a ray": lambda: space.segment_query_first((-9.0, 1.0), (99.0, 1.5), 0.0, anyone),
             "a point": lambda: space.point_query((0.1, 0.3), 0.0, anyone),
             "a box": lambda: space.bb_query(near, anyone),
@@ -222,9 +240,19 @@ class _Chipmunk:
     def _rub(self) -> None:
         self._shape.friction = 0.5 + 1e-9 * next(self._other)
 
-    def _many(self) -> None:
-        for found in [self._comes(5.0 + 0.2 * k) for k in range(_MANY)]:
+    def _one_by_one(self, count: int) -> None:
+        for found in [self._comes(5.0 + 0.2 * k) for k in range(count)]:
             self._space.remove(*found)
+
+    def _of_new_shape(self) -> None:
+        size = 0.1 + 1e-9 * next(self._other)
+        corners = [(0.0, 0.0), (size, 0.0), (size, 0.1), (0.0, 0.2)]
+        body = self._pymunk.Body(size, self._pymunk.moment_for_poly(size, corners))
+        body.position = (-9.0, 5.0)
+        shape = self._pymunk.Poly(body, corners)
+        shape.friction = 0.5
+        self._space.add(body, shape)
+        self._space.remove(body, shape)
 
     def _comes(self, height: float) -> tuple[Any, Any]:
         body = self._pymunk.Body(0.01, 1e-5)

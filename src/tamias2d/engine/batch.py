@@ -1,43 +1,62 @@
-"""Bodies on their way into the engine: a row for each."""
+"""Bodies on their way into the engine: a row for each, of real numbers and of whole ones."""
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
 from tamias2d.scene.compound import Shape
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
 
 UNSTATED = -1.0
 """Friction or restitution where a body states none."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Batch:
     """What k bodies are, and where and how they start; SI units."""
 
-    kind: NDArray[np.int64]
-    """(k,), of `tables`: STATIC, KINEMATIC or DYNAMIC"""
-    pose: Array
-    """(k, 3), position and orientation"""
-    motion: Array
-    """(k, 3), velocity and angular velocity"""
-    load: Array
-    """(k, 3), applied force and torque"""
-    mass: Array
-    """(k,); infinite unless dynamic"""
-    inertia: Array
-    """(k,); infinite for a body that nothing turns"""
-    drag_rates: Array
-    """(k, 2), rates at which drag slows the velocity and the angular velocity, 1/s"""
-    friction: Array
-    """(k,), UNSTATED where the body states none"""
-    restitution: Array
-    """(k,), UNSTATED where the body states none"""
-    filters: NDArray[np.int64]
-    """(k, 4): category, mask, group, sensor"""
+    numbers: Array
+    """(k, 15): pose, motion and load of three each, and what the properties below tell"""
+    wholes: IntArray
+    """(k, 5): kind, of `tables` STATIC, KINEMATIC or DYNAMIC, and filters"""
     shapes: tuple[Shape | None, ...]
     """k shapes; None for a particle"""
 
     def __len__(self) -> int:
-        return len(self.kind)
+        return len(self.shapes)
+
+    @property
+    def pose(self) -> Array:
+        """(k, 3), position and orientation."""
+        return self.numbers[:, :3]
+
+    @property
+    def motion(self) -> Array:
+        """(k, 3), velocity and angular velocity."""
+        return self.numbers[:, 3:6]
+
+    @property
+    def load(self) -> Array:
+        """(k, 3), applied force and torque."""
+        return self.numbers[:, 6:9]
+
+    @property
+    def masses(self) -> Array:
+        """(k, 4): mass and inertia, infinite where nothing pushes or turns it; rates of drag, 1/s.
+
+        Drag slows the velocity at the first rate, and the angular velocity at the second.
+        """
+        return self.numbers[:, 9:13]
+
+    @property
+    def surfaces(self) -> Array:
+        """(k, 2), friction and restitution, UNSTATED where a body states none."""
+        return self.numbers[:, 13:]
+
+    @property
+    def kind(self) -> IntArray:
+        """(k,)."""
+        return self.wholes[:, 0]
+
+    @property
+    def filters(self) -> IntArray:
+        """(k, 4): category, mask, group, sensor."""
+        return self.wholes[:, 1:]

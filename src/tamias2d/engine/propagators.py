@@ -1,9 +1,9 @@
 """Propagators of drag (DD41): one row stands for all bodies that drag slows alike."""
 
+from collections.abc import Sequence
 from itertools import count
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.parts import part_substeps
@@ -12,6 +12,7 @@ from tamias2d.generated import drag
 from tamias2d.state import Array, IntArray
 
 _ONE, _OTHER, _NONE = (1.0, 0.0), (0.0, 1.0), (0.0, 0.0)
+_FEW = 2  # rows, of which one is always used: twice as many as that
 
 
 class Propagators:
@@ -23,19 +24,23 @@ class Propagators:
         self._set(store.world.state.drag_rates.copy())
         self._note_rows()
 
-    def assign(self, rows: NDArray[np.int64], rates: Array) -> None:
+    def assign(self, rows: IntArray, rates: Array) -> None:
         """Let bodies slow down at their rates (k, 2), 1/s: of the velocity, and of the spin."""
-        wanted = [tuple(rate) for rate in rates.tolist()]
-        new = sorted(set(wanted).difference(self._row))
-        if new:
+        found = self.rows_of([*map(tuple, rates.tolist())])
+        self._store.world.state.properties[rows, tb.PROPAGATOR] = found
+
+    def rows_of(self, wanted: Sequence[tuple[float, float]]) -> list[int]:
+        """Return the rows of propagators for pairs of rates, 1/s, after adding new ones."""
+        if new := sorted(set(wanted).difference(self._row)):
             self._row.update(zip(new, count(len(self._row)), strict=False))
             known = self._store.world.state.drag_rates
             self._set(np.concatenate((known, np.array(new))))
-        properties = self._store.world.state.properties
-        properties[rows, tb.PROPAGATOR] = [self._row[rate] for rate in wanted]
+        return [self._row[rate] for rate in wanted]
 
     def forget_unused(self) -> None:
         """Give up the rows that no body uses, where these are most."""
+        if len(self._row) <= _FEW:
+            return
         state, bodies = self._store.world.state, self._store.world.bodies
         used, which = np.unique(
             state.properties[:, tb.PROPAGATOR].astype(np.int64), return_inverse=True

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Sequence
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -35,10 +34,6 @@ class ShapeRow(NamedTuple):
     """of a piece of a chain: cosine and sine of the corners at its start and its end (DD73)"""
 
 
-_KEPT = 256  # shapes: bodies that come and go in a game are of few kinds
-
-
-@lru_cache(_KEPT)
 def shape_rows(shape: Shape | None) -> tuple[ShapeRow, ...]:
     """Return the convex shapes of a body's shape; a particle has none."""
     if shape is None:
@@ -49,15 +44,6 @@ def shape_rows(shape: Shape | None) -> tuple[ShapeRow, ...]:
     if isinstance(shape, Chain):
         return _chain(shape)
     return tuple(_bounded(part.core, part.shape.rounding) for part in pieces_of(shape))
-
-
-@lru_cache(_KEPT)
-def numbers_of(shape: Shape | None) -> tuple[float, ...]:
-    """Return all numbers of a body's shape, by which bodies are ordered."""
-    parts = [
-        (r.kind, r.radius, len(r.vertices), *r.vertices.ravel().tolist()) for r in shape_rows(shape)
-    ]
-    return tuple(value for part in parts for value in part)
 
 
 def _bounded(core: Sequence[Vector], radius: float) -> ShapeRow:

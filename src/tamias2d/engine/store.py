@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.rows import index_of
 from tamias2d.engine.tables import Integers
 from tamias2d.engine.world import (
     Capacities,
@@ -18,7 +19,7 @@ from tamias2d.engine.world import (
     with_arrays,
 )
 from tamias2d.kernels.groups import Addresses
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
 
 CONTACTS_OF_SHAPE = 5
 CONTACTS_OF_BLOCK = 8  # half of the lanes
@@ -40,6 +41,7 @@ class Store:
         self._addresses = Addresses()
         self._argument: Any = None
         self._slots = 0  # that it tells of
+        self._by_slot: tuple[NDArray[Any], ...] | None = None  # arrays with a row for each slot
         state = self.world.state
         state.slot_of_body[:] = state.body_of_slot[:] = np.arange(capacities.slots, dtype=np.uint32)
 
@@ -47,7 +49,7 @@ class Store:
     def argument(self) -> Any:
         """The world as compiled code takes it, a table of addresses, or as plain code does."""
         if self._argument is None:
-            self._reserve_clip()
+            self._reserve_clip(int(self.world.shapes.vertex_count.max(initial=0)))
             self._slots = slots = self.size + 1  # an idle slot follows those of the bodies
             self._argument = self._table(slots) if self.compiled else in_use(self.world, slots)
         return self._argument
@@ -74,7 +76,7 @@ class Store:
 
     def forget_addresses(self) -> None:
         """Find the addresses of the arrays anew before they are next used."""
-        self._argument = None
+        self._argument = self._by_slot = None
 
     def reserve(self, count: int) -> None:
         """Reserve rows for so many bodies more, in whole chunks.
@@ -96,12 +98,16 @@ class Store:
         state.slot_of_body[idle:] = state.body_of_slot[idle:] = np.arange(idle, slots)
         state.body_of_shape[state.body_of_shape == idle] = slots - 1
 
-    def reserve_shapes(self, shapes: int, vertices: int) -> None:
-        """Reserve rows for so many shapes and vertices in all.
+    def reserve_shapes(self, shapes: int, vertices: int, most: int) -> None:
+        """Reserve rows for so many shapes and vertices in all, of one shape at most so many.
 
         Small scenes get rows for the contacts of a pile: to make arrays longer takes many steps.
         """
-        capacities, taken, longer = self.capacities, self.capacities.shapes, {}
+        self._reserve_clip(most)
+        capacities, taken = self.capacities, self.capacities.shapes
+        if shapes <= taken and vertices <= capacities.vertices:
+            return
+        longer = {}
         if shapes > capacities.shapes:
             longer["shapes"] = max(shapes, capacities.shapes * 3 // 2)
             contacts = min(CONTACTS_OF_SHAPE * shapes, MOST_FORESEEN)
@@ -130,25 +136,33 @@ class Store:
         bodies.properties[slots], bodies.kind[slots] = state.properties[rows], state.kind[rows]
         self.world.shapes.slot[:] = np.minimum(state.slot_of_body[state.body_of_shape], self.size)
 
-    def clear(self, rows: Integers) -> None:
+    def clear(self, rows: IntArray) -> None:
         """Forget all that is known of some bodies, which were taken out."""
-        slots = self.world.state.slot_of_body[rows]
         state = self.world.state
+        at, slots = index_of(rows.tolist()), index_of(state.slot_of_body[rows].tolist())
         for values in (state.pose, state.properties, state.kind):
-            values[rows] = 0
-        for values in arrays_by_slot(self.world):
+            values[at] = 0
+        if self._by_slot is None:
+            self._by_slot = tuple(arrays_by_slot(self.world))
+        for values in self._by_slot:
             values[slots] = 0
 
     def forget_pairs(self) -> None:
         """Look for pairs anew at the next step."""
         self.world.broad_phase.counts[tb.LIST_HOLDS] = 0
         self.revision += 1
-        self._reserve_clip()
         if self._slots != self.size + 1:
-            self.forget_addresses()
+            self._tell_size()
 
-    def _reserve_clip(self) -> None:
-        """Reserve rows to clip the two shapes with most vertices."""
-        vertices = 2 * int(self.world.shapes.vertex_count.max(initial=0))
-        if vertices >= self.capacities.clip:
-            self.resize(clip=vertices + 1)
+    def _tell_size(self) -> None:
+        """Let the argument tell of the slots that are in use now."""
+        if self._argument is None or not self.compiled:
+            self.forget_addresses()
+            return
+        self._slots = self.size + 1
+        self._argument[shortened_rows(), 1] = self._slots
+
+    def _reserve_clip(self, most: int) -> None:
+        """Reserve rows to clip two shapes with so many vertices."""
+        if 2 * most >= self.capacities.clip:
+            self.resize(clip=2 * most + 1)

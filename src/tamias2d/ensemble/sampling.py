@@ -243,9 +243,7 @@ def _number(item: Any, place: Place) -> Any:
 
 def _refuse_out_of_range(values: Array, place: Place) -> None:
     limits, symbol = place.symbol.range, place.symbol
-    good = np.isfinite(values)
-    good &= values > limits.low if limits.low_open else values >= limits.low
-    good &= values < limits.high if limits.high_open else values <= limits.high
+    good = (values >= limits.least) & (values <= limits.most)  # nan is neither
     if good.all():
         return
     world = int(np.argwhere(~good)[0][0])

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.batch import UNSTATED
-from tamias2d.engine.body_pool import strips
+from tamias2d.engine.canonical_order import strips
 from tamias2d.engine.shape_rows import shape_rows
 from tamias2d.engine.world_batch import (
     GRAVITY,

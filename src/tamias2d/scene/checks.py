@@ -15,6 +15,7 @@ from tamias2d.scene.rules import RuleError, Vector, number, shown, vector
 from tamias2d.scene.shapes import HalfPlane
 
 MAX_NAME = 100  # characters
+SHAPES: tuple[type, ...] = get_args(Shape)
 
 
 def checked_text(value: object, key: str) -> str:
@@ -150,7 +151,7 @@ def refuse_shape(
             "kinematic body.",
             "shape",
         )
-    if not (isinstance(shape, get_args(Shape)) or (shape is None and none)):
+    if not (isinstance(shape, SHAPES) or (shape is None and none)):
         raise RuleError(
             f"shape of {of}: found {shown(shape)}: must be a shape (R4). Give a Disc, Box, "
             "Polygon, Capsule, Segment, Compound or, for a static body, a HalfPlane or Chain; a "

@@ -50,7 +50,7 @@ def filters(body: Filtered) -> bool:
 def checked_whole(value: object, key: str, of: str) -> int:
     """Return a category, a mask or a group, or raise `RuleError`."""
     low, high, remedy = _WHOLE[key]
-    if isinstance(value, bool) or not isinstance(value, Integral):
+    if type(value) is not int and (isinstance(value, bool) or not isinstance(value, Integral)):
         raise RuleError(
             f"{key} of {of}: found {shown(value)}: must be a whole number (R3). {remedy}", key
         )

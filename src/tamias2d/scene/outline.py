@@ -4,6 +4,7 @@ An outline is accepted only if it turns the same way at every vertex, and once a
 """
 
 import math
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,7 @@ Columns = tuple[NDArray[np.float64], NDArray[np.float64]]
 _OF = "a polygon"
 _REMEDY = "Give at least three corners of a convex outline in m, e.g. [(0, 0), (1, 0), (0, 1)]."
 _MOST = 1000  # corners: what finds contacts compares each with each
+_KEPT = 256  # polygons: pieces of one that breaks are of few
 _STRAIGHT = 1e-12  # sine of the turn below which three corners count as one line
 
 
@@ -93,10 +95,14 @@ def centred(outline: tuple[Vector, ...]) -> tuple[tuple[Vector, ...], Vector]:
     return tuple((p, q) for p, q in relative[:: 1 if area > 0 else -1]), (x, y)
 
 
+@lru_cache(_KEPT)
 def edges(vertices: tuple[Vector, ...]) -> tuple[Columns, Columns]:
-    """Return the start and the end of every edge, each as a pair of arrays (x, y)."""
+    """Return the start and the end of every edge, each as a pair of read-only arrays (x, y)."""
     corners = np.array(vertices)
-    return _columns(corners), _columns(np.roll(corners, -1, axis=0))
+    later = np.roll(corners, -1, axis=0)
+    for points in (corners, later):
+        points.flags.writeable = False
+    return _columns(corners), _columns(later)
 
 
 def _columns(points: NDArray[np.float64]) -> Columns:

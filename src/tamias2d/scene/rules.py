@@ -34,6 +34,8 @@ def number(value: object, symbol: str, of: str, remedy: str, *, at: tuple[str | 
     Truth values are no numbers. `of` says whose value it is, `remedy` what to do about a bad one.
     """
     meaning = SYMBOLS[symbol]
+    if type(value) is float and meaning.admits(value):
+        return value + 0.0  # no negative zero: equal scenes have equal texts
     unit = "" if meaning.unit == "1" else f" {meaning.unit}"
     what = f"{label(at)} of {of}"
     if isinstance(value, bool) or not isinstance(value, Real):
@@ -49,7 +51,7 @@ def number(value: object, symbol: str, of: str, remedy: str, *, at: tuple[str | 
     if not meaning.admits(plain):
         found = repr(plain).removesuffix(".0")
         raise RuleError(f"{label(at)} {found}{unit} of {of}: {meaning.rule}. {remedy}", *at)
-    return plain + 0.0  # no negative zero: equal scenes have equal texts
+    return plain + 0.0
 
 
 def vector(
@@ -94,7 +96,8 @@ def sequence(
 
 def refuse_masked(value: object, of: str, remedy: str, *, at: tuple[str | int, ...]) -> None:
     """Refuse an array of which something is masked: NumPy would take what is below the mask."""
-    if np.any(getattr(value, "mask", False)):
+    masked = getattr(value, "mask", False)
+    if masked is not False and np.any(masked):
         raise RuleError(
             f"{label(at)} of {of}: found a masked value: must be there (R4). {remedy}", *at
         )

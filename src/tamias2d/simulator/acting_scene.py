@@ -68,7 +68,7 @@ def with_steady_loads(scene: Scene, batch: Batch, time: float) -> Batch:
     Raises:
         InputError: a field has no finite value where a body is, at a time in s.
     """
-    load = batch.load.copy()
+    later = replace(batch, numbers=batch.numbers.copy())
     (x, y, orientation), (u, v, spin) = batch.pose.T, batch.motion.T
     state = {
         "time": time,
@@ -76,14 +76,14 @@ def with_steady_loads(scene: Scene, batch: Batch, time: float) -> Batch:
         "velocity": (u, v),
         "orientation": orientation,
         "angular_velocity": spin,
-        "mass": batch.mass,
+        "mass": batch.masses[:, 0],
     }
     for field in scene.fields if len(batch) else ():
         for component, law in enumerate((*field.force, field.torque)):
             if field.bodies is None:
                 value = _value(law, state)
-                load[:, component] += 0.0 if varies(law) else value
-    return replace(batch, load=load)
+                later.load[:, component] += 0.0 if varies(law) else value
+    return later
 
 
 def _value(law: Law, state: Mapping[str, Any]) -> Any:

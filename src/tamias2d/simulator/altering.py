@@ -16,9 +16,10 @@ from tamias2d.scene.compound import Compound, Shape
 from tamias2d.scene.rules import RuleError
 from tamias2d.scene.shapes import Single
 from tamias2d.simulator.acting_scene import steady_loads, with_masses
-from tamias2d.simulator.adding import DRAGS, listed_shapes, masses, refuse_tiny, stated_inertias
+from tamias2d.simulator.adding import listed_shapes
 from tamias2d.simulator.body_now import shape_now
 from tamias2d.simulator.columns import numbers, stated
+from tamias2d.simulator.constitution import DRAGS, masses, refuse_tiny, stated_inertias
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.masses import Masses, masses_now, weigh
 from tamias2d.simulator.selection import Bodies

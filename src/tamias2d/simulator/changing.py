@@ -7,14 +7,12 @@ import numpy as np
 from tamias2d.engine.batch import Batch
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.simulator.acting_scene import with_steady_loads
-from tamias2d.simulator.adding import Shapes, added_batch
+from tamias2d.simulator.adding import Shapes, added_batch, count_of
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.selection import Bodies
 from tamias2d.simulator.stepping import Stepping
 from tamias2d.suggestions import suggests
-
-_NAMED = ("self", "shape", "name")
 
 
 @suggests
@@ -58,8 +56,7 @@ class Changing(Stepping):
             InputError: a value breaks a rule (R4), or a field has no finite value where a body is;
                 the message names it and its place.
         """
-        given = {key: value for key, value in locals().items() if key not in _NAMED}
-        batch = added_batch(DYNAMIC, shape, **given)
+        batch = added_batch(DYNAMIC, locals())
         if self._scene is not None:
             batch = with_steady_loads(self._scene, batch, self.time)
         return self._add(batch, position, name)
@@ -80,8 +77,7 @@ class Changing(Stepping):
         name: object = None,
     ) -> Any:
         """Add bodies that nothing moves, and return their indices, as `add` does."""
-        given = {key: value for key, value in locals().items() if key not in _NAMED}
-        return self._add(added_batch(STATIC, shape, **given), position, name)
+        return self._add(added_batch(STATIC, locals()), position, name)
 
     @exclusive
     def add_kinematic(
@@ -101,8 +97,7 @@ class Changing(Stepping):
         name: object = None,
     ) -> Any:
         """Add bodies that move as they are told, and return their indices, as `add` does."""
-        given = {key: value for key, value in locals().items() if key not in _NAMED}
-        return self._add(added_batch(KINEMATIC, shape, **given), position, name)
+        return self._add(added_batch(KINEMATIC, locals()), position, name)
 
     def _add(self, batch: Batch, position: object, name: object) -> Any:
         names = self._names.checked(name, len(batch))
@@ -111,7 +106,7 @@ class Changing(Stepping):
         self._names.give(rows.tolist() if names else (), names)
         self._look_anew()
         self._unsettled = True
-        one = len(rows) == 1 and np.ndim(position) == 1  # type: ignore[arg-type]
+        one = len(rows) == 1 and count_of(position) is None
         return int(rows[0]) if one else rows
 
     @exclusive
@@ -121,7 +116,8 @@ class Changing(Stepping):
         Raises:
             InputError: a body is not there.
         """
-        rows = np.unique(self._rows(bodies))
+        rows = self._rows(bodies)
+        rows = np.unique(rows) if len(rows) > 1 else rows
         gone = set(rows.tolist())
         self._engine.wake(np.array(self._joints.drop_bodies(gone), dtype=np.int64))
         self._engine.remove(rows)

@@ -48,7 +48,7 @@ def weigh(engine: Engine, rows: IntArray, now: Masses, new: Masses) -> None:
     )
     if not slowed.any():
         return
-    rates = drag_rates(new.linear_drag, new.mass, new.angular_drag, new.inertia)
+    rates = np.column_stack(drag_rates(new.linear_drag, new.mass, new.angular_drag, new.inertia))
     columns = {
         tb.INVERSE_MASS: np.where(heavy, 1 / new.mass, engine.inverse_mass[rows]),
         tb.INVERSE_INERTIA: np.where(turned, 1 / new.inertia, engine.inverse_inertia[rows]),

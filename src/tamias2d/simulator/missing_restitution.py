@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.engine.batch import Batch
+from tamias2d.engine.batch import UNSTATED, Batch
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.tables import DYNAMIC, SENSOR
 from tamias2d.errors import SceneError
@@ -36,8 +36,7 @@ def refuse_missing_restitution(
     Bodies of the engine are given by rows, those of the batch count on from their number; `stated`
     are the restitutions of pairs, the lower number first. `place_of` a pair begins the message.
     """
-    new = dict(_new(batch, engine.size))
-    if new:
+    if UNSTATED in batch.surfaces[:, 1].tolist() and (new := dict(_new(batch, engine.size))):
         _refuse(new, dict(_present(engine)), named, stated or {}, place_of)
 
 
@@ -87,7 +86,7 @@ def _refuse(
 
 
 def _new(batch: Batch, first: int) -> Iterator[tuple[int, _Class]]:
-    silent = (batch.restitution < 0.0) & (batch.filters[:, SENSOR] == 0)
+    silent = (batch.surfaces[:, 1] < 0.0) & (batch.filters[:, SENSOR] == 0)
     for k in np.flatnonzero(silent).tolist():
         if batch.shapes[k] is not None:
             dynamic = int(batch.kind[k] == DYNAMIC)

@@ -146,7 +146,7 @@ def too_long_for_gravity(engine: Engine, time_step: float) -> Iterator[Told]:
     Then each step takes as many parts as there may be, and none of them is short enough.
     """
     size, pull = engine.largest_radius, math.hypot(*engine.gravity.tolist())
-    if pull > strongest_gravity(engine, time_step):
+    if pull > _strongest_gravity(size, time_step):
         text = (
             f"gravity of {pull:.6g} m/s^2: in 1/1024 of a time step of {time_step:.6g} s, its "
             f"shortest part, it moves bodies farther than any is wide ({size:.6g} m): each step "
@@ -158,7 +158,12 @@ def too_long_for_gravity(engine: Engine, time_step: float) -> Iterator[Told]:
 
 def strongest_gravity(engine: Engine, time_step: float) -> float:
     """Return the gravity, m/s^2, that moves the largest body by its radius in the shortest part."""
-    size, shortest = engine.largest_radius, _SHORTEST * time_step
+    return _strongest_gravity(engine.largest_radius, time_step)
+
+
+def _strongest_gravity(size: float, time_step: float) -> float:
+    """Return that for the radius of the largest body, m."""
+    shortest = _SHORTEST * time_step
     return size / shortest / shortest if size > 0.0 else math.inf
 
 

@@ -1,6 +1,7 @@
 """Steps of the frame loop, and what they warn of."""
 
 from threading import Lock
+from typing import TypeGuard
 
 import numpy as np
 
@@ -296,13 +297,14 @@ class Stepping(Views):
         return self._names.of_row.get(self._row(body))
 
     def _rows(self, bodies: Bodies) -> IntArray:
+        if self._is_index(bodies):  # what games ask for takes the shortest way
+            return np.array((bodies,))
         return selected(bodies, self._engine.kind, self._names.rows)
 
     def _row(self, body: int | str) -> int:
         """Return the row of one body, or raise `RuleError`."""
-        kind = self._engine.kind
-        if body.__class__ is int and 0 <= body < len(kind) and kind[body] != ABSENT:
-            return body  # what is asked for most takes the shortest way
+        if self._is_index(body):
+            return body
         rows = self._rows(body)
         if len(rows) != 1:
             raise RuleError(
@@ -310,6 +312,15 @@ class Stepping(Views):
                 "body",
             )
         return int(rows[0])
+
+    def _is_index(self, body: object) -> TypeGuard[int]:
+        """Return whether a plain number is the index of a body."""
+        engine = self._engine
+        return (
+            type(body) is int
+            and 0 <= body < engine.size
+            and engine.world.state.kind.item(body) != ABSENT
+        )
 
     def _name_of(self, row: int) -> str:
         if row >= self._engine.size:

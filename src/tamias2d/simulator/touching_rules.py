@@ -2,8 +2,8 @@
 
 from tamias2d.engine.tables import CATEGORY, FRICTION, GROUP, MASK, RESTITUTION
 from tamias2d.scene.filters import checked_whole
-from tamias2d.simulator.adding import SURFACE
 from tamias2d.simulator.columns import numbers, stated, wholes
+from tamias2d.simulator.constitution import SURFACE
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.missing_restitution import refuse_refiltered
 from tamias2d.simulator.selection import Bodies

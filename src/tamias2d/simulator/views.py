@@ -29,22 +29,32 @@ class Views:
     _engine: Engine
     _lock: Lock
     _seen: bool  # whether anybody has looked in between since the last step
-    _views: tuple[Array, ...]  # kept: a step of few bodies takes little longer than making a view
+    # made as they are asked for, and kept: a step of few bodies takes little longer than a view
+    _views: tuple[Array, ...]
 
     def _look(self) -> None:
         """Look at the arrays of the engine for the first time, or where nobody has a view."""
-        self._earlier, self._views = EarlierViews(_NAMES), ()
-        self._look_anew()
+        self._seen, self._earlier, self._views = True, EarlierViews(_NAMES), ()
 
     def _look_anew(self) -> None:
         """Look at the arrays of the engine anew, which adding may put elsewhere."""
-        engine = self._engine
-        pose, velocity, load = engine.pose, engine.velocity, engine.load
-        parts = [part for rows in (pose, velocity, load) for part in (rows[..., :2], rows[..., 2])]
-        views = tuple(map(lent, (*parts, engine.gravity)))
-        if self._views:
-            self._earlier.add(self._views, views)
-        self._seen, self._views = True, views
+        self._seen, before, pose = True, self._views, self._engine.pose
+        if before and len(before[0]) == len(pose) and np.may_share_memory(before[0], pose):
+            return  # a row is used again
+        self._views = ()
+        if self._earlier or (before and is_held(before)):
+            later = self._current()
+            self._earlier.add(before or later, later)
+
+    def _current(self) -> tuple[Array, ...]:
+        """Return views of the arrays of the engine, the same ones until these go elsewhere."""
+        if not self._views:
+            engine = self._engine
+            pose, velocity, load = engine.pose, engine.velocity, engine.load
+            rows = (pose, velocity, load)
+            parts = (part for values in rows for part in (values[..., :2], values[..., 2]))
+            self._views = tuple(map(lent, (*parts, engine.gravity)))
+        return self._views
 
     @property
     def _untouched(self) -> bool:
@@ -55,78 +65,78 @@ class Views:
     @between_calls
     def gravity(self) -> Array:
         """The same for all bodies, m/s^2: a view (2,)."""
-        return self._views[_GRAVITY]
+        return self._current()[_GRAVITY]
 
     @gravity.setter
     @exclusive
     def gravity(self, value: ArrayLike) -> None:
-        _write(self._views[_GRAVITY], value, "gravity")
+        _write(self._current()[_GRAVITY], value, "gravity")
 
     @property
     @between_calls
     def position(self) -> Array:
         """Of the centres of mass, m: a view (n, 2), the same one until bodies are added."""
-        return self._views[_POSITION]
+        return self._current()[_POSITION]
 
     @position.setter
     @exclusive
     def position(self, value: ArrayLike) -> None:
-        _write(self._views[_POSITION], value, "position")
+        _write(self._current()[_POSITION], value, "position")
 
     @property
     @between_calls
     def orientation(self) -> Array:
         """Counter-clockwise, unbounded, rad: a view (n,)."""
-        return self._views[_ORIENTATION]
+        return self._current()[_ORIENTATION]
 
     @orientation.setter
     @exclusive
     def orientation(self, value: ArrayLike) -> None:
-        _write(self._views[_ORIENTATION], value, "orientation")
+        _write(self._current()[_ORIENTATION], value, "orientation")
 
     @property
     @between_calls
     def velocity(self) -> Array:
         """m/s: a view (n, 2)."""
-        return self._views[_VELOCITY]
+        return self._current()[_VELOCITY]
 
     @velocity.setter
     @exclusive
     def velocity(self, value: ArrayLike) -> None:
-        _write(self._views[_VELOCITY], value, "velocity")
+        _write(self._current()[_VELOCITY], value, "velocity")
 
     @property
     @between_calls
     def angular_velocity(self) -> Array:
         """rad/s: a view (n,)."""
-        return self._views[_ANGULAR_VELOCITY]
+        return self._current()[_ANGULAR_VELOCITY]
 
     @angular_velocity.setter
     @exclusive
     def angular_velocity(self, value: ArrayLike) -> None:
-        _write(self._views[_ANGULAR_VELOCITY], value, "angular_velocity")
+        _write(self._current()[_ANGULAR_VELOCITY], value, "angular_velocity")
 
     @property
     @between_calls
     def force(self) -> Array:
         """Applied besides gravity until it is changed, N: a view (n, 2)."""
-        return self._views[_FORCE]
+        return self._current()[_FORCE]
 
     @force.setter
     @exclusive
     def force(self, value: ArrayLike) -> None:
-        _write(self._views[_FORCE], value, "force")
+        _write(self._current()[_FORCE], value, "force")
 
     @property
     @between_calls
     def torque(self) -> Array:
         """Applied until it is changed, N m: a view (n,)."""
-        return self._views[_TORQUE]
+        return self._current()[_TORQUE]
 
     @torque.setter
     @exclusive
     def torque(self, value: ArrayLike) -> None:
-        _write(self._views[_TORQUE], value, "torque")
+        _write(self._current()[_TORQUE], value, "torque")
 
     @property
     @between_calls

@@ -30,11 +30,19 @@ class Range:
     low_open: bool = True
     high_open: bool = True
 
+    @cached_property
+    def least(self) -> float:
+        """The least finite value inside."""
+        return math.nextafter(self.low, math.inf) if self.low_open else self.low
+
+    @cached_property
+    def most(self) -> float:
+        """The greatest finite value inside."""
+        return math.nextafter(self.high, -math.inf) if self.high_open else self.high
+
     def admits(self, value: float) -> bool:
         """Whether a finite value lies inside; NaN and infinities never do."""
-        above = value > self.low if self.low_open else value >= self.low
-        below = value < self.high if self.high_open else value <= self.high
-        return math.isfinite(value) and above and below
+        return self.least <= value <= self.most
 
 
 def parse_range(text: str) -> Range:

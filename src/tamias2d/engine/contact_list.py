@@ -1,0 +1,71 @@
+"""What leaves the list of contacts between steps: pairs of bodies that go, or may not touch."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.engine import tables as tb
+from tamias2d.engine.store import Store
+from tamias2d.state import IntArray
+
+
+class ContactList:
+    """The contacts that the next step finds on the list."""
+
+    def __init__(self, store: Store, wake: Callable[[IntArray], None]) -> None:
+        """Look at a store; `wake` wakes bodies, given by rows."""
+        self._store, self._wake = store, wake
+
+    def drop_pairs(self, pairs: set[tuple[int, int]]) -> None:
+        """Take pairs of bodies, the lower row first, out of the list; wake them."""
+        if pairs:
+            owner = np.sort(self.owners(), axis=1)
+            self._drop(np.array([tuple(pair) in pairs for pair in owner.tolist()], dtype=bool))
+
+    def drop_filtered(self) -> None:
+        """Take pairs out of the list that filters let touch no longer; wake them."""
+        self._drop(~self._may_touch())
+
+    def drop_bodies(self, leaves: NDArray[np.bool_]) -> None:
+        """Take the pairs of bodies that leave (slots,) out of the list; wake others."""
+        slots = self._slots()
+        leave = leaves[self._store.world.state.body_of_slot]
+        self._drop(leave[slots[:, 0]] | leave[slots[:, 1]])
+
+    def owners(self) -> IntArray:
+        """Return the bodies (k, 2) of all contacts on the list."""
+        return self._store.world.state.body_of_slot[self._slots()].astype(np.int64)
+
+    def _slots(self) -> NDArray[np.uint32]:
+        world = self._store.world
+        counts = world.broad_phase.counts
+        side, size = counts.item(tb.BUFFER), counts.item(tb.CONTACTS)
+        return world.buffers.pairs[side, :size, tb.SLOT_A : tb.SLOT_B + 1]
+
+    def _may_touch(self) -> NDArray[np.bool_]:
+        """Return which contacts (k,) on the list are of shapes that filters let touch (R3)."""
+        world = self._store.world
+        side, size = world.broad_phase.counts[[tb.BUFFER, tb.CONTACTS]]
+        a, b = world.shapes.filters[world.buffers.pairs[side, :size, :2].T.astype(np.int64)]
+        group = a[:, tb.GROUP]
+        meet = (a[:, tb.CATEGORY] & b[:, tb.MASK] != 0) & (b[:, tb.CATEGORY] & a[:, tb.MASK] != 0)
+        found: NDArray[np.bool_] = np.where(
+            (group == b[:, tb.GROUP]) & (group != 0), group > 0, meet
+        )
+        return found
+
+    def _drop(self, left: NDArray[np.bool_]) -> None:
+        """Take contacts (k,) out of the list, and wake their bodies."""
+        if not left.any():
+            return
+        counts, buffers = self._store.world.broad_phase.counts, self._store.world.buffers
+        side, size = counts[tb.BUFFER], counts[tb.CONTACTS]
+        points = buffers.flags[side, :size, tb.POINT_COUNT] > 0
+        self._wake(self.owners()[left & points].ravel())
+        first = int(np.argmax(left))  # those before it stay where they are
+        kept = first + np.flatnonzero(~left[first:])
+        for values in (buffers.pairs, buffers.manifolds, buffers.axes, buffers.flags):
+            values[side, first : first + len(kept)] = values[side, kept]
+        counts[tb.FIRST_RUN] -= np.count_nonzero(left[: counts[tb.FIRST_RUN]])
+        counts[tb.CONTACTS] = first + len(kept)
