@@ -1128,6 +1128,24 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=726,
     ),
+    "substeps": Symbol(
+        "substeps",
+        "1",
+        "number of the substeps of a step",
+        range=Range(">= 1", low=1.0, low_open=False),
+        tex="n_h",
+        file="srs/symbols.md",
+        line=731,
+    ),
+    "slowest_impact": Symbol(
+        "slowest_impact",
+        "m/s",
+        "velocity of an approach up to which a contact does not rebound",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="u_{\\min}",
+        file="srs/symbols.md",
+        line=736,
+    ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
         "N*s",
@@ -1135,7 +1153,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=731,
+        line=741,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -1143,7 +1161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=736,
+        line=746,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -1151,7 +1169,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=740,
+        line=750,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -1160,7 +1178,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=744,
+        line=754,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -1169,7 +1187,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=749,
+        line=759,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -1177,7 +1195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=754,
+        line=764,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -1186,7 +1204,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=758,
+        line=768,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -1195,7 +1213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=763,
+        line=773,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -1204,7 +1222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=768,
+        line=778,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -1213,7 +1231,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=775,
+        line=785,
     ),
     "extent": Symbol(
         "extent",
@@ -1222,7 +1240,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=782,
+        line=792,
     ),
     "firmest": Symbol(
         "firmest",
@@ -1231,7 +1249,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=789,
+        line=799,
     ),
     "preload": Symbol(
         "preload",
@@ -1240,7 +1258,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=794,
+        line=804,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -1249,7 +1267,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=799,
+        line=809,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1258,7 +1276,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=804,
+        line=814,
     ),
     "gap_share": Symbol(
         "gap_share",
@@ -1267,7 +1285,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=809,
+        line=819,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1276,7 +1294,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=814,
+        line=824,
     ),
     "half_width": Symbol(
         "half_width",
@@ -1285,7 +1303,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w",
         file="srs/symbols.md",
-        line=819,
+        line=829,
     ),
     "corner_fall": Symbol(
         "corner_fall",
@@ -1294,7 +1312,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_f",
         file="srs/symbols.md",
-        line=824,
+        line=834,
     ),
     "extent_thin": Symbol(
         "extent_thin",
@@ -1303,7 +1321,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=830,
+        line=840,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1312,7 +1330,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=835,
+        line=845,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1321,7 +1339,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=840,
+        line=850,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1330,7 +1348,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=845,
+        line=855,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1338,7 +1356,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=850,
+        line=860,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1346,7 +1364,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=854,
+        line=864,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1354,7 +1372,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=858,
+        line=868,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1362,7 +1380,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=862,
+        line=872,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1370,7 +1388,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=866,
+        line=876,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1379,7 +1397,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=870,
+        line=880,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1388,7 +1406,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=875,
+        line=885,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1397,7 +1415,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=880,
+        line=890,
     ),
     "shift": Symbol(
         "shift",
@@ -1406,7 +1424,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=885,
+        line=895,
     ),
     "turn": Symbol(
         "turn",
@@ -1414,7 +1432,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=890,
+        line=900,
     ),
     "early_share": Symbol(
         "early_share",
@@ -1423,7 +1441,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=894,
+        line=904,
     ),
     "step_share": Symbol(
         "step_share",
@@ -1431,7 +1449,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of a step that is over",
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=901,
+        line=911,
     ),
     "impulse_late": Symbol(
         "impulse_late",
@@ -1439,7 +1457,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sum of the impulses of a contact in a step, each times the share of the step that was over",
         tex="j_{\\mathrm{late}}",
         file="srs/symbols.md",
-        line=905,
+        line=915,
     ),
     "impulse_turned": Symbol(
         "impulse_turned",
@@ -1448,7 +1466,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{j}",
         file="srs/symbols.md",
-        line=911,
+        line=921,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1457,7 +1475,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=916,
+        line=926,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1466,7 +1484,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=923,
+        line=933,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1475,7 +1493,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=928,
+        line=938,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1484,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=935,
+        line=945,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1493,7 +1511,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=942,
+        line=952,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1502,7 +1520,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=948,
+        line=958,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1510,7 +1528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=955,
+        line=965,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1519,7 +1537,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=968,
+        line=978,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1527,7 +1545,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=973,
+        line=983,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1535,7 +1553,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=977,
+        line=987,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1544,7 +1562,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=983,
+        line=993,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1552,7 +1570,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=988,
+        line=998,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1561,7 +1579,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=992,
+        line=1002,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1569,7 +1587,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=997,
+        line=1007,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1578,7 +1596,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=1001,
+        line=1011,
     ),
     "advance": Symbol(
         "advance",
@@ -1587,7 +1605,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=1006,
+        line=1016,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1595,7 +1613,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=1011,
+        line=1021,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1604,7 +1622,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=1015,
+        line=1025,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1612,7 +1630,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=1020,
+        line=1030,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1620,7 +1638,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=1024,
+        line=1034,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1629,7 +1647,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=1028,
+        line=1038,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1637,7 +1655,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=1033,
+        line=1043,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1645,7 +1663,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=1037,
+        line=1047,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1653,7 +1671,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1042,
+        line=1052,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1661,7 +1679,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1048,
+        line=1058,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1670,7 +1688,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=1052,
+        line=1062,
     ),
     "slip": Symbol(
         "slip",
@@ -1678,7 +1696,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1059,
+        line=1069,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1686,7 +1704,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=1065,
+        line=1075,
     ),
     "circling": Symbol(
         "circling",
@@ -1695,7 +1713,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=1069,
+        line=1079,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1703,7 +1721,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1076,
+        line=1086,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1712,7 +1730,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1080,
+        line=1090,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1721,7 +1739,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1085,
+        line=1095,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1730,7 +1748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1090,
+        line=1100,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1738,7 +1756,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1095,
+        line=1105,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1747,7 +1765,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1099,
+        line=1109,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1755,7 +1773,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1104,
+        line=1114,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1763,7 +1781,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1108,
+        line=1118,
     ),
     "arc": Symbol(
         "arc",
@@ -1772,7 +1790,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1114,
+        line=1124,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1781,7 +1799,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1119,
+        line=1129,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1789,7 +1807,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1129,
+        line=1139,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1797,7 +1815,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1133,
+        line=1143,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1806,7 +1824,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1137,
+        line=1147,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1815,7 +1833,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1142,
+        line=1152,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1824,7 +1842,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1147,
+        line=1157,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1833,7 +1851,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1152,
+        line=1162,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1842,7 +1860,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1157,
+        line=1167,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1850,7 +1868,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1162,
+        line=1172,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1859,7 +1877,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1171,
+        line=1181,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1867,7 +1885,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1176,
+        line=1186,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1876,7 +1894,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1180,
+        line=1190,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1884,7 +1902,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1185,
+        line=1195,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1892,7 +1910,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1189,
+        line=1199,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1901,7 +1919,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1193,
+        line=1203,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1910,7 +1928,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1198,
+        line=1208,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1919,7 +1937,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1203,
+        line=1213,
     ),
     "work": Symbol(
         "work",
@@ -1927,7 +1945,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1208,
+        line=1218,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -1936,7 +1954,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1212,
+        line=1222,
     ),
     "support_work": Symbol(
         "support_work",
@@ -1945,7 +1963,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1217,
+        line=1227,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -1954,7 +1972,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1222,
+        line=1232,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -1962,7 +1980,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1227,
+        line=1237,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -1970,7 +1988,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_s",
         file="srs/symbols.md",
-        line=1231,
+        line=1241,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -1979,7 +1997,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1235,
+        line=1245,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -1987,7 +2005,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1241,
+        line=1251,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -1996,7 +2014,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1245,
+        line=1255,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2005,7 +2023,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1250,
+        line=1260,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2014,7 +2032,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1255,
+        line=1265,
     ),
     "rising_energy_charged": Symbol(
         "rising_energy_charged",
@@ -2023,7 +2041,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1260,
+        line=1270,
     ),
     "velocity_charged": Symbol(
         "velocity_charged",
@@ -2032,7 +2050,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1265,
+        line=1275,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2040,7 +2058,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1270,
+        line=1280,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2049,7 +2067,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1276,
+        line=1286,
     ),
     "energy_along_given_charged": Symbol(
         "energy_along_given_charged",
@@ -2058,7 +2076,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1281,
+        line=1291,
     ),
     "velocity_repaid": Symbol(
         "velocity_repaid",
@@ -2067,7 +2085,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1286,
+        line=1296,
     ),
     "angular_velocity_repaid": Symbol(
         "angular_velocity_repaid",
@@ -2075,7 +2093,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body that has paid for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1291,
+        line=1301,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2084,7 +2102,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1295,
+        line=1305,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2092,7 +2110,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1300,
+        line=1310,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2101,7 +2119,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1304,
+        line=1314,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2109,7 +2127,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1309,
+        line=1319,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2118,7 +2136,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1314,
+        line=1324,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2127,7 +2145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1319,
+        line=1329,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2136,7 +2154,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1324,
+        line=1334,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2144,7 +2162,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1329,
+        line=1339,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2152,7 +2170,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1333,
+        line=1343,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2160,7 +2178,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1337,
+        line=1347,
     ),
     "energy_unpaid": Symbol(
         "energy_unpaid",
@@ -2168,7 +2186,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1341,
+        line=1351,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2177,7 +2195,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1347,
+        line=1357,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2186,7 +2204,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1352,
+        line=1362,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2195,7 +2213,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1359,
+        line=1369,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2204,7 +2222,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1364,
+        line=1374,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2212,7 +2230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1369,
+        line=1379,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2220,7 +2238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1374,
+        line=1384,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2228,7 +2246,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1380,
+        line=1390,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2237,7 +2255,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1384,
+        line=1394,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2246,7 +2264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1391,
+        line=1401,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2255,7 +2273,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1396,
+        line=1406,
     ),
     "energy": Symbol(
         "energy",
@@ -2263,7 +2281,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1401,
+        line=1411,
     ),
     "radius": Symbol(
         "radius",
@@ -2272,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1410,
+        line=1420,
     ),
     "length": Symbol(
         "length",
@@ -2281,7 +2299,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1415,
+        line=1425,
     ),
     "width": Symbol(
         "width",
@@ -2290,7 +2308,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1422,
+        line=1432,
     ),
     "height": Symbol(
         "height",
@@ -2299,7 +2317,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1427,
+        line=1437,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2308,7 +2326,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1432,
+        line=1442,
     ),
     "center": Symbol(
         "center",
@@ -2317,7 +2335,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1437,
+        line=1447,
     ),
     "offset": Symbol(
         "offset",
@@ -2325,7 +2343,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1442,
+        line=1452,
     ),
     "area": Symbol(
         "area",
@@ -2334,7 +2352,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1446,
+        line=1456,
     ),
     "way": Symbol(
         "way",
@@ -2343,7 +2361,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1451,
+        line=1461,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2351,7 +2369,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1456,
+        line=1466,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2360,7 +2378,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1460,
+        line=1470,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2369,7 +2387,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1465,
+        line=1475,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2377,7 +2395,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1470,
+        line=1480,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2385,7 +2403,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1474,
+        line=1484,
     ),
     "lean": Symbol(
         "lean",
@@ -2393,7 +2411,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1478,
+        line=1488,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2401,7 +2419,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1482,
+        line=1492,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2409,7 +2427,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1486,
+        line=1496,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2418,7 +2436,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1492,
+        line=1502,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2426,7 +2444,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1505,
+        line=1515,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2434,7 +2452,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1509,
+        line=1519,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2442,7 +2460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1513,
+        line=1523,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2450,7 +2468,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1517,
+        line=1527,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2459,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1521,
+        line=1531,
     ),
     "slope": Symbol(
         "slope",
@@ -2468,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1526,
+        line=1536,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2477,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1531,
+        line=1541,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2486,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1536,
+        line=1546,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2495,7 +2513,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1541,
+        line=1551,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2503,7 +2521,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1546,
+        line=1556,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2511,7 +2529,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1550,
+        line=1560,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2519,7 +2537,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1554,
+        line=1564,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2528,7 +2546,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1558,
+        line=1568,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2536,7 +2554,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1563,
+        line=1573,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2544,7 +2562,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1567,
+        line=1577,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2552,7 +2570,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1571,
+        line=1581,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2560,7 +2578,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1575,
+        line=1585,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2568,7 +2586,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1579,
+        line=1589,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2576,7 +2594,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1583,
+        line=1593,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2584,7 +2602,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1587,
+        line=1597,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2592,7 +2610,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1591,
+        line=1601,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2601,7 +2619,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1595,
+        line=1605,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2610,7 +2628,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1600,
+        line=1610,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2619,7 +2637,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1605,
+        line=1615,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2628,7 +2646,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1610,
+        line=1620,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2636,7 +2654,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1615,
+        line=1625,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2645,7 +2663,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1619,
+        line=1629,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2653,7 +2671,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1624,
+        line=1634,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2661,7 +2679,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1628,
+        line=1638,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2670,7 +2688,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1632,
+        line=1642,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2679,7 +2697,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1637,
+        line=1647,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2687,7 +2705,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1642,
+        line=1652,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2696,7 +2714,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1646,
+        line=1656,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2704,7 +2722,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1651,
+        line=1661,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2712,7 +2730,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1655,
+        line=1665,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2721,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1659,
+        line=1669,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2730,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1664,
+        line=1674,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2739,7 +2757,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1669,
+        line=1679,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2748,7 +2766,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1674,
+        line=1684,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2757,7 +2775,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1679,
+        line=1689,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2766,7 +2784,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1684,
+        line=1694,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2775,7 +2793,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1689,
+        line=1699,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2784,7 +2802,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1694,
+        line=1704,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2793,7 +2811,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1699,
+        line=1709,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2801,7 +2819,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1704,
+        line=1714,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2810,7 +2828,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1708,
+        line=1718,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2819,7 +2837,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1713,
+        line=1723,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2828,7 +2846,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1718,
+        line=1728,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2836,7 +2854,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1723,
+        line=1733,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2845,7 +2863,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1727,
+        line=1737,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2853,7 +2871,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1732,
+        line=1742,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2861,7 +2879,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1736,
+        line=1746,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2870,7 +2888,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1740,
+        line=1750,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2879,7 +2897,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1745,
+        line=1755,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2888,7 +2906,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1750,
+        line=1760,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2896,7 +2914,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1755,
+        line=1765,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2904,7 +2922,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1759,
+        line=1769,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2912,7 +2930,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1763,
+        line=1773,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2921,7 +2939,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1767,
+        line=1777,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2930,7 +2948,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1772,
+        line=1782,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2939,7 +2957,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1777,
+        line=1787,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2948,7 +2966,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1782,
+        line=1792,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2957,7 +2975,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1787,
+        line=1797,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2966,7 +2984,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1792,
+        line=1802,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2975,7 +2993,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1797,
+        line=1807,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2984,7 +3002,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1802,
+        line=1812,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2992,7 +3010,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1807,
+        line=1817,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3001,7 +3019,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1811,
+        line=1821,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3009,7 +3027,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1816,
+        line=1826,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3018,7 +3036,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1820,
+        line=1830,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3027,7 +3045,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1825,
+        line=1835,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3036,7 +3054,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1830,
+        line=1840,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3045,7 +3063,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1835,
+        line=1845,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3054,7 +3072,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1840,
+        line=1850,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3062,7 +3080,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1845,
+        line=1855,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3071,7 +3089,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1849,
+        line=1859,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3080,7 +3098,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1854,
+        line=1864,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3089,7 +3107,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1859,
+        line=1869,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3098,7 +3116,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1864,
+        line=1874,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3106,7 +3124,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1869,
+        line=1879,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3114,7 +3132,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1873,
+        line=1883,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3123,7 +3141,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1877,
+        line=1887,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3132,7 +3150,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1882,
+        line=1892,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3141,7 +3159,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1887,
+        line=1897,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3150,7 +3168,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1892,
+        line=1902,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3159,7 +3177,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1897,
+        line=1907,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3168,7 +3186,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1902,
+        line=1912,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3177,7 +3195,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1907,
+        line=1917,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3186,7 +3204,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1912,
+        line=1922,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3195,7 +3213,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1917,
+        line=1927,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3203,7 +3221,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1922,
+        line=1932,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3211,7 +3229,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1926,
+        line=1936,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3220,7 +3238,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1930,
+        line=1940,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3228,7 +3246,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1935,
+        line=1945,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3236,7 +3254,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1939,
+        line=1949,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3245,7 +3263,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1943,
+        line=1953,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3254,7 +3272,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1948,
+        line=1958,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3263,7 +3281,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1953,
+        line=1963,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3271,7 +3289,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1958,
+        line=1968,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3280,7 +3298,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1962,
+        line=1972,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3288,7 +3306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1967,
+        line=1977,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3297,7 +3315,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1971,
+        line=1981,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3305,7 +3323,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1976,
+        line=1986,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3314,7 +3332,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1980,
+        line=1990,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3322,7 +3340,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1985,
+        line=1995,
     ),
     "change": Symbol(
         "change",
@@ -3331,7 +3349,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1989,
+        line=1999,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3340,7 +3358,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1994,
+        line=2004,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3349,7 +3367,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1999,
+        line=2009,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3357,7 +3375,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2004,
+        line=2014,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3366,7 +3384,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2008,
+        line=2018,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3374,7 +3392,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2013,
+        line=2023,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3382,7 +3400,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2017,
+        line=2027,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3390,7 +3408,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2021,
+        line=2031,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3399,7 +3417,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=2025,
+        line=2035,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3407,7 +3425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2030,
+        line=2040,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3416,6 +3434,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2034,
+        line=2044,
     ),
 }

@@ -52,7 +52,7 @@ def find_touching(
     Flags of the last step are aged, unless they were found in this step already. If the contacts
     are those of the last step, with as many points, their arrangement holds.
     """
-    total = marked = new_static = 0
+    total = marked = new_static = placed = 0
     deep, same = False, touching.counts[tb.ARRANGED] == 1
     pull = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     time = control.progress[tb.PART_TIME]
@@ -92,6 +92,7 @@ def find_touching(
             contacts.flags[p, tb.LOCATED] = tb.MOST_LOCATED if meets else 0
             if not touched and (bodies.kind[i] == tb.STATIC or bodies.kind[j] == tb.STATIC):
                 new_static += 1
+            placed += 0 if touched or gap > GRAZE * smaller else 1
             fast = margin > (CLOSE + AHEAD) * smaller  # it may change a velocity by much
             marked += 1 if comes or fast else 0
         else:
@@ -100,6 +101,7 @@ def find_touching(
     touching.counts[tb.TOUCHING] = total
     touching.counts[tb.MEETING], touching.counts[tb.NEW_STATIC] = marked, new_static
     touching.counts[tb.PRESSED_DEEP], touching.counts[tb.BOXED] = int(deep), int(boxed)
+    touching.counts[tb.IMPULSES_UNKNOWN] = int(placed > 0)
 
 
 @inlined
