@@ -52,7 +52,7 @@ def test_a_gap_that_trembles_about_the_margin_leaves_contacts_arranged() -> None
 @pytest.mark.parametrize("name", ["arch", "pyramid-30"])
 def test_what_is_damped_ends_before_numbers_are_not_normal(name: str) -> None:
     sim = Simulator(catalogue.load(name))
-    for _ in range(300):
+    for _ in range(480):
         sim.step()
         speeds = np.abs(sim.velocity)
         assert not ((speeds > 0.0) & (speeds < 1e-130)).any()

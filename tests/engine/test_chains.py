@@ -57,13 +57,13 @@ def test_what_slides_over_a_level_line_keeps_its_height_and_speed(
 
 
 def test_without_neighbours_the_same_box_catches(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert slid(BOX, 3.0, 0.5, compiled=False)[1] < 1e-6
+    assert slid(BOX, 2.0, 0.5, compiled=False)[1] < 1e-6
 
     def alone(*_: object) -> chain.Verdict:
         return chain.Verdict(True, 0, 0)
 
     monkeypatch.setattr(collide, "judge", alone)
-    height, change = slid(BOX, 3.0, 0.5, compiled=False)
+    height, change = slid(BOX, 2.0, 0.5, compiled=False)
     assert height > 1e-3 or change > 0.1
 
 

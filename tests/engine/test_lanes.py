@@ -48,10 +48,10 @@ def relax_two_alone(world: World, substep: float) -> None:
     relax_lanes_of_two(world.constraints.blocks[0], world.constraints.scratch, substep, 1.0)
 
 
-def restitution_alone(world: World, substep: float) -> None:
+def restitution_alone(world: World, substep: float) -> None:  # noqa: ARG001
     """An entry: restitution of the lanes of a block."""
     row, scratch = world.constraints.blocks[0], world.constraints.scratch
-    restitution_lanes(tb.FIRST_POINT, tb.FIRST_RESTITUTION, row, scratch, substep)
+    restitution_lanes(tb.FIRST_POINT, tb.FIRST_RESTITUTION, row, scratch)
 
 
 PARTS = (

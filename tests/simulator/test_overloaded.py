@@ -54,7 +54,7 @@ def test_a_pile_that_sinks_together_is_told(settings: dict[str, float]) -> None:
 
 
 def test_masses_that_cannot_be_solved_are_told() -> None:
-    sim = stack([1.0, 1e8])
+    sim = stack([1.0, 1e9])
     sim.step(120)
     assert np.abs(sim.position[1:, 0]).max() > 1.0  # the light box was shot away
     assert ["masses so different" in text for text in sim.warnings] == [True]
@@ -119,7 +119,7 @@ def test_what_hangs_too_heavily_on_light_feet_is_told() -> None:
 def test_a_run_notes_it() -> None:
     scene = t2.Scene(gravity=(0.0, -9.81))
     scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **SURFACE)
-    for name, mass, height in (("light", 1.0, 0.5), ("heavy", 1e8, 1.5)):
+    for name, mass, height in (("light", 1.0, 0.5), ("heavy", 1e9, 1.5)):
         box = t2.Box(width=1.0, height=1.0)
         scene.add_body(box, mass=mass, position=(0.0, height), name=name, **SURFACE)
     run = t2.simulate(scene, duration=2.0, time_step=1 / 60, method=t2.Stepped())

@@ -89,6 +89,7 @@ NETWORKS = st.builds(
 @given(NETWORKS)
 @example(Network(seed=9874, bodies=6, stiffest=1e8, mass_ratio=1.0))
 @example(Network(seed=1, bodies=3, stiffest=1e8, mass_ratio=1.0, damping=1.0, loose=True))
+@example(Network(seed=4294967295, bodies=2, stiffest=1e8, mass_ratio=1.0))
 def test_networks_held_at_centres_conserve_what_they_must(network: Network) -> None:
     """Momentum and angular momentum to rounding; energy to what the solution leaves.
 
@@ -115,7 +116,8 @@ def test_networks_held_at_centres_conserve_what_they_must(network: Network) -> N
         assert abs(now.angular_momentum - first.angular_momentum) <= 1e-9 * momentum * far
         if network.damping == 0.0:
             assert now.energy == pytest.approx(first.energy, rel=1e-7)
-        left = 1e-11 * sim.parts * way * pulls  # N m: each spring pulls along that share of the way
+        # N m: each spring pulls along that share of the way at both of its ends
+        left = 2e-11 * sim.parts * way * pulls
         assert now.energy <= before * (1.0 + 1e-12) + left
         before = now.energy
 

@@ -39,7 +39,6 @@ from tamias2d.kernels.assembled import inlined
 FEW_BLOCKS = 32  # up to which impacts get more sweeps: no impulses of before are known for them
 MORE_SWEEPS = 8
 MOST_BOUNCES, BOUNCES = 64, 8  # visits of restitution to each contact there, and elsewhere
-SLOWEST_IMPACT = 2.0  # velocities that gravity gives in a step: a slower impact has no restitution
 
 
 def solve_contacts(world: World, contacts: Contacts) -> None:
@@ -54,7 +53,10 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     sprung = world.springs.counts[tb.NETWORKS_TOUCHED] > 0
     if sprung:
         begin_springs(substep, world.bodies, world.springs)
-    more = world.touching.counts[tb.IMPACTS] > 0 and constraints.counts[tb.BLOCKS] <= FEW_BLOCKS
+    more = (
+        world.touching.counts[tb.IMPULSES_UNKNOWN] > 0
+        and constraints.counts[tb.BLOCKS] <= FEW_BLOCKS
+    )
     constraints.counts[tb.SWEEPS] = MORE_SWEEPS if more else 1
     number, last = constraints.counts[tb.SLABS], 2 * control.counts[tb.PART_SUBSTEPS]
     for front in range(number + last):  # of two slabs the first is a stage ahead
@@ -85,15 +87,12 @@ def finish_step(world: World) -> None:
     """Apply restitution, and take back what makes energy."""
     bodies, touching, constraints = world.bodies, world.touching, world.constraints
     islands = world.islands
-    settings = world.control.settings
     if constraints.counts[tb.BOUNCING] > 0:
-        gravity = abs(settings[tb.GRAVITY_X]) + abs(settings[tb.GRAVITY_Y])
-        slowest = SLOWEST_IMPACT * world.control.progress[tb.PART_TIME] * gravity
         note_before_restitution(bodies, touching, constraints, islands)
         clear_restitution(constraints)
         few = constraints.counts[tb.BLOCKS] <= FEW_BLOCKS
         for visit in range(MOST_BOUNCES if few else BOUNCES):
-            if apply_restitution(visit > 0, bodies, constraints, slowest):
+            if apply_restitution(visit > 0, bodies, constraints):
                 break
             fit_rebound(visit == 0, world)
     update_islands(bodies, touching, islands, world.joints)

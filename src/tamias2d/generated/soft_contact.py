@@ -1,7 +1,7 @@
 """Soft contact: Row of a contact; Kick along a row; Soft contact; Overlap at rest; Preload of a
 contact; Extent of what is thin; Fall of the other end; Firmness that feeds no wave; Frequency
 under a load; Shift through a substep; Separation of a contact that moves; What is left of a
-gap; Soft step of a contact.
+gap; Slowest impact; Soft step of a contact.
 
 Generated from srs/models/soft_contact.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -512,6 +512,34 @@ def separation(bias_velocity_later: Scalar, row_velocity: Scalar, time_step: Sca
     return time_step * (bias_velocity_later - row_velocity)
 
 
+def slowest_impact(
+    gravity: Vector,
+    accumulated_impulse: Scalar,
+    row_mass: Scalar,
+    substeps: Scalar,
+    time_step: Scalar,
+) -> Scalar:
+    """Velocity of an approach up to which a contact does not rebound (m/s).
+
+    slowest_impact = 2*max(time_step*sqrt(dot(gravity, gravity)),
+    substeps*accumulated_impulse/row_mass)
+
+    Args:
+        gravity: Gravitational acceleration, the same for all bodies, m/s^2
+        accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
+        row_mass: Impulse along the line for one unit of change of the row's velocity, kg
+        substeps: Number of the substeps of a step, 1
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD93, srs/models/soft_contact.md:716.
+    """
+    gravity_x, gravity_y = gravity
+    return 2 * largest(
+        time_step * sqrt(gravity_x * gravity_x + gravity_y * gravity_y),
+        substeps * accumulated_impulse / row_mass,
+    )
+
+
 def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar) -> Scalar:
     """Velocity with which a row is asked to close, negative to open it; the least that there can
     be (m/s).
@@ -525,7 +553,7 @@ def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar
             does, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:729.
+    Source: IM10, srs/models/soft_contact.md:767.
     """
     return (-removal_share) * extent / time_step
 
@@ -545,7 +573,7 @@ def bias_velocity(
             the least that there can be, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:730.
+    Source: IM10, srs/models/soft_contact.md:768.
     """
     return largest(
         largest(separation, 0) / time_step + bias_rate * least(separation, 0), bias_velocity_least
@@ -573,7 +601,7 @@ def soft_normal_impulse(
         mass_share: Part of a row's mass that a soft contact acts with, 1
         impulse_share: Part of its impulse that a soft contact gives back in an iteration, 1
 
-    Source: IM10, srs/models/soft_contact.md:733.
+    Source: IM10, srs/models/soft_contact.md:771.
     """
     return largest(
         accumulated_impulse
@@ -603,7 +631,7 @@ def limited_tangent_impulse(
             along itself, 1
         accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:737.
+    Source: IM10, srs/models/soft_contact.md:775.
     """
     return largest(
         least(tangent_impulse - row_mass * row_velocity, friction * accumulated_impulse),
@@ -632,7 +660,7 @@ def restitution_impulse(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:740.
+    Source: IM10, srs/models/soft_contact.md:778.
     """
     return largest(
         accumulated_impulse - row_mass * (row_velocity + restitution * row_velocity_before), 0

@@ -1137,6 +1137,24 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=731,
     ),
+    "substeps": Symbol(
+        "substeps",
+        "1",
+        "number of the substeps of a step",
+        range=Range(">= 1", low=1.0, low_open=False),
+        tex="n_h",
+        file="srs/symbols.md",
+        line=736,
+    ),
+    "slowest_impact": Symbol(
+        "slowest_impact",
+        "m/s",
+        "velocity of an approach up to which a contact does not rebound",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="u_{\\min}",
+        file="srs/symbols.md",
+        line=741,
+    ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
         "N*s",
@@ -1144,7 +1162,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=736,
+        line=746,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -1152,7 +1170,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=741,
+        line=751,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -1160,7 +1178,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=745,
+        line=755,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -1169,7 +1187,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=749,
+        line=759,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -1178,7 +1196,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=754,
+        line=764,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -1186,7 +1204,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=759,
+        line=769,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -1195,7 +1213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=763,
+        line=773,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -1204,7 +1222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=768,
+        line=778,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -1213,7 +1231,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=773,
+        line=783,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -1222,7 +1240,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=780,
+        line=790,
     ),
     "extent": Symbol(
         "extent",
@@ -1231,7 +1249,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=787,
+        line=797,
     ),
     "firmest": Symbol(
         "firmest",
@@ -1240,7 +1258,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=794,
+        line=804,
     ),
     "preload": Symbol(
         "preload",
@@ -1249,7 +1267,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=799,
+        line=809,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -1258,7 +1276,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=804,
+        line=814,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1267,7 +1285,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=809,
+        line=819,
     ),
     "gap_share": Symbol(
         "gap_share",
@@ -1276,7 +1294,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=814,
+        line=824,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1285,7 +1303,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=819,
+        line=829,
     ),
     "half_width": Symbol(
         "half_width",
@@ -1294,7 +1312,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w",
         file="srs/symbols.md",
-        line=824,
+        line=834,
     ),
     "corner_fall": Symbol(
         "corner_fall",
@@ -1303,7 +1321,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_f",
         file="srs/symbols.md",
-        line=829,
+        line=839,
     ),
     "extent_thin": Symbol(
         "extent_thin",
@@ -1312,7 +1330,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=835,
+        line=845,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1321,7 +1339,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=840,
+        line=850,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1330,7 +1348,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=845,
+        line=855,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1339,7 +1357,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=850,
+        line=860,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1347,7 +1365,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=855,
+        line=865,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1355,7 +1373,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=859,
+        line=869,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1363,7 +1381,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=863,
+        line=873,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1371,7 +1389,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=867,
+        line=877,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1379,7 +1397,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=871,
+        line=881,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1388,7 +1406,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=875,
+        line=885,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1397,7 +1415,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=880,
+        line=890,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1406,7 +1424,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=885,
+        line=895,
     ),
     "shift": Symbol(
         "shift",
@@ -1415,7 +1433,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=890,
+        line=900,
     ),
     "turn": Symbol(
         "turn",
@@ -1423,7 +1441,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=895,
+        line=905,
     ),
     "early_share": Symbol(
         "early_share",
@@ -1432,7 +1450,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=899,
+        line=909,
     ),
     "step_share": Symbol(
         "step_share",
@@ -1440,7 +1458,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of a step that is over",
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=906,
+        line=916,
     ),
     "impulse_late": Symbol(
         "impulse_late",
@@ -1448,7 +1466,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sum of the impulses of a contact in a step, each times the share of the step that was over",
         tex="j_{\\mathrm{late}}",
         file="srs/symbols.md",
-        line=910,
+        line=920,
     ),
     "impulse_turned": Symbol(
         "impulse_turned",
@@ -1457,7 +1475,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{j}",
         file="srs/symbols.md",
-        line=916,
+        line=926,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1466,7 +1484,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=921,
+        line=931,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1475,7 +1493,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=928,
+        line=938,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1484,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=933,
+        line=943,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1493,7 +1511,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=940,
+        line=950,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1502,7 +1520,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=947,
+        line=957,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1511,7 +1529,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=953,
+        line=963,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1519,7 +1537,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=960,
+        line=970,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1528,7 +1546,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=973,
+        line=983,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1536,7 +1554,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=978,
+        line=988,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1544,7 +1562,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=982,
+        line=992,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1553,7 +1571,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=988,
+        line=998,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1561,7 +1579,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=993,
+        line=1003,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1570,7 +1588,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=997,
+        line=1007,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1578,7 +1596,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=1002,
+        line=1012,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1587,7 +1605,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=1006,
+        line=1016,
     ),
     "advance": Symbol(
         "advance",
@@ -1596,7 +1614,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=1011,
+        line=1021,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1604,7 +1622,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=1016,
+        line=1026,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1613,7 +1631,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=1020,
+        line=1030,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1621,7 +1639,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=1025,
+        line=1035,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1629,7 +1647,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=1029,
+        line=1039,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1638,7 +1656,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=1033,
+        line=1043,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1646,7 +1664,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=1038,
+        line=1048,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1654,7 +1672,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=1042,
+        line=1052,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1662,7 +1680,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1047,
+        line=1057,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1670,7 +1688,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1053,
+        line=1063,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1679,7 +1697,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=1057,
+        line=1067,
     ),
     "slip": Symbol(
         "slip",
@@ -1687,7 +1705,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1064,
+        line=1074,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1695,7 +1713,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=1070,
+        line=1080,
     ),
     "circling": Symbol(
         "circling",
@@ -1704,7 +1722,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=1074,
+        line=1084,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1712,7 +1730,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1081,
+        line=1091,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1721,7 +1739,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1085,
+        line=1095,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1730,7 +1748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1090,
+        line=1100,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1739,7 +1757,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1095,
+        line=1105,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1747,7 +1765,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1100,
+        line=1110,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1756,7 +1774,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1104,
+        line=1114,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1764,7 +1782,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1109,
+        line=1119,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1772,7 +1790,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1113,
+        line=1123,
     ),
     "arc": Symbol(
         "arc",
@@ -1781,7 +1799,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1119,
+        line=1129,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1790,7 +1808,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1124,
+        line=1134,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1798,7 +1816,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1134,
+        line=1144,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1806,7 +1824,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1138,
+        line=1148,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1815,7 +1833,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1142,
+        line=1152,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1824,7 +1842,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1147,
+        line=1157,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1833,7 +1851,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1152,
+        line=1162,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1842,7 +1860,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1157,
+        line=1167,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1851,7 +1869,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1162,
+        line=1172,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1859,7 +1877,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1167,
+        line=1177,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1868,7 +1886,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1176,
+        line=1186,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1876,7 +1894,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1181,
+        line=1191,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1885,7 +1903,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1185,
+        line=1195,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1893,7 +1911,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1190,
+        line=1200,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1901,7 +1919,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1194,
+        line=1204,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1910,7 +1928,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1198,
+        line=1208,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1919,7 +1937,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1203,
+        line=1213,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1928,7 +1946,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1208,
+        line=1218,
     ),
     "work": Symbol(
         "work",
@@ -1936,7 +1954,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1213,
+        line=1223,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -1945,7 +1963,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1217,
+        line=1227,
     ),
     "support_work": Symbol(
         "support_work",
@@ -1954,7 +1972,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1222,
+        line=1232,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -1963,7 +1981,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1227,
+        line=1237,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -1971,7 +1989,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1232,
+        line=1242,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -1979,7 +1997,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_s",
         file="srs/symbols.md",
-        line=1236,
+        line=1246,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -1988,7 +2006,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1240,
+        line=1250,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -1996,7 +2014,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1246,
+        line=1256,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2005,7 +2023,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1250,
+        line=1260,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2014,7 +2032,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1255,
+        line=1265,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2023,7 +2041,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1260,
+        line=1270,
     ),
     "rising_energy_charged": Symbol(
         "rising_energy_charged",
@@ -2032,7 +2050,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1265,
+        line=1275,
     ),
     "velocity_charged": Symbol(
         "velocity_charged",
@@ -2041,7 +2059,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1270,
+        line=1280,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2049,7 +2067,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1275,
+        line=1285,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2058,7 +2076,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1281,
+        line=1291,
     ),
     "energy_along_given_charged": Symbol(
         "energy_along_given_charged",
@@ -2067,7 +2085,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1286,
+        line=1296,
     ),
     "velocity_repaid": Symbol(
         "velocity_repaid",
@@ -2076,7 +2094,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1291,
+        line=1301,
     ),
     "angular_velocity_repaid": Symbol(
         "angular_velocity_repaid",
@@ -2084,7 +2102,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body that has paid for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1296,
+        line=1306,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2093,7 +2111,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1300,
+        line=1310,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2101,7 +2119,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1305,
+        line=1315,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2110,7 +2128,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1309,
+        line=1319,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2118,7 +2136,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1314,
+        line=1324,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2127,7 +2145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1319,
+        line=1329,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2136,7 +2154,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1324,
+        line=1334,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2145,7 +2163,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1329,
+        line=1339,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2153,7 +2171,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1334,
+        line=1344,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2161,7 +2179,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1338,
+        line=1348,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2169,7 +2187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1342,
+        line=1352,
     ),
     "energy_unpaid": Symbol(
         "energy_unpaid",
@@ -2177,7 +2195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1346,
+        line=1356,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2186,7 +2204,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1352,
+        line=1362,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2195,7 +2213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1357,
+        line=1367,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2204,7 +2222,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1364,
+        line=1374,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2213,7 +2231,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1369,
+        line=1379,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2221,7 +2239,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1374,
+        line=1384,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2229,7 +2247,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1379,
+        line=1389,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2237,7 +2255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1385,
+        line=1395,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2246,7 +2264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1389,
+        line=1399,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2255,7 +2273,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1396,
+        line=1406,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2264,7 +2282,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1401,
+        line=1411,
     ),
     "energy": Symbol(
         "energy",
@@ -2272,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1406,
+        line=1416,
     ),
     "radius": Symbol(
         "radius",
@@ -2281,7 +2299,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1415,
+        line=1425,
     ),
     "length": Symbol(
         "length",
@@ -2290,7 +2308,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1420,
+        line=1430,
     ),
     "width": Symbol(
         "width",
@@ -2299,7 +2317,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1427,
+        line=1437,
     ),
     "height": Symbol(
         "height",
@@ -2308,7 +2326,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1432,
+        line=1442,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2317,7 +2335,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1437,
+        line=1447,
     ),
     "center": Symbol(
         "center",
@@ -2326,7 +2344,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1442,
+        line=1452,
     ),
     "offset": Symbol(
         "offset",
@@ -2334,7 +2352,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1447,
+        line=1457,
     ),
     "area": Symbol(
         "area",
@@ -2343,7 +2361,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1451,
+        line=1461,
     ),
     "way": Symbol(
         "way",
@@ -2352,7 +2370,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1456,
+        line=1466,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2360,7 +2378,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1461,
+        line=1471,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2369,7 +2387,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1465,
+        line=1475,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2378,7 +2396,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1470,
+        line=1480,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2386,7 +2404,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1475,
+        line=1485,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2394,7 +2412,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1479,
+        line=1489,
     ),
     "lean": Symbol(
         "lean",
@@ -2402,7 +2420,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1483,
+        line=1493,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2410,7 +2428,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1487,
+        line=1497,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2418,7 +2436,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1491,
+        line=1501,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2427,7 +2445,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1497,
+        line=1507,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2435,7 +2453,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1510,
+        line=1520,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2443,7 +2461,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1514,
+        line=1524,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2451,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1518,
+        line=1528,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2459,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1522,
+        line=1532,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2468,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1526,
+        line=1536,
     ),
     "slope": Symbol(
         "slope",
@@ -2477,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1531,
+        line=1541,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2486,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1536,
+        line=1546,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2495,7 +2513,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1541,
+        line=1551,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2504,7 +2522,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1546,
+        line=1556,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2512,7 +2530,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1551,
+        line=1561,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2520,7 +2538,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1555,
+        line=1565,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2528,7 +2546,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1559,
+        line=1569,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2537,7 +2555,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1563,
+        line=1573,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2545,7 +2563,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1568,
+        line=1578,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2553,7 +2571,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1572,
+        line=1582,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2561,7 +2579,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1576,
+        line=1586,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2569,7 +2587,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1580,
+        line=1590,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2577,7 +2595,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1584,
+        line=1594,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2585,7 +2603,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1588,
+        line=1598,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2593,7 +2611,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1592,
+        line=1602,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2601,7 +2619,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1596,
+        line=1606,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2609,7 +2627,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1600,
+        line=1610,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2618,7 +2636,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1604,
+        line=1614,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2626,7 +2644,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1609,
+        line=1619,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2635,7 +2653,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1613,
+        line=1623,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2644,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1618,
+        line=1628,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2653,7 +2671,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1623,
+        line=1633,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2662,7 +2680,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1628,
+        line=1638,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2670,7 +2688,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1633,
+        line=1643,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2679,7 +2697,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1637,
+        line=1647,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2687,7 +2705,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1642,
+        line=1652,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2695,7 +2713,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1646,
+        line=1656,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2704,7 +2722,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1650,
+        line=1660,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2713,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1655,
+        line=1665,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2721,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1660,
+        line=1670,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2730,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1664,
+        line=1674,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2738,7 +2756,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1669,
+        line=1679,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2746,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1673,
+        line=1683,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2755,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1677,
+        line=1687,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2764,7 +2782,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1682,
+        line=1692,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2773,7 +2791,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1687,
+        line=1697,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2782,7 +2800,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1692,
+        line=1702,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2791,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1697,
+        line=1707,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2800,7 +2818,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1702,
+        line=1712,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2809,7 +2827,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1707,
+        line=1717,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2818,7 +2836,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1712,
+        line=1722,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2827,7 +2845,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1717,
+        line=1727,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2835,7 +2853,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1722,
+        line=1732,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2844,7 +2862,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1726,
+        line=1736,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2853,7 +2871,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1731,
+        line=1741,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2862,7 +2880,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1736,
+        line=1746,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2870,7 +2888,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1741,
+        line=1751,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2879,7 +2897,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1745,
+        line=1755,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2887,7 +2905,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1750,
+        line=1760,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2895,7 +2913,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1754,
+        line=1764,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2904,7 +2922,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1758,
+        line=1768,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2913,7 +2931,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1763,
+        line=1773,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2922,7 +2940,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1768,
+        line=1778,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2930,7 +2948,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1773,
+        line=1783,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2938,7 +2956,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1777,
+        line=1787,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2946,7 +2964,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1781,
+        line=1791,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2955,7 +2973,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1785,
+        line=1795,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2964,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1790,
+        line=1800,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2973,7 +2991,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1795,
+        line=1805,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2982,7 +3000,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1800,
+        line=1810,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2991,7 +3009,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1805,
+        line=1815,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3000,7 +3018,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1810,
+        line=1820,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3009,7 +3027,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1815,
+        line=1825,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3018,7 +3036,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1820,
+        line=1830,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3026,7 +3044,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1825,
+        line=1835,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3035,7 +3053,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1829,
+        line=1839,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3043,7 +3061,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1834,
+        line=1844,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3052,7 +3070,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1838,
+        line=1848,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3061,7 +3079,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1843,
+        line=1853,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3070,7 +3088,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1848,
+        line=1858,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3079,7 +3097,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1853,
+        line=1863,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3088,7 +3106,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1858,
+        line=1868,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3096,7 +3114,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1863,
+        line=1873,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3105,7 +3123,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1867,
+        line=1877,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3114,7 +3132,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1872,
+        line=1882,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3123,7 +3141,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1877,
+        line=1887,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3132,7 +3150,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1882,
+        line=1892,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3140,7 +3158,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1887,
+        line=1897,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3148,7 +3166,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1891,
+        line=1901,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3157,7 +3175,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1895,
+        line=1905,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3166,7 +3184,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1900,
+        line=1910,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3175,7 +3193,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1905,
+        line=1915,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3184,7 +3202,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1910,
+        line=1920,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3193,7 +3211,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1915,
+        line=1925,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3202,7 +3220,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1920,
+        line=1930,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3211,7 +3229,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1925,
+        line=1935,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3220,7 +3238,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1930,
+        line=1940,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3229,7 +3247,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1935,
+        line=1945,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3237,7 +3255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1940,
+        line=1950,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3245,7 +3263,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1944,
+        line=1954,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3254,7 +3272,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1948,
+        line=1958,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3262,7 +3280,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1953,
+        line=1963,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3270,7 +3288,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1957,
+        line=1967,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3279,7 +3297,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1961,
+        line=1971,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3288,7 +3306,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1966,
+        line=1976,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3297,7 +3315,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1971,
+        line=1981,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3305,7 +3323,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1976,
+        line=1986,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3314,7 +3332,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1980,
+        line=1990,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3322,7 +3340,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1985,
+        line=1995,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3331,7 +3349,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1989,
+        line=1999,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3339,7 +3357,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=1994,
+        line=2004,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3348,7 +3366,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1998,
+        line=2008,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3356,7 +3374,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2003,
+        line=2013,
     ),
     "change": Symbol(
         "change",
@@ -3365,7 +3383,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=2007,
+        line=2017,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3374,7 +3392,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2012,
+        line=2022,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3383,7 +3401,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2017,
+        line=2027,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3391,7 +3409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2022,
+        line=2032,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3400,7 +3418,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2026,
+        line=2036,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3408,7 +3426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2031,
+        line=2041,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3416,7 +3434,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2035,
+        line=2045,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3424,7 +3442,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2039,
+        line=2049,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3433,7 +3451,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=2043,
+        line=2053,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3441,7 +3459,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2048,
+        line=2058,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3450,6 +3468,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2052,
+        line=2062,
     ),
 }

@@ -33,7 +33,7 @@ def foresee(world: World, contacts: Contacts) -> None:
     """Leave lone impacts to continuous collision, and give the solver the others to come."""
     control, bodies, shapes = world.control, world.bodies, world.shapes
     touching, events = world.touching, world.events
-    touching.counts[tb.LOCATED_PAIRS] = touching.counts[tb.IMPACTS] = 0
+    touching.counts[tb.LOCATED_PAIRS] = 0
     clear_grounds(bodies, events)
     asked = touching.counts[tb.NEW_STATIC] + control.counts[tb.GOES_FAR] > 0
     asked = asked or some_lean(bodies, shapes, contacts, touching)
@@ -42,7 +42,8 @@ def foresee(world: World, contacts: Contacts) -> None:
     if touching.counts[tb.MEETING] == 0:
         return
     changed = add_secondary_contacts(world, contacts)
-    touching.counts[tb.IMPACTS] = 1 if changed else 0
+    if changed:
+        touching.counts[tb.IMPULSES_UNKNOWN] = 1
     count_contacts(bodies, shapes, contacts, touching)
     stay = 0
     for k in range(touching.counts[tb.TOUCHING]):
@@ -67,7 +68,7 @@ def foresee(world: World, contacts: Contacts) -> None:
             touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
             stay += 1
             if meets and contacts.manifolds[p, tb.FORESEEN] > 0.0:
-                touching.counts[tb.IMPACTS] = 1
+                touching.counts[tb.IMPULSES_UNKNOWN] = 1
             changed = changed or contacts.flags[p, tb.POINT_COUNT] != points
         else:
             contacts.flags[p, tb.POINT_COUNT] = 0

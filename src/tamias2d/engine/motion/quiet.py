@@ -200,7 +200,7 @@ def note_quiet(taken: int, world: World) -> None:
     counts[tb.FINEST] = 0
     world.broad_phase.counts[tb.STEPS_SINCE] += taken
     touching[tb.MEETING] = touching[tb.NEW_STATIC] = touching[tb.PRESSED_DEEP] = 0
-    touching[tb.IMPACTS] = touching[tb.LOCATED_PAIRS] = 0
+    touching[tb.IMPULSES_UNKNOWN] = touching[tb.LOCATED_PAIRS] = 0
 
 
 @inlined

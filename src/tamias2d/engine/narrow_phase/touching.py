@@ -29,6 +29,7 @@ CLOSE = 0.02  # the gap below which there is a contact already
 BETWEEN = 50.0  # half widths that the radius counts at most for it: across a body there is none
 AHEAD = 0.1  # the most by which the motion of a step raises that
 GRAZE = 2.0**-12  # the overlap of bodies that have just met
+MANY_NEW = 0.25  # of all contacts: in a heap always some come and go
 DEEP = 0.35  # the overlap beyond which continuous collision sees to it that it grows no more
 STILL = 2.0**-10  # a way for which a manifold is kept: its gaps are wrong by its square, 1e-6
 SUNK = 0.5  # of the smaller half of a least width: an overlap that should not grow any more
@@ -52,7 +53,7 @@ def find_touching(
     Flags of the last step are aged, unless they were found in this step already. If the contacts
     are those of the last step, with as many points, their arrangement holds.
     """
-    total = marked = new_static = 0
+    total = marked = new_static = placed = 0
     deep, same = False, touching.counts[tb.ARRANGED] == 1
     pull = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     time = control.progress[tb.PART_TIME]
@@ -92,6 +93,7 @@ def find_touching(
             contacts.flags[p, tb.LOCATED] = tb.MOST_LOCATED if meets else 0
             if not touched and (bodies.kind[i] == tb.STATIC or bodies.kind[j] == tb.STATIC):
                 new_static += 1
+            placed += 0 if touched or gap > GRAZE * smaller else 1
             fast = margin > (CLOSE + AHEAD) * smaller  # it may change a velocity by much
             marked += 1 if comes or fast else 0
         else:
@@ -100,6 +102,7 @@ def find_touching(
     touching.counts[tb.TOUCHING] = total
     touching.counts[tb.MEETING], touching.counts[tb.NEW_STATIC] = marked, new_static
     touching.counts[tb.PRESSED_DEEP], touching.counts[tb.BOXED] = int(deep), int(boxed)
+    touching.counts[tb.IMPULSES_UNKNOWN] = int(placed > MANY_NEW * total)
 
 
 @inlined

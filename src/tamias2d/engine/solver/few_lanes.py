@@ -2,9 +2,7 @@
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.solver.lane import (
-    OPEN,
     Velocities,
-    after_closed_friction,
     relaxed,
     soften,
     warm_started,
@@ -54,12 +52,8 @@ def soften_few(lane: Integers, motion: Array, row: Array, scratch: Array, subste
 def relax_few(
     lane: Integers, motion: Array, row: Array, scratch: Array, substep: float, share: float
 ) -> None:
-    """Relax the few contacts of a block, and apply friction to what has met."""
-    first, second = tb.FIRST_POINT + tb.P_GAP_NOW, tb.SECOND_POINT + tb.P_GAP_NOW
+    """Relax the few contacts of a block."""
     for m in range(lane[tb.FILLED]):
         now = load_pair(m, lane, motion, scratch)
         now = relaxed(m, lane[tb.POINTS], now, row, substep, share)
-        now = after_closed_friction(m, tb.FIRST_POINT, first, OPEN, now, row)
-        if lane[tb.POINTS] == 2:
-            now = after_closed_friction(m, tb.SECOND_POINT, second, OPEN, now, row)
         store_pair(m, now, lane, motion)

@@ -23,7 +23,6 @@ from tamias2d.generated.soft_contact import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-OPEN = -1e-300  # m: a larger gap is one that closes, or has just closed
 SETTLED_RESTITUTION = 2.0**-40  # of its impulses: a change that does not count
 
 
@@ -199,27 +198,30 @@ def soften(
 def relaxed(
     m: int, points: int, now: Velocities, row: Array, substep: float, share: float
 ) -> Velocities:
-    """Relax a contact with one or two points; return velocities after it."""
-    then = after_friction(m, tb.FIRST_POINT, now, row)
-    if points == 2:
-        then = after_friction(m, tb.SECOND_POINT, then, row)
-    then = after_relaxing(m, tb.FIRST_POINT, then, row, substep, share)
+    """Relax a contact with one or two points; return velocities after it.
+
+    Friction comes last: its bound is the impulse that is left, not one that removed overlap.
+    """
+    then = after_relaxing(m, tb.FIRST_POINT, now, row, substep, share)
     if points == 2:
         then = after_relaxing(m, tb.SECOND_POINT, then, row, substep, share)
+    then = after_friction(m, tb.FIRST_POINT, then, row)
+    if points == 2:
+        then = after_friction(m, tb.SECOND_POINT, then, row)
     return then
 
 
 @inlined
 def after_restitution(
-    m: int, at: int, bounce: int, now: Velocities, row: Array, scratch: Array, slowest: float
+    m: int, at: int, bounce: int, now: Velocities, row: Array, scratch: Array
 ) -> Velocities:
-    """Let a point rebound that met faster than `slowest`, m/s, and has an impulse.
+    """Let a point rebound that met and has an impulse.
 
     The impulses that it is given are added up in the column `bounce`.
     """
     before = row[at + tb.P_NORMAL_IMPULSE + m]
     meets = (
-        (row[at + tb.P_APPROACH + m] < -slowest)
+        (row[at + tb.P_APPROACH + m] < 0.0)
         & (row[at + tb.P_TOTAL_IMPULSE + m] > 0.0)
         & (row[tb.R_RESTITUTION + m] > 0.0)
     )
@@ -240,12 +242,10 @@ def after_restitution(
 
 
 @inlined
-def after_closed_friction(
-    m: int, at: int, closed: int, least: float, now: Velocities, row: Array
-) -> Velocities:
-    """Correct the tangent impulse of a point that has met or bounced in this substep."""
+def after_bounced_friction(m: int, at: int, bounce: int, now: Velocities, row: Array) -> Velocities:
+    """Correct the tangent impulse of a point that has bounced."""
     before, limited = row[at + tb.P_TANGENT_IMPULSE + m], friction_impulse(m, at, now, row)
-    met = (row[closed + m] > least) & (row[at + tb.P_NORMAL_IMPULSE + m] > 0.0)
-    after = limited if met else before
+    bounced = (row[bounce + m] > 0.0) & (row[at + tb.P_NORMAL_IMPULSE + m] > 0.0)
+    after = limited if bounced else before
     row[at + tb.P_TANGENT_IMPULSE + m] = after
     return pushed_along(m, at, after - before, now, row)

@@ -8,8 +8,7 @@ bodies for each lane, and loop. Source: Catto (2024), soft step.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.solver.few_lanes import relax_few, soften_few, warm_start_few
 from tamias2d.engine.solver.lane import (
-    OPEN,
-    after_closed_friction,
+    after_bounced_friction,
     after_restitution,
     relaxed,
     set_velocities,
@@ -85,38 +84,36 @@ def relax_lanes_of_two(row: Array, scratch: Array, substep: float, share: float)
         set_velocities(m, now, scratch)
 
 
-def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest: float) -> None:
+def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array) -> None:
     """Apply restitution to the points of contacts."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = after_restitution(m, at, bounce, now, row, scratch, slowest)
+        now = after_restitution(m, at, bounce, now, row, scratch)
         set_velocities(m, now, scratch)
 
 
-def closed_friction_lanes(at: int, closed: int, least: float, row: Array, scratch: Array) -> None:
-    """Correct the tangent impulses of points that have met or bounced in this substep."""
+def bounced_friction_lanes(at: int, bounce: int, row: Array, scratch: Array) -> None:
+    """Correct the tangent impulses of points that have bounced."""
     for m in range(LANES):
         now = velocities_of(m, scratch)
-        now = after_closed_friction(m, at, closed, least, now, row)
+        now = after_bounced_friction(m, at, bounce, now, row)
         set_velocities(m, now, scratch)
 
 
-def apply_closed_friction(
-    lane: Integers, first: int, second: int, least: float, row: Array, scratch: Array
-) -> None:
-    """Apply friction to points whose column, of gaps or bounces, is above the least, if any is."""
+def apply_bounced_friction(lane: Integers, row: Array, scratch: Array) -> None:
+    """Apply friction to points that have bounced, if any has."""
     two = lane[tb.POINTS] == 2
-    if some_closed(tb.FIRST_POINT, first, least, row) or (
-        two and some_closed(tb.SECOND_POINT, second, least, row)
+    if some_bounced(tb.FIRST_POINT, tb.FIRST_RESTITUTION, row) or (
+        two and some_bounced(tb.SECOND_POINT, tb.SECOND_RESTITUTION, row)
     ):
-        closed_friction_lanes(tb.FIRST_POINT, first, least, row, scratch)
+        bounced_friction_lanes(tb.FIRST_POINT, tb.FIRST_RESTITUTION, row, scratch)
         if two:
-            closed_friction_lanes(tb.SECOND_POINT, second, least, row, scratch)
+            bounced_friction_lanes(tb.SECOND_POINT, tb.SECOND_RESTITUTION, row, scratch)
 
 
-def some_closed(at: int, closed: int, least: float, row: Array) -> bool:
-    """Return whether a lane with a normal impulse has a gap, or a bounce, above the least."""
-    return both_above(row, closed, least, at + tb.P_NORMAL_IMPULSE, 0.0)
+def some_bounced(at: int, bounce: int, row: Array) -> bool:
+    """Return whether a lane with a normal impulse has bounced."""
+    return both_above(row, bounce, 0.0, at + tb.P_NORMAL_IMPULSE, 0.0)
 
 
 def some_above(row: Array, column: int) -> bool:
@@ -170,8 +167,7 @@ def relax(
 ) -> None:
     """Relax constraints once, so that no softness is left in the velocities.
 
-    Points that meet in this substep get their normal impulse here, and their friction after it. The
-    impulses of the last time in a substep are counted.
+    The impulses of the last time in a substep are counted.
     """
     motion, scratch, share = bodies.motion, constraints.scratch, 1.0 if counted else 0.0
     for b in range(first, last):
@@ -184,9 +180,6 @@ def relax(
             relax_lanes_of_two(row, scratch, substep, share)
         else:
             relax_lanes(row, scratch, substep, share)
-        apply_closed_friction(
-            lane, tb.FIRST_POINT + tb.P_GAP_NOW, tb.SECOND_POINT + tb.P_GAP_NOW, OPEN, row, scratch
-        )
         store_velocities(lane, motion, scratch)
 
 
@@ -198,9 +191,7 @@ def clear_restitution(constraints: Constraints) -> None:
             constraints.blocks[b, tb.SECOND_RESTITUTION + m] = 0.0
 
 
-def apply_restitution(
-    again: bool, bodies: Bodies, constraints: Constraints, slowest: float
-) -> bool:
+def apply_restitution(again: bool, bodies: Bodies, constraints: Constraints) -> bool:
     """Apply restitution to the bodies of all blocks once; return whether impulses have settled.
 
     Again, it visits the blocks only to which it has given some.
@@ -214,11 +205,11 @@ def apply_restitution(
         ):
             continue
         load_velocities(lane, motion, scratch)
-        restitution_lanes(tb.FIRST_POINT, tb.FIRST_RESTITUTION, row, scratch, slowest)
+        restitution_lanes(tb.FIRST_POINT, tb.FIRST_RESTITUTION, row, scratch)
         settled = settled and not some_above(scratch, tb.B_UNSETTLED)
         if lane[tb.POINTS] == 2:
-            restitution_lanes(tb.SECOND_POINT, tb.SECOND_RESTITUTION, row, scratch, slowest)
+            restitution_lanes(tb.SECOND_POINT, tb.SECOND_RESTITUTION, row, scratch)
             settled = settled and not some_above(scratch, tb.B_UNSETTLED)
-        apply_closed_friction(lane, tb.FIRST_RESTITUTION, tb.SECOND_RESTITUTION, 0.0, row, scratch)
+        apply_bounced_friction(lane, row, scratch)
         store_velocities(lane, motion, scratch)
     return settled

@@ -17,6 +17,7 @@ from tamias2d.generated.soft_contact import (
     row_mass,
     row_velocity,
     separation_later,
+    slowest_impact,
     turning_arm,
 )
 from tamias2d.kernels.assembled import inlined
@@ -54,7 +55,7 @@ def fill_blocks(
             arm_lanes(tb.SECOND_POINT, tb.F_SECOND_POINT, row, found)
             impulse_lanes(tb.SECOND_POINT, tb.F_SECOND_POINT, ratio, row, found)
         for m in range(lane[tb.FILLED]):
-            finish_lane(m, lane, row, bodies, contacts, found)
+            finish_lane(m, lane, row, control, bodies, contacts, found)
 
 
 @inlined
@@ -119,12 +120,18 @@ def impulse_lanes(at: int, of: int, ratio: float, row: Array, found: Array) -> N
 
 @inlined
 def finish_lane(
-    m: int, lane: Integers, row: Array, bodies: Bodies, contacts: Contacts, found: Array
+    m: int,
+    lane: Integers,
+    row: Array,
+    control: Control,
+    bodies: Bodies,
+    contacts: Contacts,
+    found: Array,
 ) -> None:
     """Keep the preloads of a contact; find its gaps if it is foreseen, and how fast it meets.
 
-    What has bounced and parts starts without its impulses: friction would act by that of a blow
-    that is over.
+    What meets too slowly for an impact does not approach. What has bounced and parts starts
+    without its impulses: friction would act by that of a blow that is over.
     """
     manifold, state = contacts.manifolds[lane[tb.LANE_CONTACT + m]], bodies.substep_state
     a, b, ahead = state[lane[tb.BODY_A + m]], state[lane[tb.BODY_B + m]], manifold[tb.FORESEEN]
@@ -137,8 +144,11 @@ def finish_lane(
         if ahead > 0.0:
             row[at + tb.P_GAP] = gap_before(m, at, row, a, b, ahead)
         if row[tb.R_RESTITUTION + m] > 0.0:
-            row[at + tb.P_APPROACH] = approach_velocity(m, at, row, a, b)
-            if bounced and row[at + tb.P_APPROACH] > 0.0:
+            speed = approach_velocity(m, at, row, a, b)
+            pressing = 0.0 if bounced else row[at + tb.P_NORMAL_IMPULSE]
+            slow = meets_slowly(m, at, speed, pressing, row, control)
+            row[at + tb.P_APPROACH] = 0.0 if slow else speed
+            if bounced and speed > 0.0:
                 row[at + tb.P_NORMAL_IMPULSE] = row[at + tb.P_TANGENT_IMPULSE] = 0.0
 
 
@@ -172,6 +182,26 @@ def approach_velocity(m: int, at: int, row: Array, a: Array, b: Array) -> float:
         row[at + tb.P_NORMAL_ARM_B],
         (row[tb.R_NX + m], row[tb.R_NY + m]),
     )
+
+
+@inlined
+def meets_slowly(
+    m: int, at: int, speed: float, pressing: float, row: Array, control: Control
+) -> bool:
+    """Return whether a point approaches no faster than what presses it makes it (DD93)."""
+    arm_a, arm_b = row[at + tb.P_NORMAL_ARM_A], row[at + tb.P_NORMAL_ARM_B]
+    mass = row_mass(
+        row[tb.R_MASS_A + m], row[tb.R_INERTIA_A + m], arm_a,
+        row[tb.R_MASS_B + m], row[tb.R_INERTIA_B + m], arm_b,
+    )  # fmt: skip
+    slowest = slowest_impact(
+        (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y]),
+        pressing,
+        mass,
+        control.counts[tb.PART_SUBSTEPS],
+        control.progress[tb.PART_TIME],
+    )
+    return bool(speed >= -slowest)
 
 
 def prepare_blocks(first: int, last: int, substep: float, blocks: Array, lanes: Integers) -> None:

@@ -106,7 +106,7 @@ ISLANDS_KNOWN = _touching()  # 1 if islands are
 MEETING = _touching()  # contacts that meet, or move much against each other
 NEW_STATIC = _touching()  # contacts with static shapes that had no impulse
 PRESSED_DEEP = _touching()  # 1 if there is a deep overlap
-IMPACTS = _touching()  # 1 if the solver is given contacts that come about in this part
+IMPULSES_UNKNOWN = _touching()  # 1 if contacts act that did not before, or come in this part
 LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
 BOXED = _touching()  # 1 if boxes of shapes are known, since the list is long
 
