@@ -99,7 +99,7 @@ def test_runs_agree_until_bodies_touch_at_once() -> None:
     horizon = found.horizon(1e-2)
     assert horizon is not None
     assert 0.2 <= horizon < 0.4
-    assert found.share > 0.1
+    assert found.share > 1e-2  # at the end, where they do not
 
 
 def test_shorter_steps_leave_less_doubt() -> None:

@@ -61,7 +61,7 @@ def test_asked(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_calls(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(calls, "measure", partial(calls.measure, boxes=[10], repeats=1))
     found, rows = lines_of(calls)
-    assert len(rows) == 18
+    assert len(rows) == 20
     assert sum(row["pymunk"] is None for row in found["rows"]) == 7
     assert calls.notes(found)
 
