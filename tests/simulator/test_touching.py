@@ -20,16 +20,16 @@ def test_contacts_of_a_body_are_those_of_all_seen_from_it() -> None:
         for body in range(sim.position.shape[0]):
             found = sim.touching(body)
             wanted = [
-                (a, b, *point, *normal, impulse, gap)
+                (a, b, *point, *normal, impulse, *rub, gap)
                 if a == body
-                else (b, a, *point, *-normal, impulse, gap)
-                for (a, b), point, normal, impulse, gap in zip(
+                else (b, a, *point, *-normal, impulse, *-rub, gap)
+                for (a, b), point, normal, impulse, rub, gap in zip(
                     *vars(sim.contacts).values(), strict=True
                 )
                 if body in (a, b)
             ]
             told = zip(*vars(found).values(), strict=True)
-            assert [(*p, *at, *n, j, gap) for p, at, n, j, gap in told] == wanted
+            assert [(*p, *at, *n, j, *rub, gap) for p, at, n, j, rub, gap in told] == wanted
             turned += sum(sim.contacts.bodies[:, 1] == body)
     assert turned > 50
 

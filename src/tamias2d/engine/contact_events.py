@@ -118,7 +118,7 @@ class ContactEvents:
 
     @property
     def began(self) -> Contacts:
-        """One point for each pair: that with the largest impulse, with the impulse of all."""
+        """One point for each pair: that with the largest impulse, with the impulses of all."""
         self._tell()
         if not any(map(len, self._began)):
             return NO_CONTACTS
@@ -172,6 +172,7 @@ def _with_unpushed(pairs: Pairs, now: NDArray[np.bool_]) -> Points:
         np.concatenate((pushed.pair, sensed)),
         np.concatenate((pushed.number, np.zeros_like(sensed))),
         np.concatenate((pushed.impulse, np.zeros(len(sensed)))),
+        np.concatenate((pushed.friction, np.zeros((len(sensed), 2)))),
     )
 
 
@@ -197,13 +198,15 @@ def _is_in(codes: IntArray, wanted: IntArray) -> NDArray[np.bool_]:
 
 
 def _strongest(found: Points, code: IntArray, wanted: IntArray) -> Points:
-    """Return one point for each wanted pair of bodies, sorted, with the sum of its impulses."""
+    """Return one point for each wanted pair of bodies, sorted, with the sums of its impulses."""
     of = code[found.pair]
     row = np.flatnonzero(_is_in(of, wanted))
-    total = np.zeros(len(wanted))
-    np.add.at(total, np.searchsorted(wanted, of[row]), found.impulse[row])
+    total, friction = np.zeros(len(wanted)), np.zeros((len(wanted), 2))
+    place = np.searchsorted(wanted, of[row])
+    np.add.at(total, place, found.impulse[row])
+    np.add.at(friction, place, found.friction[row])
     row = row[np.lexsort((row, -found.impulse[row], of[row]))]
     row = row[np.unique(of[row], return_index=True)[1]]
     order = np.argsort(found.pair[row])
-    row, total = row[order], total[order]
-    return Points(found.pair[row], found.number[row], total)
+    row, total, friction = row[order], total[order], friction[order]
+    return Points(found.pair[row], found.number[row], total, friction)

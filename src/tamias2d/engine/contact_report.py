@@ -28,6 +28,8 @@ class Contacts:
     """(m, 2), unit, from A to B"""
     impulse: Array
     """(m,), along the normal, on B, over that step, N s"""
+    friction_impulse: Array
+    """(m, 2), by which friction changed the momentum of B in that step, N s"""
     separation: Array
     """(m,), there, m; negative where they overlapped, 0 in flight"""
 
@@ -39,11 +41,13 @@ REMEDY = "They tell what a step did: call apply_impulse or apply_force to push b
 
 
 class Points(NamedTuple):
-    """Points of contact, each by its pair and its number there, with its impulse."""
+    """Points of contact, each by its pair and its number there, with its impulses."""
 
     pair: IntArray
     number: IntArray
     impulse: Array
+    friction: Array
+    """(k, 2), N s"""
 
 
 class Pairs(NamedTuple):
@@ -59,23 +63,26 @@ class Pairs(NamedTuple):
     """(k, 2), along which they pushed each other, or touched if they did not"""
     impulse: Array
     """(k, 2), at two points, N s"""
+    friction: Array
+    """(k, 2, 2), at two points, N s"""
     manifold: Array
 
     def pushed(self) -> Points:
         """Return the points at which they pushed each other."""
         touching = self.touches & tb.IS_TOUCHING != 0
         pair, number = np.nonzero((self.impulse > 0.0) & touching[:, None])
-        return Points(pair, number, self.impulse[pair, number])
+        return Points(pair, number, self.impulse[pair, number], self.friction[pair, number])
 
     def contacts(self, points: Points) -> Contacts:
         """Return where points are, and their impulses."""
-        pair, number, impulse = points
+        pair, number, impulse, friction = points
         row = self.manifold[pair]
         at = np.arange(len(pair))
         place = tb.WORLD_POINT + tb.POINT * number
         point = np.column_stack((row[at, place], row[at, place + 1]))
         gap = np.where(self.points[pair] == 0, 0.0, row[at, tb.GAP + tb.POINT * number])
-        return contacts_of((self.bodies[pair], point, self.normal[pair], impulse, gap))
+        normal = self.normal[pair]
+        return contacts_of((self.bodies[pair], point, normal, impulse, friction, gap))
 
 
 def touches_of(store: Store) -> IntArray:
@@ -107,10 +114,12 @@ def bodies_of(store: Store, rows: IntArray) -> IntArray:
 def told_pairs(logged: IntArray, manifolds: Array) -> Pairs:
     """Return what rows of a contact log tell."""
     count = logged[:, tb.LOG_POINTS]
-    normal, impulse = _impulses(manifolds, count, logged[:, tb.LOG_SPLIT] == 1)
+    split = logged[:, tb.LOG_SPLIT] == 1
+    normal, impulse = _impulses(manifolds, count, split)
     impulse[logged[:, tb.LOG_SENSES] == 1] = 0.0  # nothing is written there: sensors push nothing
+    friction = _friction(manifolds, count, split)
     bodies = logged[:, tb.LOG_A : tb.LOG_B + 1]
-    return Pairs(bodies, logged[:, tb.LOG_TOUCHES], count, normal, impulse, manifolds)
+    return Pairs(bodies, logged[:, tb.LOG_TOUCHES], count, normal, impulse, friction, manifolds)
 
 
 def logged_at(store: Store, rows: IntArray) -> tuple[IntArray, Array]:
@@ -161,6 +170,20 @@ def _impulses(touch: Array, count: IntArray, split: NDArray[np.bool_]) -> tuple[
     return normal, np.column_stack((first, np.where(as_one, 0.0, second)))
 
 
+def _friction(touch: Array, count: IntArray, split: NDArray[np.bool_]) -> Array:
+    """Return what friction gave at two points of pairs (m, 2, 2); likewise."""
+    part = touch[:, [tb.PART_FRICTION_X, tb.PART_FRICTION_Y]]
+    before = touch[:, tb.FRICTION_BEFORE : tb.FRICTION_BEFORE + 2]
+    whole = np.where(split[:, None], before, part)
+    tangent = np.column_stack((-touch[:, tb.NY], touch[:, tb.NX]))
+    of_points = part[:, :, None] * tangent[:, None, :]
+    of_points[count < 2, 1] = 0.0
+    as_one = split | (count == 0)
+    of_points[as_one] = 0.0
+    of_points[as_one, 0] = whole[as_one]
+    return of_points
+
+
 def contacts_of(columns: Iterable[NDArray[Any]]) -> Contacts:
     """Return the contacts with these columns, in the order of the fields; they become read-only."""
     names = (field.name for field in fields(Contacts))
@@ -175,7 +198,8 @@ def contacts_of(columns: Iterable[NDArray[Any]]) -> Contacts:
 def _nothing() -> Contacts:
     none = np.empty(0)
     pairs = np.empty((0, 2), dtype=np.int64)
-    return contacts_of((pairs, np.empty((0, 2)), np.empty((0, 2)), none, none))
+    vectors = np.empty((0, 2))
+    return contacts_of((pairs, vectors, vectors.copy(), none, vectors.copy(), none.copy()))
 
 
 NO_CONTACTS = _nothing()

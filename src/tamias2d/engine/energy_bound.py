@@ -46,6 +46,7 @@ from tamias2d.generated.island_energy import (
     velocity_seen,
     work,
 )
+from tamias2d.kernels.assembled import inlined
 from tamias2d.kernels.lanes import LANES
 from tamias2d.state import Array, Vector
 
@@ -212,7 +213,7 @@ def keep_shares(
 
 
 def keep_impulse_shares(bodies: Bodies, constraints: Constraints, islands: Islands) -> None:
-    """Leave each contact the share of its impulse of restitution that its island keeps."""
+    """Leave each contact the share of its impulses of restitution that its island keeps."""
     lanes = constraints.lanes
     for b in range(constraints.counts[tb.BLOCKS]):
         row = constraints.blocks[b]
@@ -222,11 +223,16 @@ def keep_impulse_shares(bodies: Bodies, constraints: Constraints, islands: Islan
             share = islands.energy[islands.links[i, tb.ROOT], tb.KEPT_SHARE]
             if share < 1.0:
                 for n in range(lanes[b, tb.POINTS]):
-                    at = tb.SHARED + n * tb.POINT_SIZE + m
-                    impulse = row[tb.FIRST_RESTITUTION + n * LANES + m]
-                    row[at + tb.P_NORMAL_IMPULSE] = accumulated_impulse_kept(
-                        row[at + tb.P_NORMAL_IMPULSE], impulse, share
-                    )
-                    row[at + tb.P_TOTAL_IMPULSE] = accumulated_impulse_kept(
-                        row[at + tb.P_TOTAL_IMPULSE], impulse, share
-                    )
+                    at, bounce = tb.SHARED + n * tb.POINT_SIZE + m, n * LANES + m
+                    impulse = row[tb.FIRST_RESTITUTION + bounce]
+                    keep_impulse_share(at + tb.P_NORMAL_IMPULSE, impulse, share, row)
+                    keep_impulse_share(at + tb.P_TOTAL_IMPULSE, impulse, share, row)
+                    drag = row[tb.FIRST_REBOUND_DRAG + bounce]
+                    keep_impulse_share(at + tb.P_TANGENT_IMPULSE, drag, share, row)
+                    keep_impulse_share(at + tb.P_TOTAL_FRICTION, drag, share, row)
+
+
+@inlined
+def keep_impulse_share(column: int, impulse: float, share: float, row: Array) -> None:
+    """Leave a column of a contact a share of an impulse that is in it."""
+    row[column] = accumulated_impulse_kept(row[column], impulse, share)

@@ -18,8 +18,9 @@ def forget_impulses(count: int, contacts: Contacts) -> None:
 
 def forget_impulses_of(manifold: Array) -> None:
     """Let the impulses of a contact add up from zero."""
-    manifold[tb.PART_PUSH_X] = manifold[tb.PART_PUSH_Y] = 0.0
+    forget_impulses_since(manifold)
     manifold[tb.PUSH] = manifold[tb.PUSH + 1] = 0.0
+    manifold[tb.FRICTION_BEFORE] = manifold[tb.FRICTION_BEFORE + 1] = 0.0
 
 
 def add_up_impulses(count: int, contacts: Contacts) -> None:
@@ -29,7 +30,15 @@ def add_up_impulses(count: int, contacts: Contacts) -> None:
         if contacts.flags[p, tb.TOUCHES] & tb.IS_TOUCHING:
             manifold[tb.PUSH] += manifold[tb.PART_PUSH_X]
             manifold[tb.PUSH + 1] += manifold[tb.PART_PUSH_Y]
-            manifold[tb.PART_PUSH_X] = manifold[tb.PART_PUSH_Y] = 0.0
+            manifold[tb.FRICTION_BEFORE] += manifold[tb.PART_FRICTION_X]
+            manifold[tb.FRICTION_BEFORE + 1] += manifold[tb.PART_FRICTION_Y]
+            forget_impulses_since(manifold)
+
+
+def forget_impulses_since(manifold: Array) -> None:
+    """Let the impulses of a part add up from zero."""
+    manifold[tb.PART_PUSH_X] = manifold[tb.PART_PUSH_Y] = 0.0
+    manifold[tb.PART_FRICTION_X] = manifold[tb.PART_FRICTION_Y] = 0.0
 
 
 def forget_impulses_of_part(first: bool, count: int, contacts: Contacts) -> None:
@@ -39,7 +48,7 @@ def forget_impulses_of_part(first: bool, count: int, contacts: Contacts) -> None
     """
     for p in range(count):
         manifold, flags = contacts.manifolds[p], contacts.flags[p]
-        manifold[tb.PART_PUSH_X] = manifold[tb.PART_PUSH_Y] = 0.0
+        forget_impulses_since(manifold)
         if first:
             flags[tb.TOUCHES] &= tb.WAS_TOUCHING + tb.HAD_MET_IN_FLIGHT
         elif flags[tb.SENSES] == 0 and manifold[tb.PUSH] == 0.0 and manifold[tb.PUSH + 1] == 0.0:
@@ -47,9 +56,9 @@ def forget_impulses_of_part(first: bool, count: int, contacts: Contacts) -> None
 
 
 def store_impulse_of_part(
-    n: int, total: float, pose: Array, manifold: Array, flags: Integers
+    n: int, total: float, friction: float, pose: Array, manifold: Array, flags: Integers
 ) -> None:
-    """Add the impulse of a point over a part of a step, N s: the next part may part the bodies.
+    """Add the impulses of a point over a part of a step, N s: the next part may part the bodies.
 
     Where a pair was pushed is told of its last push.
     """
@@ -58,6 +67,8 @@ def store_impulse_of_part(
         forget_impulses_of(manifold)
     manifold[tb.PART_PUSH_X] += total * manifold[tb.NX]
     manifold[tb.PART_PUSH_Y] += total * manifold[tb.NY]
+    manifold[tb.PART_FRICTION_X] -= friction * manifold[tb.NY]
+    manifold[tb.PART_FRICTION_Y] += friction * manifold[tb.NX]
     if total > 0.0:
         flags[tb.TOUCHES] |= tb.IS_TOUCHING
         manifold[tb.IMPACT_NORMAL], manifold[tb.IMPACT_NORMAL + 1] = (

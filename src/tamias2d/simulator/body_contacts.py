@@ -18,7 +18,7 @@ def contacts_of_body(engine: Engine, told: Contacts, row: int, mask: object) -> 
         InputError: the mask breaks a rule (R3).
     """
     wanted = _Wanted(engine, mask, "the contacts")
-    bodies, point, normal, impulse, separation = map(np.asarray, vars(told).values())
+    bodies, point, normal, impulse, friction, separation = map(np.asarray, vars(told).values())
     is_body = bodies == row
     found = np.flatnonzero(is_body[:, 0] | is_body[:, 1])
     if len(found):
@@ -26,9 +26,10 @@ def contacts_of_body(engine: Engine, told: Contacts, row: int, mask: object) -> 
     if len(found) == 0:
         return NO_CONTACTS
     turned = is_body[found, 1]
-    pairs, away = bodies[found], normal[found]
-    pairs[turned], away[turned] = pairs[turned, ::-1], 0.0 - away[turned]  # no negative zeros
-    return contacts_of((pairs, point[found], away, impulse[found], separation[found]))
+    pairs, away, drag = bodies[found], normal[found], friction[found]
+    pairs[turned] = pairs[turned, ::-1]
+    away[turned], drag[turned] = 0.0 - away[turned], 0.0 - drag[turned]  # no negative zeros
+    return contacts_of((pairs, point[found], away, impulse[found], drag, separation[found]))
 
 
 def bodies_inside(engine: Engine, row: int, name: str, mask: object) -> IntArray:

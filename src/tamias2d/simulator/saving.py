@@ -21,7 +21,7 @@ from tamias2d.scene.reading import read_scene
 from tamias2d.simulator.settings import checked_count, checked_substeps, checked_time_step
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 19  # of the saved state: its arrays, and the columns of the engine's
+VERSION = 20  # of the saved state: its arrays, and the columns of the engine's
 _MARK = "tamias2d simulator"
 _ABOUT, _DIGEST = "about", "digest"
 
@@ -194,7 +194,14 @@ def touching_of(arrays: Arrays, size: int) -> Touching:
     )
 
 
-_WIDTH = {"bodies": 2, "point": 2, "normal": 2, "impulse": 0, "separation": 0}
+_WIDTH = {
+    "bodies": 2,
+    "point": 2,
+    "normal": 2,
+    "impulse": 0,
+    "friction_impulse": 2,
+    "separation": 0,
+}
 """Columns of the fields of `Contacts`, 0 for a number for each."""
 assert tuple(_WIDTH) == tuple(Contacts.__dataclass_fields__)
 

@@ -20,6 +20,7 @@ from tamias2d.engine.continuous.impact_points import (
     is_point,
     list_points,
     rebound_at_points,
+    total_drag,
     total_push,
 )
 from tamias2d.engine.continuous.impulse import path_speed_along
@@ -87,7 +88,8 @@ def resolve_impact(
         normal = (sense * manifold[tb.NX], sense * manifold[tb.NY])
         place = place_on_path(i, now, contact_point(manifold), bodies)
         in_parts = control.counts[tb.LEVEL] > 0
-        record_impact(impulse, place, normal, in_parts, contacts.manifolds[p], contacts.flags[p])
+        drag, manifold, flags = total_drag(0, events), contacts.manifolds[p], contacts.flags[p]
+        record_impact(impulse, drag, place, normal, in_parts, manifold, flags)
     go_alone(i, bodies, events)
     go_alone(j, bodies, events)
     return 1
@@ -140,7 +142,8 @@ def tell_impact(
     sense = -1.0 if events.met[k, tb.MET_TURNED] == 1 else 1.0
     normal = (sense * row[tb.M_NORMAL], sense * row[tb.M_NORMAL + 1])
     place = place_on_path(events.met[k, tb.MET_A], now, at, bodies)
-    record_impact(impulse, place, normal, in_parts, contacts.manifolds[q], contacts.flags[q])
+    drag, manifold, flags = total_drag(k, events), contacts.manifolds[q], contacts.flags[q]
+    record_impact(impulse, drag, place, normal, in_parts, manifold, flags)
 
 
 def go_alone(i: int, bodies: Bodies, events: Events) -> None:

@@ -126,11 +126,13 @@ def apply_impact(
 ) -> float:
     """Apply the impact of two bodies, whose manifold is in the scratch.
 
-    Returns the normal impulse, N s; a negative number where nothing happens.
+    Returns the normal impulse, N s; a negative number where nothing happens. That of friction is
+    left at the listed points.
     """
     if bodies.flight[i, tb.SUPPORTED] + bodies.flight[j, tb.SUPPORTED] > 0.0:
         line = normal_line(i, j, now, events.scratch[0], bodies)
-        return apply_rows_in_turns(line, now, time_step, friction, restitution, bodies)
+        row = events.met_points[0]
+        return apply_rows_in_turns(line, now, time_step, friction, restitution, row, bodies)
     if not rebound_at_points(1, now, time_step, bodies, events):
         return -1.0
     impulse, _ = total_push(0, events)
@@ -143,16 +145,17 @@ def apply_rows_in_turns(
     time_step: float,
     friction: float,
     restitution: float,
+    row: Array,
     bodies: Bodies,
 ) -> float:
     """Apply the impact of bodies with contacts: along the normal and along the tangent, in turns.
 
     Friction beside the centre may press them together again: what it leaves is stopped, too.
     """
-    impulse = apply_rows(line, now, time_step, friction, restitution, bodies)
+    impulse = apply_rows(line, now, time_step, friction, restitution, row, bodies)
     more, turns = impulse, MOST_TURNS if friction > 0.0 else 0
     while turns > 0 and more > SETTLED_IMPULSE * impulse:
-        more = apply_rows(line, now, time_step, friction, 0.0, bodies)
+        more = apply_rows(line, now, time_step, friction, 0.0, row, bodies)
         impulse += max(more, 0.0)
         turns -= 1
     return impulse
@@ -164,9 +167,13 @@ def apply_rows(
     time_step: float,
     friction: float,
     restitution: float,
+    row: Array,
     bodies: Bodies,
 ) -> float:
-    """Apply one impulse along the normal and one along the tangent; return the first, likewise."""
+    """Apply one impulse along the normal and one along the tangent; return the first, likewise.
+
+    The second is added to the row of a listed point.
+    """
     i, j = line.a, line.b
     impulse = stop_and_rebound(line, now, time_step, restitution, bodies)
     if impulse < 0.0:
@@ -179,6 +186,7 @@ def apply_rows(
         mass = mass_along(tangent, bodies.properties)
         friction_impulse = limited_tangent_impulse(0.0, speed, mass, friction, impulse)
         change_velocities_and_paths(tangent, now, time_step, friction_impulse, bodies)
+        row[tb.M_DRAG] += friction_impulse
     return impulse
 
 
@@ -229,6 +237,7 @@ def place_on_path(i: int, now: float, at: Vector, bodies: Bodies) -> Vector:
 
 def record_impact(
     impulse: float,
+    drag: float,
     place: Vector,
     normal: Vector,
     in_parts: bool,
@@ -237,7 +246,8 @@ def record_impact(
 ) -> None:
     """Add an impact to what is told of a contact in this step, at the place of the first one.
 
-    Several impacts in flight are told as one, along the sum of their impulses.
+    The drag is what friction gave along the tangent, N s. Several impacts in flight are told as
+    one, along the sum of their impulses.
     """
     met = flags[tb.TOUCHES] & tb.IS_TOUCHING
     if not met:
@@ -247,9 +257,12 @@ def record_impact(
         flags[tb.TOUCHES] |= tb.MET_IN_FLIGHT
     elif not in_parts:
         recorded[tb.TOTAL_IMPULSE] += impulse
+        recorded[tb.FRICTION_IMPULSE] += drag
         return
     recorded[tb.PART_PUSH_X] += impulse * normal[0]
     recorded[tb.PART_PUSH_Y] += impulse * normal[1]
+    recorded[tb.PART_FRICTION_X] -= drag * normal[1]
+    recorded[tb.PART_FRICTION_Y] += drag * normal[0]
     if not met:
         recorded[tb.WORLD_POINT], recorded[tb.WORLD_POINT + 1] = place
         recorded[tb.IMPACT_NORMAL], recorded[tb.IMPACT_NORMAL + 1] = normal

@@ -352,6 +352,12 @@ def grip(count: int, now: float, time_step: float, bodies: Bodies, events: Event
     return settled
 
 
+def total_drag(k: int, events: Events) -> float:
+    """Return what friction gave a pair along the tangent, N s."""
+    first, second = events.met_points[2 * k], events.met_points[2 * k + 1]
+    return float(first[tb.M_DRAG] + first[tb.M_GRIP] + second[tb.M_DRAG] + second[tb.M_GRIP])
+
+
 def total_push(k: int, events: Events) -> tuple[float, Vector]:
     """Return the normal impulse of a pair, N s, and where it acts, from the centre of A, m."""
     first, second = events.met_points[2 * k], events.met_points[2 * k + 1]

@@ -152,9 +152,8 @@ def tell_impacts(met: int, known: int, contacts: Contacts, events: Events) -> in
         sense = -1.0 if turned else 1.0
         normal = (sense * row[tb.M_NORMAL], sense * row[tb.M_NORMAL + 1])
         place = (row[tb.M_PLACE], row[tb.M_PLACE + 1])
-        record_impact(
-            row[tb.M_PUSH], place, normal, False, contacts.manifolds[p], contacts.flags[p]
-        )
+        push, drag = row[tb.M_PUSH], row[tb.M_DRAG]
+        record_impact(push, drag, place, normal, False, contacts.manifolds[p], contacts.flags[p])
     return known
 
 
@@ -165,7 +164,7 @@ def tell_rests(
     step = control.settings[tb.TIME_STEP]
     for i in range(len(bodies.kind)):
         p = int(bodies.flight[i, tb.RESTED_ON]) - 1
-        push = push_of_rest(i, step, bodies)
+        push, drag = push_of_rest(i, step, bodies)
         if p >= 0 and push > 0.0:
             s, t = disc_and_other(p, shapes, contacts)
             arm, normal = footing(s, t, shapes)
@@ -175,5 +174,6 @@ def tell_rests(
                 known += 1
             if contacts.pairs[p, 0] == s:
                 normal = (-normal[0], -normal[1])
-            record_impact(push, place, normal, False, contacts.manifolds[p], contacts.flags[p])
+            manifold, flags = contacts.manifolds[p], contacts.flags[p]
+            record_impact(push, drag, place, normal, False, manifold, flags)
     return known

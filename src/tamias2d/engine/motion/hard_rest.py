@@ -14,6 +14,7 @@ from tamias2d.contact.rolling_disc import (
     sense_of,
     settled,
     sliding_end,
+    slip_change,
 )
 from tamias2d.engine import tables as tb
 from tamias2d.engine.motion.hard_paths import advance_to, closing_of, disc_and_other, place_at
@@ -21,7 +22,7 @@ from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import Bodies, Contacts, Control, Shapes
 from tamias2d.generated import rolling
 from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Vector
+from tamias2d.state import Array, Vector
 
 ON_TOP = 2.0**-24  # of the radius: a larger gap is one
 DEEPEST = 2.0**-8  # of the radius: ordinary contacts yield by less, as a rule
@@ -75,6 +76,7 @@ def stay_on(
         return False
     friction, _ = mixed_material(s, t, shapes.material, shapes.pair_overrides)
     x, y = along_surface((loads[0], loads[1]), normal)
+    add_rest(now, path)
     turning, sense = 0.0, 0
     if friction > 0.0:
         inverses = (mass[tb.INVERSE_MASS], mass[tb.INVERSE_INERTIA])
@@ -85,10 +87,21 @@ def stay_on(
     path[tb.PATH_BY], path[tb.PATH_BY + 1], path[tb.PATH_BY + 2] = x, y, turning
     path[tb.SLIDES] = sense
     path[tb.REST_FORCE] = rolling.disc_force(load_on(loads, arm, normal), mass[tb.INVERSE_MASS])
+    by_friction = slip_change((x - loads[0], y - loads[1], 0.0), arm, normal)
+    path[tb.REST_FRICTION] = -rolling.rolling_friction(by_friction, mass[tb.INVERSE_MASS])
     if path[tb.RESTS_ON] != p + 1:
         path[tb.RESTS_ON], path[tb.REST_START] = p + 1, now
         bodies.flight[i, tb.RESTED_ON] = p + 1
     return True
+
+
+@inlined
+def add_rest(now: float, path: Array) -> None:
+    """Add what the half-plane on which a disc rests has given it until a time, s, if it does."""
+    if path[tb.RESTS_ON] != 0.0:
+        path[tb.REST_PUSH] += path[tb.REST_FORCE] * (now - path[tb.REST_START])
+        path[tb.REST_DRAG] += path[tb.REST_FRICTION] * (now - path[tb.REST_START])
+        path[tb.REST_START] = now
 
 
 def rests_still(
@@ -139,8 +152,8 @@ def roll_on(
 def leave_plane(i: int, now: float, control: Control, bodies: Bodies) -> None:
     """Let a disc leave the half-plane on which it has rested until a time, s."""
     path = bodies.path[i]
-    path[tb.REST_PUSH] += path[tb.REST_FORCE] * (now - path[tb.REST_START])
-    path[tb.RESTS_ON], path[tb.REST_START] = 0.0, now
+    add_rest(now, path)
+    path[tb.RESTS_ON] = 0.0
     path[tb.PATH_BY] = control.settings[tb.GRAVITY_X]
     path[tb.PATH_BY + 1] = control.settings[tb.GRAVITY_Y]
     path[tb.PATH_BY + 2] = 0.0
@@ -163,12 +176,14 @@ def end_of_sliding(p: int, bodies: Bodies, shapes: Shapes, contacts: Contacts) -
 
 
 @inlined
-def push_of_rest(i: int, step: float, bodies: Bodies) -> float:
-    """Return what a half-plane has given a disc by its rest in a step, N s, and begin anew."""
+def push_of_rest(i: int, step: float, bodies: Bodies) -> Vector:
+    """Return what a half-plane has given a disc by its rest in a step, and begin anew, N s.
+
+    It is what the normal force gave, and what friction gave along the tangent.
+    """
     path = bodies.path[i]
-    push = path[tb.REST_PUSH]
-    if path[tb.RESTS_ON] != 0.0:
-        push += path[tb.REST_FORCE] * (step - path[tb.REST_START])
-    path[tb.REST_PUSH] = path[tb.REST_START] = 0.0
+    add_rest(step, path)
+    push, drag = float(path[tb.REST_PUSH]), float(path[tb.REST_DRAG])
+    path[tb.REST_PUSH] = path[tb.REST_DRAG] = path[tb.REST_START] = 0.0
     bodies.flight[i, tb.RESTED_ON] = path[tb.RESTS_ON]
-    return float(push)
+    return push, drag

@@ -30,11 +30,12 @@ def store_impulses(
         contacts.flags[p, tb.BOUNCED] = 0
         for n in range(points_of(k, touching)):
             at, to = tb.SHARED + n * tb.POINT_SIZE + m, tb.POINT * n
-            total = row[at + tb.P_TOTAL_IMPULSE]
+            total, friction = row[at + tb.P_TOTAL_IMPULSE], row[at + tb.P_TOTAL_FRICTION]
             if in_parts:
-                store_impulse_of_part(n, total, pose, manifold, contacts.flags[p])
+                store_impulse_of_part(n, total, friction, pose, manifold, contacts.flags[p])
             else:
                 manifold[tb.TOTAL_IMPULSE + to] = total
+                manifold[tb.FRICTION_IMPULSE + n] = friction
                 manifold[tb.WORLD_POINT + to] = pose[tb.X] + manifold[tb.PX + to]
                 manifold[tb.WORLD_POINT + to + 1] = pose[tb.Y] + manifold[tb.PY + to]
                 if total > 0.0:

@@ -122,6 +122,15 @@ def after_friction(m: int, at: int, now: Velocities, row: Array) -> Velocities:
 
 
 @inlined
+def after_last_friction(m: int, at: int, now: Velocities, row: Array, share: float) -> Velocities:
+    """Correct the tangent impulse likewise, and count a share of it, as in `after_relaxing`."""
+    then = after_friction(m, at, now, row)
+    counted = share * row[at + tb.P_TANGENT_IMPULSE + m]
+    row[at + tb.P_TOTAL_FRICTION + m] = row[at + tb.P_TOTAL_FRICTION + m] + counted
+    return then
+
+
+@inlined
 def gap_in_substep(m: int, at: int, row: Array, scratch: Array) -> float:
     """Return the gap of a point, m, where bodies are in this substep."""
     return separation_later(
@@ -205,9 +214,9 @@ def relaxed(
     then = after_relaxing(m, tb.FIRST_POINT, now, row, substep, share)
     if points == 2:
         then = after_relaxing(m, tb.SECOND_POINT, then, row, substep, share)
-    then = after_friction(m, tb.FIRST_POINT, then, row)
+    then = after_last_friction(m, tb.FIRST_POINT, then, row, share)
     if points == 2:
-        then = after_friction(m, tb.SECOND_POINT, then, row)
+        then = after_last_friction(m, tb.SECOND_POINT, then, row, share)
     return then
 
 
@@ -248,4 +257,6 @@ def after_bounced_friction(m: int, at: int, bounce: int, now: Velocities, row: A
     bounced = (row[bounce + m] > 0.0) & (row[at + tb.P_NORMAL_IMPULSE + m] > 0.0)
     after = limited if bounced else before
     row[at + tb.P_TANGENT_IMPULSE + m] = after
+    row[at + tb.P_TOTAL_FRICTION + m] = row[at + tb.P_TOTAL_FRICTION + m] + (after - before)
+    row[bounce + tb.TO_REBOUND_DRAG + m] += after - before
     return pushed_along(m, at, after - before, now, row)

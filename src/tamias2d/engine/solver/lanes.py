@@ -189,6 +189,8 @@ def clear_restitution(constraints: Constraints) -> None:
         for m in range(LANES):
             constraints.blocks[b, tb.FIRST_RESTITUTION + m] = 0.0
             constraints.blocks[b, tb.SECOND_RESTITUTION + m] = 0.0
+            constraints.blocks[b, tb.FIRST_REBOUND_DRAG + m] = 0.0
+            constraints.blocks[b, tb.SECOND_REBOUND_DRAG + m] = 0.0
 
 
 def apply_restitution(again: bool, bodies: Bodies, constraints: Constraints) -> bool:

@@ -115,7 +115,7 @@ def impulse_lanes(at: int, of: int, ratio: float, row: Array, found: Array) -> N
         row[at + tb.P_GAP + m] = gap - preload
         row[at + tb.P_NORMAL_IMPULSE + m] = ratio * normal
         row[at + tb.P_TANGENT_IMPULSE + m] = ratio * found[of + tb.F_TANGENT_IMPULSE + m]
-        row[at + tb.P_TOTAL_IMPULSE + m] = 0.0
+        row[at + tb.P_TOTAL_IMPULSE + m] = row[at + tb.P_TOTAL_FRICTION + m] = 0.0
 
 
 @inlined

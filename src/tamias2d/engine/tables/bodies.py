@@ -63,7 +63,9 @@ RESTS_ON = _path()  # one more than the pair with the half-plane it rests on; 0 
 SLIDES = _path()  # in which sense it slides there: 1, -1; 0 where it rolls
 REST_FORCE = _path()  # N, along the normal
 REST_START = _path()  # s, from when on that has to be added in this step
-REST_PUSH = _path()  # N s, what it has given in this step until then
+REST_FRICTION = _path()  # N, along the tangent
+REST_PUSH = _path()  # N s, what the normal force has given in this step until then
+REST_DRAG = _path()  # N s, what friction has
 
 
 # moved: by the solver, or sleep; with contacts that change nothing; and pressed by overlaps

@@ -45,11 +45,14 @@ P_GAP = _point()  # m, as the step began
 P_NORMAL_IMPULSE = _point()  # N s, of a substep
 P_TANGENT_IMPULSE = _point()
 P_TOTAL_IMPULSE = _point()  # N s, along the normal over the substeps so far
+P_TOTAL_FRICTION = _point()  # N s, along the tangent, likewise
 P_APPROACH = _point()  # m/s, normal velocity before the step; 0 if that makes no impact
 P_GAP_NOW = _point()  # m
 POINT_SIZE = _point.width
 FIRST_POINT, SECOND_POINT = _block(POINT_SIZE), _block(POINT_SIZE)
 FIRST_RESTITUTION, SECOND_RESTITUTION = _block(), _block()  # N s, impulses of restitution
+FIRST_REBOUND_DRAG, SECOND_REBOUND_DRAG = _block(), _block()  # N s, what friction adds then
+TO_REBOUND_DRAG = FIRST_REBOUND_DRAG - FIRST_RESTITUTION
 
 _scratch = Columns(LANES)  # the motion of the bodies of a block, of each the columns in use
 B_VX_A = _scratch()  # m/s

@@ -28,7 +28,8 @@ TANGENT_IMPULSE = _manifolds()  # N s
 PRELOAD = _manifolds()  # m
 TOTAL_IMPULSE = _manifolds()  # N s, of a point along the normal in the last step
 WORLD_POINT = _manifolds(2)  # m, where it was
-_manifolds(4)  # unused: each point has two cache lines
+FRICTION_IMPULSE = _manifolds(2)  # N s, of both points along the tangent in the last step
+FRICTION_BEFORE = _manifolds(2)  # N s, of parts of a step that have ended, as a vector
 FORESEEN = _manifolds()  # s, until shapes meet whose manifold is that of this instant; 0 else
 POINT = 16  # columns from a point to the next
 # of two points, where no shape is thin: where B was from A when gaps were found, m, angles of both,
@@ -40,6 +41,7 @@ IMPACT_NORMAL = 30  # of an impact in flight, two columns
 # part that runs, where those of two points stand else, and of parts that have ended, two columns
 PART_PUSH_X, PART_PUSH_Y = TOTAL_IMPULSE, TOTAL_IMPULSE + POINT
 PUSH = WORLD_POINT + POINT
+PART_FRICTION_X, PART_FRICTION_Y = FRICTION_IMPULSE, FRICTION_IMPULSE + 1
 MANIFOLD = 32
 
 # the cached separating axis stands apart: of most pairs on the list nothing else is read
