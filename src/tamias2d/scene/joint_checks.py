@@ -239,12 +239,19 @@ def _refuse_singular(start: Start, bodies: Sequence[Body], of: str) -> None:
             "between",
         )
     for body in start.turned:
-        if body.dynamic and body.inertia == math.inf:
+        if body.dynamic and body.inertia == math.inf and not body.inertia_stated:
             raise RuleError(
                 f"{of}: '{body.name}' has no inertia, and the joint would turn it (IM2, TM7). "
                 "State its inertia.",
                 "between",
             )
+    if not start.moves:
+        names = " and ".join(f"'{bodies[k].name}'" for k in moving)
+        raise RuleError(
+            f"{of}: it would only turn {names}, which nothing turns: the inertia is infinite (TM7, "
+            "DD20). Leave out what turns, or give a finite inertia.",
+            "between",
+        )
 
 
 def _refuse_unfit(start: Start, of: str, *, at_rest: bool = False) -> None:

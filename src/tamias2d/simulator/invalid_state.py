@@ -13,6 +13,7 @@ from tamias2d.engine.validity import (
     NOT_FINITE,
     OVERFLOWED,
     PUSHED,
+    SPINS,
     TOO_FAR,
     TOO_LARGE,
     Invalid,
@@ -29,6 +30,8 @@ _RULES = {
     "one; the step was not taken.",
     PUSHED: "of a static or kinematic body: must be 0, since nothing pushes it (R2). Set it to 0, "
     "or add a body that has a mass; the step was not taken.",
+    SPINS: "must be 0: its inertia is infinite, or it is a particle without one (R2, DD20). Set it "
+    "to 0, or give the body an inertia by set_mass; the step was not taken.",
     NO_BODY: "must be 0: the body was removed (R2). Set it to 0, and forget the index: a body that "
     "is added may take it; the step was not taken.",
     OVERFLOWED: "float64 cannot hold what a step makes of it (R4): the body stays as it was. Give "
