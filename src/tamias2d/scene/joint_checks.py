@@ -258,8 +258,10 @@ def _refuse_unfit(start: Start, of: str, *, at_rest: bool = False) -> None:
     """Refuse a joint that does not hold at the start."""
     if start.way(start.rows) > _FITS * start.size:
         raise RuleError(
-            f"{of}: it does not hold at the start: it is off by {start.worst(start.rows)} (TM7). "
-            "Move the bodies or the anchors so that it fits.",
+            f"{of}: it does not hold at the start: it is off by "
+            f"{start.worst(np.abs(start.rows))} (TM7). Move the bodies or the anchors so that it "
+            "fits: these are the centres of bodies unless they are stated, and `at` puts all of "
+            "them at one place of the world.",
             "between",
         )
     if not at_rest and start.way(start.rates) > _FITS * start.speed:

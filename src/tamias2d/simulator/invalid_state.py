@@ -44,10 +44,12 @@ def invalid_state(
     kind: NDArray[np.int8],
     name_of: Callable[[int], str],
     equation: str | None = None,
+    joint: str | None = None,
 ) -> RuleError:
     """Return the error of a value that keeps a step from being taken; bodies have kinds (n,).
 
-    An `equation` is the name of a joint that has one of its own, and holds the body.
+    An `equation` is the name of a joint that has one of its own, and holds the body; a `joint` that
+    of any other one.
     """
     quantity, row, found, reason = invalid
     value = found[0] if len(found) == 1 else found
@@ -59,6 +61,14 @@ def invalid_state(
             f"{quantity}[{row}] of {what}: found {value}: the equation of joint '{equation}' has "
             "no value where a step leads (TM7), or float64 cannot hold what a step makes of the "
             "body (R4): it stays as it was. Let the equation have a value wherever the body goes.",
+            *(quantity, row),
+        )
+    if reason == OVERFLOWED and joint is not None:
+        return RuleError(
+            f"{quantity}[{row}] of {what}: found {value}: float64 cannot hold what a step makes of "
+            f"the mechanism of joint '{joint}', which holds it (R4, R13): the body stays as it "
+            "was. Look whether its joints fit each other and what it touches; give more substeps, "
+            "smaller forces or velocities, or masses that are nearer to each other.",
             *(quantity, row),
         )
     separator = "," if reason in (MOVES, PUSHED) else ":"
