@@ -21,6 +21,8 @@ def beyond_location(body: Body) -> str | None:
         return "it is kinematic"
     if body.sensor:
         return "it is a sensor"
+    if body.surface_speed != 0.0:
+        return "its surface runs"
     if isinstance(body.shape, Compound):
         return "it has several parts"
     if isinstance(body.shape, Chain):

@@ -14,7 +14,7 @@ class Batch:
     """What k bodies are, and where and how they start; SI units."""
 
     numbers: Array
-    """(k, 15): pose, motion and load of three each, and what the properties below tell"""
+    """(k, 16): pose, motion and load of three each, and what the properties below tell"""
     wholes: IntArray
     """(k, 5): kind, of `tables` STATIC, KINEMATIC or DYNAMIC, and filters"""
     shapes: tuple[Shape | None, ...]
@@ -48,7 +48,7 @@ class Batch:
 
     @property
     def surfaces(self) -> Array:
-        """(k, 2), friction and restitution, UNSTATED where a body states none."""
+        """(k, 3): friction and restitution, UNSTATED where none is stated; surface speed, m/s."""
         return self.numbers[:, 13:]
 
     @property

@@ -131,7 +131,7 @@ class BodyPool:
         old = np.flatnonzero(changed[state.body_of_shape])
         of, at = np.unique(state.body_of_shape[old], return_index=True)
         first = old[at][np.searchsorted(of, rows)]
-        surfaces = table.material[first, tb.FRICTION : tb.RESTITUTION + 1]
+        surfaces = table.material[first, : tb.SHAPE_RADIUS]
         filters = table.filters[first]
         self._shapes.free(changed)
         forms = [*map(form_of, shapes)]

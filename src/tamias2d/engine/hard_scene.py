@@ -8,7 +8,7 @@ from tamias2d.kernels.assembled import inlined
 def are_hard_discs(bodies: Bodies, shapes: Shapes) -> bool:
     """Return whether all that moves are hard discs.
 
-    A sensor tells what is in it, so that it needs the ordinary way.
+    A sensor tells what is in it, and a surface may run: these need the ordinary way.
     """
     hard = True
     for i in range(len(bodies.kind)):
@@ -19,7 +19,8 @@ def are_hard_discs(bodies: Bodies, shapes: Shapes) -> bool:
         kind = bodies.kind[shapes.slot[s]]
         disc = shapes.kind[s] == tb.DISC and kind == tb.DYNAMIC
         plane = shapes.kind[s] == tb.HALF_PLANE and kind == tb.STATIC
-        hard = hard and (disc or plane or kind == tb.ABSENT) and shapes.filters[s, tb.SENSOR] == 0
+        plain = shapes.filters[s, tb.SENSOR] == 0 and shapes.material[s, tb.SURFACE_SPEED] == 0.0
+        hard = hard and (disc or plane or kind == tb.ABSENT) and plain
     return hard
 
 

@@ -34,7 +34,7 @@ class ShapePool:
     ) -> list[list[int]]:
         """Give bodies (k,) shapes; return the rows of those of each, in the order of parts.
 
-        All shapes of a body have its friction and restitution (k, 2), and its filters (k, 4).
+        All shapes of a body have its surface (k, 3), as in a `Batch`, and its filters (k, 4).
         """
         pieces = joined(forms)
         if not pieces.counts:

@@ -16,7 +16,7 @@ START_POSE = _start(3)  # m, m, rad
 START_VELOCITY = _start(3)  # m/s, m/s, rad/s
 START_LOAD = _start(3)  # N, N, N m
 START_INVERSE = _start(2)  # 1/kg, 1/(kg m^2)
-START_SURFACE = _start(2)  # friction and restitution
+START_SURFACE = _start(3)  # friction, restitution, m/s
 START = _start.width
 
 
@@ -69,7 +69,7 @@ def begin_world(given: Array, stands_for: Integers, world: World) -> None:
         b = state.body_of_shape[s]
         if b < size:
             own = given[GRAVITY + START * stands_for[b] :]
-            for n in range(2):
+            for n in range(3):
                 material[s, tb.FRICTION + n] = own[START_SURFACE + n]
 
 

@@ -79,7 +79,9 @@ def _values(body: Body) -> dict[str, Any]:
         keys += _PLACE
     if not body.static:
         keys += _MOTION
-    if body.dynamic:
+    if not body.dynamic:
+        keys += ("surface_speed",)
+    else:
         keys += ("mass", "inertia", *_LOADS)
     values = {key: _stated(getattr(body, key)) for key in keys}
     if not body.inertia_stated and body.dynamic:

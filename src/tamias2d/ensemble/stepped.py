@@ -61,13 +61,13 @@ class Kept:
 class _Starts(NamedTuple):
     """How w worlds of n bodies start, and what these are, as `engine.world_batch` takes it."""
 
-    given: Array  # (w, 2 + 13 n), of which all others are views
+    given: Array  # (w, 2 + 14 n), of which all others are views
 
     pose: Array  # (w, n, 3)
     velocity: Array  # (w, n, 3)
     load: Array  # (w, n, 3)
     inverse: Array  # (w, n, 2), of masses and inertias
-    surface: Array  # (w, n, 2), friction and restitution
+    surface: Array  # (w, n, 3), friction, restitution and surface speed
     gravity: Array  # (w, 2)
 
 
@@ -145,7 +145,7 @@ def _has_place(scene: Scene, keys: tuple[Any, ...]) -> bool:
         return False  # nothing turns it: each scene refuses what would
     moves = key in _MOTION and not (body.static and isinstance(body.shape, HalfPlane))
     pushed = key in ("force", "torque") or (key in ("mass", "inertia") and not slowed)
-    return key in _SURFACE or moves or (pushed and body.shape is not None)
+    return key in (*_SURFACE, "surface_speed") or moves or (pushed and body.shape is not None)
 
 
 # -- the values of all worlds
@@ -161,7 +161,7 @@ def _starts(worlds: VariedWorlds, count: int) -> _Starts:
         velocity=bodies[..., START_VELOCITY : START_VELOCITY + 3],
         load=bodies[..., START_LOAD : START_LOAD + 3],
         inverse=bodies[..., START_INVERSE : START_INVERSE + 2],
-        surface=bodies[..., START_SURFACE : START_SURFACE + 2],
+        surface=bodies[..., START_SURFACE : START_SURFACE + 3],
         gravity=given[:, :GRAVITY],
     )
     for k, body in enumerate(scene.bodies):
@@ -190,6 +190,7 @@ def _fill(worlds: VariedWorlds, k: int, body: Body, found: _Starts) -> None:
     for column, key in enumerate(("friction", "restitution")):
         stated = getattr(body, key)
         found.surface[:, k, column] = value(UNSTATED if stated is None else stated, key)
+    found.surface[:, k, 2] = value(body.surface_speed, "surface_speed")
 
 
 # -- the order of bodies

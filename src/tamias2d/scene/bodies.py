@@ -51,6 +51,8 @@ class Body:
     """0 to 1, or None where only the other body of a pair or the scene says it."""
     friction: float | None = None
     """Coefficient of dry friction, or None where only the other body or the scene says it."""
+    surface_speed: float = 0.0
+    """At which its surface runs along itself, counter-clockwise around it, m/s."""
     inertia_stated: bool = False
     """Whether the inertia was given, rather than found from mass and shape."""
     kinematic: bool = False

@@ -13,6 +13,7 @@ from tamias2d.scene.rules import RuleError, Vector, number, shown, vector
 from tamias2d.scene.shapes import HalfPlane
 
 MAX_NAME = 100  # characters
+REMEDY_OF_SURFACE_SPEED = "Give it in m/s, 0 for a surface that does not run."
 SHAPES: tuple[type, ...] = get_args(Shape)
 
 
@@ -67,6 +68,11 @@ def checked_friction(value: object, of: str) -> float:
 def optional_friction(value: object, of: str) -> float | None:
     """Return a coefficient of friction, or None where none is stated."""
     return None if value is None else checked_friction(value, of)
+
+
+def checked_surface_speed(value: object, of: str) -> float:
+    """Return a speed of a surface, m/s."""
+    return number(value, "surface_speed", of, REMEDY_OF_SURFACE_SPEED, at=("surface_speed",))
 
 
 def checked_drag(value: object, symbol: str, of: str) -> float:

@@ -124,6 +124,9 @@ class _Inquiry:
         yield Need("impact (IM3)", "model", bool(self.pairs), self.meeting())
         yield Need("resting contact (GD3)", "model", *self.rests())
         yield Need("friction (IM9, GD8)", "model", *self.rubs())
+        running = [body for body in self.scene.bodies if body.surface_speed]
+        if running:
+            yield Need("surfaces that run (DD97)", "model", True, f"{_named(running)} a belt")
 
     def methods(self) -> Iterator[Need]:
         yield Need("closed form", "method", *self.solved())

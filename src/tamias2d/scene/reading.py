@@ -27,8 +27,8 @@ _MAY = {
         *("velocity", "orientation", "angular_velocity", "force", "torque", "inertia"),
         *("linear_drag", "quadratic_drag", "angular_drag", *_SURFACE),
     ),
-    "kinematics": ("velocity", "orientation", "angular_velocity", *_SURFACE),
-    "statics": ("position", "orientation", *_SURFACE),
+    "kinematics": ("velocity", "orientation", "angular_velocity", "surface_speed", *_SURFACE),
+    "statics": ("position", "orientation", "surface_speed", *_SURFACE),
 }
 _MUST = {
     "bodies": ("shape", "mass", "position"),

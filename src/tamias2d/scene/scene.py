@@ -21,6 +21,7 @@ from tamias2d.scene.checks import (
     checked_name,
     checked_restitution,
     checked_spin,
+    checked_surface_speed,
     checked_text,
     checked_velocity,
     optional_friction,
@@ -156,6 +157,7 @@ class Scene(SceneData):
         orientation: float = 0.0,
         restitution: float | None = None,
         friction: float | None = None,
+        surface_speed: float = 0.0,
         category: int = 1,
         mask: int | None = None,
         group: int = 0,
@@ -164,8 +166,9 @@ class Scene(SceneData):
     ) -> int:
         """Add a body that nothing moves, and return its index.
 
-        A half-plane says where it is by itself: it takes neither position nor orientation. The rest
-        is as in `add_body`.
+        A half-plane says where it is by itself: it takes neither position nor orientation. A
+        surface that runs, as a belt, has a `surface_speed` in m/s, counter-clockwise around the
+        body, along a chain from its first vertex on (DD97). The rest is as in `add_body`.
 
         Raises:
             InputError: a value breaks a rule (R4); the message names it.
@@ -179,6 +182,7 @@ class Scene(SceneData):
             dynamic=False,
             position=vector(position, "position", of, "Give (x, y) in m.", at=("position",)),
             orientation=checked_angle(orientation, of),
+            surface_speed=checked_surface_speed(surface_speed, of),
             **_surface(of, restitution, friction, category, mask, group, sensor),
         )
         refuse_placed_half_plane(body)
@@ -194,6 +198,7 @@ class Scene(SceneData):
         angular_velocity: float = 0.0,
         restitution: float | None = None,
         friction: float | None = None,
+        surface_speed: float = 0.0,
         category: int = 1,
         mask: int | None = None,
         group: int = 0,
@@ -203,7 +208,7 @@ class Scene(SceneData):
         """Add a body that moves as it is told, whatever it meets, and return its index.
 
         Its velocity in m/s and angular velocity in rad/s stay as they are: a lift, or a drum that
-        turns. The rest is as in `add_body`.
+        turns. The rest is as in `add_static`.
 
         Raises:
             InputError: a value breaks a rule (R4); the message names it.
@@ -221,6 +226,7 @@ class Scene(SceneData):
                 orientation=checked_angle(orientation, of),
                 velocity=checked_velocity(velocity, of),
                 angular_velocity=checked_spin(angular_velocity, of),
+                surface_speed=checked_surface_speed(surface_speed, of),
                 **_surface(of, restitution, friction, category, mask, group, sensor),
             )
         )

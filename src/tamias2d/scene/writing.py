@@ -93,6 +93,8 @@ def _surface(body: Body) -> Iterator[str]:
     for key in ("restitution", "friction"):
         if (value := getattr(body, key)) is not None:
             yield f"{key}: {value!r}"
+    if body.surface_speed:
+        yield f"surface_speed: {_quantity(body.surface_speed, 'surface_speed')}"
     for key, usual in (("category", 1), ("mask", ALL), ("group", 0)):
         if (bits := getattr(body, key)) != usual:
             yield f"{key}: {bits}"

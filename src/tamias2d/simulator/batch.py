@@ -27,12 +27,14 @@ def scene_batch(scene: Scene) -> Batch:
     )
     starts = [(*b.position, b.orientation, *b.velocity, b.angular_velocity) for b in bodies]
     loads = [steady_load(scene, k) for k in range(len(bodies))]
-    surfaces = [(_stated(body.friction), _stated(body.restitution)) for body in bodies]
+    surfaces = [
+        (_stated(body.friction), _stated(body.restitution), body.surface_speed) for body in bodies
+    ]
     return Batch(
         np.hstack(
             (
                 *(_rows(starts, 6), _rows(loads, 3), np.column_stack((mass, inertia, *rates))),
-                _rows(surfaces, 2),
+                _rows(surfaces, 3),
             )
         ),
         np.array(

@@ -54,11 +54,12 @@ def _convex_row(engine: Engine, place: int) -> ConvexRow:
 def _of_shape(engine: Engine, place: int) -> dict[str, object]:
     """Return what a body has by each of its shapes alike."""
     shapes = engine.world.shapes
-    friction, restitution = shapes.material[place, tb.FRICTION : tb.RESTITUTION + 1].tolist()
+    friction, restitution, speed = shapes.material[place, : tb.SHAPE_RADIUS].tolist()
     category, mask, group, sensor = shapes.filters[place].tolist()
     return {
         "friction": None if friction == UNSTATED else friction,
         "restitution": None if restitution == UNSTATED else restitution,
+        "surface_speed": speed,
         "category": category,
         "mask": mask,
         "group": group,

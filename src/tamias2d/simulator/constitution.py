@@ -12,7 +12,7 @@ import numpy as np
 
 from tamias2d.engine.batch import UNSTATED
 from tamias2d.engine.tables import DYNAMIC
-from tamias2d.scene.checks import REMEDY_OF_INERTIA, checked_inertia
+from tamias2d.scene.checks import REMEDY_OF_INERTIA, REMEDY_OF_SURFACE_SPEED, checked_inertia
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL, checked_sensor, checked_whole
 from tamias2d.scene.rules import RuleError
@@ -35,6 +35,7 @@ DRAGS = {
 SURFACE = {
     "friction": "Give a number such as 0.5, or 0 for a smooth surface.",
     "restitution": "Give a number from 0 to 1.",
+    "surface_speed": REMEDY_OF_SURFACE_SPEED,
 }
 _LEFT_OUT: dict[str, Any] = {
     "mass": None,
@@ -43,6 +44,7 @@ _LEFT_OUT: dict[str, Any] = {
     "angular_drag": 0.0,
     "friction": None,
     "restitution": None,
+    "surface_speed": 0.0,
     "category": 1,
     "mask": None,
     "group": 0,
@@ -56,7 +58,7 @@ class Constitution(NamedTuple):
     """What k bodies are, as columns of a `Batch`."""
 
     numbers: tuple[Column, ...]
-    """six: mass, inertia, rates of drag, friction and restitution"""
+    """seven: mass, inertia, rates of drag, friction, restitution and surface speed"""
     wholes: tuple[WholeColumn, ...]
     """five: kind and filters"""
 

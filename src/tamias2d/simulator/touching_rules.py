@@ -1,18 +1,28 @@
 """What bodies touch, and how, is changed between steps: filters and surfaces (R3)."""
 
-from tamias2d.engine.tables import CATEGORY, FRICTION, GROUP, MASK, RESTITUTION
+from tamias2d.engine.tables import (
+    CATEGORY,
+    DYNAMIC,
+    FRICTION,
+    GROUP,
+    MASK,
+    RESTITUTION,
+    SURFACE_SPEED,
+)
 from tamias2d.scene.filters import checked_whole
+from tamias2d.scene.rules import RuleError
 from tamias2d.simulator.columns import numbers, stated, wholes
 from tamias2d.simulator.constitution import SURFACE
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.missing_restitution import refuse_refiltered
 from tamias2d.simulator.selection import Bodies
 from tamias2d.simulator.stepping import Stepping
+from tamias2d.state import IntArray
 from tamias2d.suggestions import suggests
 
 _OF = "the bodies"
 _FILTERS = {"category": CATEGORY, "mask": MASK, "group": GROUP}
-_MATERIAL = {"friction": FRICTION, "restitution": RESTITUTION}
+_MATERIAL = {"friction": FRICTION, "restitution": RESTITUTION, "surface_speed": SURFACE_SPEED}
 
 
 @suggests
@@ -51,9 +61,14 @@ class TouchingRules(Stepping):
 
     @exclusive
     def set_surface(
-        self, bodies: Bodies, *, friction: object = None, restitution: object = None
+        self,
+        bodies: Bodies,
+        *,
+        friction: object = None,
+        restitution: object = None,
+        surface_speed: object = None,
     ) -> None:
-        """Change the friction and restitution of bodies, from the next step on (R3).
+        """Change friction, restitution and surface speed of bodies, from the next step on (R3).
 
         Each is a number for all of k bodies, or an array (k,); what is left out stays, and so does
         what is set for a pair. What sleeps on a surface that changes wakes. It takes some 60
@@ -62,9 +77,22 @@ class TouchingRules(Stepping):
         Raises:
             InputError: a body is not there, or a value breaks a rule (R4).
         """
-        rows, said = self._rows(bodies), {"friction": friction, "restitution": restitution}
+        rows = self._rows(bodies)
+        said = {"friction": friction, "restitution": restitution, "surface_speed": surface_speed}
         columns = {
             _MATERIAL[key]: numbers(value, key, _OF, SURFACE[key], count=len(rows), symbol=key)
             for key, value in stated(said, _OF, rule="R3").items()
         }
+        if surface_speed is not None:
+            self._refuse_running(rows)
         self._engine.set_surfaces(rows, columns)
+
+    def _refuse_running(self, rows: IntArray) -> None:
+        """Refuse a surface that runs on bodies that move freely (DD97)."""
+        free = rows[self._engine.world.state.kind[rows] == DYNAMIC]
+        if len(free):
+            raise RuleError(
+                f"surface_speed of {self._name_of(int(free[0]))}: only static and kinematic bodies "
+                "have surfaces that run (DD97). Drive a wheel by a motor of its joint.",
+                "surface_speed",
+            )

@@ -7,7 +7,7 @@ an impact lack what forces do in the rest of the step.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.conservative_advancement import NEAR
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED
-from tamias2d.engine.continuous.impact_points import rebound_at_points, total_push
+from tamias2d.engine.continuous.impact_points import rebound_at_points, slip_along, total_push
 from tamias2d.engine.continuous.impulse import (
     ImpulseLine,
     change_paths,
@@ -28,6 +28,7 @@ from tamias2d.engine.continuous.work import (
     energy_seen,
     support_velocity,
     take_energy_back,
+    take_impulse_back,
     work_ahead,
 )
 from tamias2d.engine.part_impulses import forget_impulses_of
@@ -78,20 +79,27 @@ def rebound(
     """Apply the impact of two bodies, so that it makes no energy; return as `apply_impact` does.
 
     Impacts between moving bodies take none of the displacement that both have in all, as masses
-    count. But a body whose path leads into one that nothing moves loses a part of its work.
+    count. But a body whose path leads into one that nothing moves loses a part of its work, and a
+    surface that runs may give any.
     """
     time_step, left = control.progress[tb.PART_TIME], 1.0 - now
     if bodies.kind[i] == bodies.kind[j]:
         return rebound_freely(i, j, now, time_step, friction, restitution, bodies, events)
     k, wall = (i, j) if bodies.kind[i] == tb.DYNAMIC else (j, i)
     support = support_velocity(k, wall, now, bodies.pose, bodies.motion)
-    spin = bodies.motion[wall, tb.SPIN]
+    spin, row = bodies.motion[wall, tb.SPIN], bodies.motion[k]
+    x, y, turn = row[tb.VX], row[tb.VY], row[tb.SPIN]
     before = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     before -= work_ahead(k, left, control, bodies)
     impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, events)
     after = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     after -= work_ahead(k, left, control, bodies)
-    take_energy_back(k, after - before, support, spin, bodies.motion, bodies.properties)
+    if events.met_points[0, tb.M_SURFACE_SPEED] == 0.0:
+        given, turned = (row[tb.VX] - x, row[tb.VY] - y), row[tb.SPIN] - turn
+        surplus = take_impulse_back(
+            k, after - before, given, turned, support, spin, bodies.motion, bodies.properties
+        )
+        take_energy_back(k, surplus, support, spin, bodies.motion, bodies.properties)
     return impulse
 
 
@@ -182,7 +190,7 @@ def apply_rows(
     if friction > 0.0:
         along = (-line.direction[1], line.direction[0])
         tangent = ImpulseLine(i, j, line.at_a, line.at_b, along)
-        speed = speed_along(tangent, 0.0, bodies.motion, bodies.flight)
+        speed = slip_along(tangent, 0.0, row, bodies)
         mass = mass_along(tangent, bodies.properties)
         friction_impulse = limited_tangent_impulse(0.0, speed, mass, friction, impulse)
         change_velocities_and_paths(tangent, now, time_step, friction_impulse, bodies)

@@ -18,10 +18,14 @@ from tamias2d.engine.continuous.impulse import (
     speed_along,
 )
 from tamias2d.engine.continuous.trajectory import relative_place
-from tamias2d.engine.narrow_phase.material import mixed_material
+from tamias2d.engine.narrow_phase.material import mixed_material, mixed_surface_speed
 from tamias2d.engine.tables import Bodies, Contacts, Events, Shapes
 from tamias2d.generated import friction as frictional, impact as smooth
-from tamias2d.generated.soft_contact import limited_tangent_impulse, restitution_impulse
+from tamias2d.generated.soft_contact import (
+    limited_tangent_impulse,
+    restitution_impulse,
+    surface_slip,
+)
 from tamias2d.state import Array, Vector
 
 MOST_VISITS = 256  # of each point
@@ -37,6 +41,7 @@ def list_points(
     q, a, b = events.met[k, tb.MET_CONTACT], events.met[k, tb.MET_A], events.met[k, tb.MET_B]
     s, t, manifold = contacts.pairs[q, 0], contacts.pairs[q, 1], events.scratch[0]
     friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
+    running = mixed_surface_speed(s, t, shapes.material)
     x, y = relative_place(a, b, now, bodies.pose, bodies.motion)
     far = abs(manifold[tb.PX + tb.POINT] - manifold[tb.PX]) + abs(
         manifold[tb.PY + tb.POINT] - manifold[tb.PY]
@@ -55,6 +60,7 @@ def list_points(
             )
             row[tb.M_NORMAL], row[tb.M_NORMAL + 1] = manifold[tb.NX], manifold[tb.NY]
             row[tb.M_FRICTION], row[tb.M_RESTITUTION] = friction, restitution
+            row[tb.M_SURFACE_SPEED] = running
 
 
 def rebound_at_points(
@@ -132,7 +138,7 @@ def rebound_at_point(r: int, left: float, bodies: Bodies, events: Events) -> Non
             mass_a, turn_a, line.at_a, mass_b, turn_b, line.at_b, inverse
         )
         tangent = line_of(r, True, events)
-        slip = speed_along(tangent, left, bodies.motion, bodies.flight)
+        slip = slip_along(tangent, left, row, bodies)
         closest = frictional.tangential_velocity_closest(slip, cross, speed, inverse)
         sticking = frictional.sticking_impulse(closest, sliding)
         change = frictional.normal_change(cross, sticking, inverse)
@@ -141,6 +147,12 @@ def rebound_at_point(r: int, left: float, bodies: Bodies, events: Events) -> Non
         row[tb.M_DRAG] = frictional.tangential_impulse(share, sticking)
         change_velocities(tangent, row[tb.M_DRAG], bodies.motion, bodies.properties)
     change_velocities(line, row[tb.M_PUSH], bodies.motion, bodies.properties)
+
+
+def slip_along(tangent: ImpulseLine, left: float, row: Array, bodies: Bodies) -> float:
+    """Return at which speed the surfaces slip at a point, m/s (DD97)."""
+    speed = speed_along(tangent, left, bodies.motion, bodies.flight)
+    return surface_slip(speed, row[tb.M_SURFACE_SPEED])
 
 
 def rebound_at_several(count: int, left: float, bodies: Bodies, events: Events) -> None:
@@ -270,7 +282,7 @@ def pushes_of_two(a: float, b: float, c: float, p: float, q: float) -> Vector:
 def drag_point(r: int, left: float, bodies: Bodies, events: Events) -> float:
     """End the sliding of a point, as far as friction can; return by how much that changes, N s."""
     row, line = events.met_points[r], line_of(r, True, events)
-    speed = speed_along(line, left, bodies.motion, bodies.flight)
+    speed = slip_along(line, left, row, bodies)
     mass = mass_along(line, bodies.properties)
     after = limited_tangent_impulse(row[tb.M_DRAG], speed, mass, row[tb.M_FRICTION], row[tb.M_PUSH])
     change = after - row[tb.M_DRAG]
@@ -341,7 +353,7 @@ def grip(count: int, now: float, time_step: float, bodies: Bodies, events: Event
         row = events.met_points[r]
         if row[tb.M_LASTING] > 0.0 and row[tb.M_FRICTION] > 0.0:
             line, before = line_of(r, True, events), row[tb.M_GRIP]
-            speed = speed_along(line, 0.0, bodies.motion, bodies.flight)
+            speed = slip_along(line, 0.0, row, bodies)
             mass = mass_along(line, bodies.properties)
             row[tb.M_GRIP] = limited_tangent_impulse(
                 before, speed, mass, row[tb.M_FRICTION], row[tb.M_LASTING]

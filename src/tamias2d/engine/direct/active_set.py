@@ -16,6 +16,7 @@ from tamias2d.generated.firm_contact import (
     tangent_impulse_most,
     tangent_impulse_wanted,
 )
+from tamias2d.generated.soft_contact import surface_slip
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
@@ -177,7 +178,7 @@ def propose_tangent(
     before = 0.0
     for k in range(points):
         before += row[tb.SHARED + k * tb.POINT_SIZE + tb.P_TANGENT_IMPULSE + m]
-    speed = tangent_speed_both(contact, state, bodies, constraints, direct)
+    speed = slip_of_both(contact, state, bodies, constraints, direct)
     wanted, limit = (
         tangent_impulse_wanted(before, speed, firm),
         tangent_impulse_most(normal, friction),
@@ -206,16 +207,16 @@ def propose_tangent(
 
 
 @inlined
-def tangent_speed_both(
+def slip_of_both(
     contact: int, state: int, bodies: Bodies, constraints: Constraints, direct: Direct
 ) -> float:
-    """Return the tangent velocity of a contact, m/s: that of its points by their shares."""
+    """Return at which speed a contact slips, m/s: that of its points by their shares."""
     b, m = direct.sparse[contact, tb.C_BLOCK], direct.sparse[contact, tb.C_LANE]
     row, lane = constraints.blocks[b], constraints.lanes[b]
     one, other = bodies.motion[lane[tb.BODY_A + m]], bodies.motion[lane[tb.BODY_B + m]]
     tangent, at = (-row[tb.R_NY + m], row[tb.R_NX + m]), tb.SHARED + m
     last = at + (lane[tb.POINTS] - 1) * tb.POINT_SIZE
-    return row_velocity_both(
+    speed = row_velocity_both(
         point_speed(
             one, other, row[at + tb.P_TANGENT_ARM_A], row[at + tb.P_TANGENT_ARM_B], tangent
         ),
@@ -224,6 +225,7 @@ def tangent_speed_both(
         ),
         share_of(0, state, contact, direct.factors),
     )
+    return surface_slip(speed, row[tb.R_SURFACE_SPEED + m])
 
 
 def friction_state(state: int, wanted: float, limit: float, slight: float, friction: float) -> int:

@@ -129,7 +129,7 @@ def rebound_hard(p: int, met: int, now: float, world: World, contacts: Contacts)
     row = events.met_points[2 * met]
     events.met[met, tb.MET_CONTACT], events.met[met, tb.MET_A], events.met[met, tb.MET_B] = p, i, j
     row[tb.M_FRICTION], row[tb.M_RESTITUTION], row[tb.M_DRAG] = friction, restitution, 0.0
-    row[tb.M_PUSH] = 0.0
+    row[tb.M_PUSH] = row[tb.M_SURFACE_SPEED] = 0.0
     pull = find_touch(s, t, row, bodies, shapes)
     line = line_of(2 * met, False, events)
     row[tb.M_APPROACH] = speed_along(line, 0.0, bodies.motion, bodies.flight)

@@ -1,7 +1,8 @@
-"""Friction and restitution of two shapes: by the rules of the scene, or as set for the pair."""
+"""Friction, restitution and surface speed of two shapes, as stated for them or for the pair."""
 
 from tamias2d.engine import tables as tb
 from tamias2d.generated.definitions import pair_friction, pair_restitution
+from tamias2d.generated.soft_contact import surface_speed_both
 from tamias2d.state import Array
 
 BOUNCY = 0.7  # restitution that gives half of the energy back
@@ -20,6 +21,11 @@ def mixed_material(s: int, t: int, material: Array, overrides: Array) -> tuple[f
         friction = overrides[k, 2] if overrides[k, 2] >= 0.0 else friction
         restitution = overrides[k, 3] if overrides[k, 3] >= 0.0 else restitution
     return friction, restitution
+
+
+def mixed_surface_speed(s: int, t: int, material: Array) -> float:
+    """Return the speed at which the surfaces of two shapes run along their tangent, m/s (DD97)."""
+    return surface_speed_both(material[s, tb.SURFACE_SPEED], material[t, tb.SURFACE_SPEED])
 
 
 def override_of(s: int, t: int, overrides: Array) -> int:

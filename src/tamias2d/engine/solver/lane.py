@@ -17,6 +17,7 @@ from tamias2d.generated.soft_contact import (
     row_velocity,
     separation_later,
     soft_normal_impulse,
+    surface_slip,
     velocity_a_after,
     velocity_b_after,
 )
@@ -93,11 +94,12 @@ def normal_speed(m: int, at: int, now: Velocities, row: Array) -> float:
 
 
 @inlined
-def tangent_speed(m: int, at: int, now: Velocities, row: Array) -> float:
-    """Return the tangential velocity of a point, m/s."""
+def slip_at(m: int, at: int, now: Velocities, row: Array) -> float:
+    """Return at which speed the surfaces slip at a point, m/s (DD97)."""
     arm_a, arm_b = row[at + tb.P_TANGENT_ARM_A + m], row[at + tb.P_TANGENT_ARM_B + m]
     line = (-row[tb.R_NY + m], row[tb.R_NX + m])
-    return row_velocity(now.a, now.spin_a, arm_a, now.b, now.spin_b, arm_b, line)
+    speed = row_velocity(now.a, now.spin_a, arm_a, now.b, now.spin_b, arm_b, line)
+    return surface_slip(speed, row[tb.R_SURFACE_SPEED + m])
 
 
 @inlined
@@ -105,7 +107,7 @@ def friction_impulse(m: int, at: int, now: Velocities, row: Array) -> float:
     """Return the tangent impulse of a point, N s, within what friction allows."""
     return limited_tangent_impulse(
         row[at + tb.P_TANGENT_IMPULSE + m],
-        tangent_speed(m, at, now, row),
+        slip_at(m, at, now, row),
         row[at + tb.P_TANGENT_MASS + m],
         row[tb.R_FRICTION + m],
         row[at + tb.P_NORMAL_IMPULSE + m],

@@ -5,7 +5,7 @@ block, where some island leans on such.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.lane import Velocities, normal_speed, tangent_speed
+from tamias2d.engine.solver.lane import Velocities, normal_speed, slip_at
 from tamias2d.engine.solver.support import SUPPORTED_BY_ONE
 from tamias2d.engine.tables import Bodies, Constraints, Islands
 from tamias2d.generated.island_energy import support_work
@@ -47,6 +47,6 @@ def work_of_contact(
             row[at + tb.P_TOTAL_IMPULSE + m],
             row[tb.R_FRICTION + m],
             normal_speed(m, at, alone, row),
-            tangent_speed(m, at, alone, row),
+            slip_at(m, at, alone, row),
         )
     return total

@@ -23,6 +23,7 @@ R_INERTIA_A = _block()  # 1/(kg m^2), inverse
 R_MASS_B = _block()
 R_INERTIA_B = _block()
 R_FRICTION = _block()
+R_SURFACE_SPEED = _block()  # m/s, of both surfaces
 R_RADIUS_A = _block()  # m, by which the vertices of the shape are grown
 R_RADIUS_B = _block()
 R_BIAS_LEAST = _block()  # m/s, the fastest that an overlap is pushed apart

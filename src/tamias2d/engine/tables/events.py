@@ -39,6 +39,7 @@ M_HELD = _met_point()  # N s, along the normal, that holds the paths in what is 
 M_LASTING = _met_point()  # N s, the same for the velocities as it ends
 M_GRIP = _met_point()  # N s, along the tangent, that friction adds then
 M_FRICTION = _met_point()
+M_SURFACE_SPEED = _met_point()  # m/s, of both surfaces
 M_RESTITUTION = _met_point()
 M_PLACE = _met_point(2)  # m, of hard discs: where they meet
 

@@ -14,6 +14,7 @@ THINNEST = 2.0**-8  # of the length: shapes of a smaller width are thin
 _material = Columns()
 FRICTION = _material()  # -1 where not stated
 RESTITUTION = _material()  # -1 where not stated
+SURFACE_SPEED = _material()  # m/s, counter-clockwise
 SHAPE_RADIUS = _material()  # m, of the circle around the shape from the centre of its body
 SHAPE_INRADIUS = _material()  # m, least distance of its sides from there; -inf if that is outside
 START_COSINE = _material()  # of a piece of a chain: the corner at its start; 0 of other shapes
