@@ -443,11 +443,14 @@ def test_trace_answers_every_item(call: Call) -> None:
     assert wanted <= items["IM1"].keys()
 
 
-def test_trace_names_the_used_item_whose_cases_are_open(call: Call) -> None:
+def test_trace_names_the_used_items_whose_cases_are_open(call: Call) -> None:
     named = trace("R5")[0].cases
     results.add(Outcome(id, "", 0.0, 1.0, "pass", fingerprint(items()[id])) for id in named)
     said = call("trace", "R5").stderr
-    assert said == "Some cases of IM1 have not been run yet: `tamias2d verify IM1` runs them.\n"
+    assert said == (
+        "Some cases of IM1, semi_implicit_euler have not been run yet: "
+        "`tamias2d verify IM1 semi_implicit_euler` runs them.\n"
+    )
 
 
 def test_trace_leads_from_a_requirement_to_the_line_of_its_code(call: Call) -> None:
@@ -457,6 +460,13 @@ def test_trace_leads_from_a_requirement_to_the_line_of_its_code(call: Call) -> N
     file, line = place.split(":")
     source = Path(__file__).parents[2].joinpath(file).read_text().splitlines()
     assert source[int(line) - 1].startswith("def impulse(")
+
+
+def test_trace_shows_all_that_a_requirement_stands_on(call: Call) -> None:
+    text = call("trace").stdout
+    of_r13 = text[text.index("\nR13 ") : text.index("\nR15 ")]
+    missing = [id for id in trace("R13")[0].links if f"\n  {id} " not in of_r13]
+    assert missing == []
 
 
 def test_trace_of_an_item_shows_what_depends_on_it(call: Call) -> None:
