@@ -14,6 +14,7 @@ from warnings import warn
 import pytest
 from typer.testing import CliRunner, Result
 
+import tamias2d as t2
 from tamias2d import cli, motion
 from tamias2d.commands import run as run_command
 from tamias2d.commands.names import find_method
@@ -429,6 +430,16 @@ def test_a_missing_extra_fails_no_case(call: Call, monkeypatch: pytest.MonkeyPat
         "OJ24: not run: needs tamias2d[ensemble]. Install it, then `tamias2d verify OJ24` runs "
         "them.\n" in said.stderr
     )
+
+
+def test_what_is_recommended_can_be_run_as_it_is_said(call: Call) -> None:
+    """`run --tolerance` takes another setting: that is said, too."""
+    said = call("recommend", "pendulum", "--tolerance", "1e-4", "--duration", "1 s").stdout
+    (line,) = (line for line in said.splitlines() if line.startswith("Run it: "))
+    run = eval(line.removeprefix("Run it: "), {"t2": t2, "scene": t2.catalogue.load("pendulum")})
+    assert f"within 0.0001: {run.method}" in said
+    assert f"{run.time_step:.4g} s\n" in said
+    assert "often by another setting" in said
 
 
 def test_trace_answers_every_item(call: Call) -> None:
