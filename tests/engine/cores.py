@@ -87,7 +87,7 @@ def shape_arrays(outlines: Sequence[Outline]) -> Shapes:
     """Shapes, each of a body of its own, turned as they are."""
     rows = [outline.rows() for outline in outlines]
     counts = np.array([len(each) for each in rows], np.int32)
-    material = np.zeros((len(rows), 4))
+    material = np.zeros((len(rows), tb.END_SINE + 1))
     material[:, tb.SHAPE_INRADIUS] = [outline.inradius() for outline in outlines]
     vertices = np.vstack(rows)
     return Shapes(

@@ -254,7 +254,11 @@ def test_bodies_that_can_meet_now_need_a_restitution() -> None:
 
 WRONG: list[tuple[str, dict[str, Any], str]] = [
     ("set_filters", {}, r"the bodies: found nothing to change .*Give category, mask or group\."),
-    ("set_surface", {}, r"the bodies: found nothing to change .*Give friction or restitution\."),
+    (
+        "set_surface",
+        {},
+        r"the bodies: found nothing to change .*Give friction, restitution or surface_speed\.",
+    ),
     ("set_filters", {"category": -1}, "category -1 of the bodies: must be from 0"),
     ("set_filters", {"mask": 0.5}, "mask of the bodies: found 0.5: must be a whole number"),
     ("set_filters", {"group": [1, 2, 3]}, r"group of the bodies: found an array of shape \(3,\)"),

@@ -230,6 +230,8 @@ def keep_impulse_shares(bodies: Bodies, constraints: Constraints, islands: Islan
                     drag = row[tb.FIRST_REBOUND_DRAG + bounce]
                     keep_impulse_share(at + tb.P_TANGENT_IMPULSE, drag, share, row)
                     keep_impulse_share(at + tb.P_TOTAL_FRICTION, drag, share, row)
+                    keep_impulse_share(tb.FIRST_RESTITUTION + bounce, impulse, share, row)
+                    keep_impulse_share(tb.FIRST_REBOUND_DRAG + bounce, drag, share, row)
 
 
 @inlined

@@ -28,6 +28,7 @@ from tamias2d.generated.island_energy import (
     velocity_repaid,
     velocity_seen,
 )
+from tamias2d.kernels.assembled import inlined
 
 
 def charge_supported(
@@ -106,7 +107,7 @@ def repay(i: int, bodies: Bodies, islands: Islands) -> None:
     left = energy_along_given_charged(
         energy, island[tb.ENERGY_SURPLUS], islands.given[i], island[tb.ENERGY_GIVEN_ALL]
     )
-    share = share_left(energy, max(left, energy - payable(False, i, bodies, islands)))
+    share = share_left(energy, max(left, least_left(energy, i, bodies, islands)))
     given = (row[tb.VELOCITY_GIVEN], row[tb.VELOCITY_GIVEN + 1])
     now[tb.VX], now[tb.VY] = velocity_repaid(
         (now[tb.VX], now[tb.VY]), given, share, product, change
@@ -135,6 +136,14 @@ def payable(whole: bool, i: int, bodies: Bodies, islands: Islands) -> float:
     """Return what a body can pay: the whole of its energy, or what is not its own, J."""
     own = 0.0 if whole else islands.energy[i, tb.ENERGY_OWN]
     return max(energy_from_support(i, bodies, islands) - own, 0.0)
+
+
+@inlined
+def least_left(energy: float, i: int, bodies: Bodies, islands: Islands) -> float:
+    """Return what a body keeps at least of an energy, J: bodies that are tied pay together."""
+    alone = True
+    alone = unless_tied(alone, i, islands)
+    return energy - payable(False, i, bodies, islands) if alone else 0.0
 
 
 def pays_whole(last: bool, i: int, islands: Islands) -> bool:

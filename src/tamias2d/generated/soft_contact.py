@@ -1,7 +1,7 @@
 """Soft contact: Row of a contact; Kick along a row; Soft contact; Overlap at rest; Preload of a
 contact; Extent of what is thin; Fall of the other end; Firmness that feeds no wave; Frequency
 under a load; Shift through a substep; Separation of a contact that moves; What is left of a
-gap; Slowest impact; Slip on surfaces that run; Soft step of a contact.
+gap; Slowest impact; Velocity of an impact; Slip on surfaces that run; Soft step of a contact.
 
 Generated from srs/models/soft_contact.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -540,6 +540,42 @@ def slowest_impact(
     )
 
 
+def row_acceleration(
+    row_velocity: Scalar, row_velocity_driven: Scalar, time_step: Scalar
+) -> Scalar:
+    """Acceleration of a row by forces (m/s^2).
+
+    row_acceleration = (row_velocity_driven - row_velocity)/time_step
+
+    Args:
+        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
+        row_velocity_driven: Velocity of a row after a substep in which forces act and contacts
+            do not, m/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD102, srs/models/soft_contact.md:753.
+    """
+    return (row_velocity_driven - row_velocity) / time_step
+
+
+def impact_velocity(row_velocity: Scalar, row_acceleration: Scalar, separation: Scalar) -> Scalar:
+    """Velocity along the normal with which a gap closes (m/s).
+
+    impact_velocity = -sqrt(max(row_velocity**2 - 2*row_acceleration*max(separation, 0[m]),
+    0[m^2/s^2]))
+
+    Args:
+        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
+        row_acceleration: Acceleration of a row by forces, m/s^2
+        separation: Distance between two bodies, negative where they overlap, m
+
+    Source: DD102, srs/models/soft_contact.md:754.
+    """
+    return -sqrt(
+        largest(row_velocity * row_velocity - 2 * row_acceleration * largest(separation, 0.0), 0.0)
+    )
+
+
 def surface_speed_both(surface_speed_a: Scalar, surface_speed_b: Scalar) -> Scalar:
     """Speed at which the surfaces of two bodies run along the tangent of their contact, in sum
     (m/s).
@@ -552,7 +588,7 @@ def surface_speed_both(surface_speed_a: Scalar, surface_speed_b: Scalar) -> Scal
         surface_speed_b: Speed at which the surface of a body runs along itself, counter-
             clockwise around the body; of body B, m/s
 
-    Source: DD97, srs/models/soft_contact.md:752.
+    Source: DD97, srs/models/soft_contact.md:790.
     """
     return surface_speed_a + surface_speed_b
 
@@ -568,7 +604,7 @@ def surface_slip(tangential_velocity: Scalar, surface_speed_both: Scalar) -> Sca
         surface_speed_both: Speed at which the surfaces of two bodies run along the tangent of
             their contact, in sum, m/s
 
-    Source: DD97, srs/models/soft_contact.md:753.
+    Source: DD97, srs/models/soft_contact.md:791.
     """
     return tangential_velocity - surface_speed_both
 
@@ -586,7 +622,7 @@ def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar
             does, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:795.
+    Source: IM10, srs/models/soft_contact.md:833.
     """
     return (-removal_share) * extent / time_step
 
@@ -606,7 +642,7 @@ def bias_velocity(
             the least that there can be, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:796.
+    Source: IM10, srs/models/soft_contact.md:834.
     """
     return largest(
         largest(separation, 0) / time_step + bias_rate * least(separation, 0), bias_velocity_least
@@ -634,7 +670,7 @@ def soft_normal_impulse(
         mass_share: Part of a row's mass that a soft contact acts with, 1
         impulse_share: Part of its impulse that a soft contact gives back in an iteration, 1
 
-    Source: IM10, srs/models/soft_contact.md:799.
+    Source: IM10, srs/models/soft_contact.md:837.
     """
     return largest(
         accumulated_impulse
@@ -664,7 +700,7 @@ def limited_tangent_impulse(
             along itself, 1
         accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:803.
+    Source: IM10, srs/models/soft_contact.md:841.
     """
     return largest(
         least(tangent_impulse - row_mass * row_velocity, friction * accumulated_impulse),
@@ -693,7 +729,7 @@ def restitution_impulse(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:806.
+    Source: IM10, srs/models/soft_contact.md:844.
     """
     return largest(
         accumulated_impulse - row_mass * (row_velocity + restitution * row_velocity_before), 0

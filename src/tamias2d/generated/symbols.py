@@ -1179,6 +1179,33 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=754,
     ),
+    "row_velocity_driven": Symbol(
+        "row_velocity_driven",
+        "m/s",
+        "velocity of a row after a substep in which forces act and contacts do not",
+        tex="u_F",
+        file="srs/symbols.md",
+        line=758,
+    ),
+    "row_acceleration": Symbol(
+        "row_acceleration",
+        "m/s^2",
+        "acceleration of a row by forces",
+        tex="a_u",
+        file="srs/symbols.md",
+        line=762,
+    ),
+    "row_shift": Symbol(
+        "row_shift", "m", "way of a row along its line", tex="s_u", file="srs/symbols.md", line=766
+    ),
+    "impact_velocity": Symbol(
+        "impact_velocity",
+        "m/s",
+        "velocity along the normal with which a gap closes",
+        tex="u_{\\mathrm{hit}}",
+        file="srs/symbols.md",
+        line=770,
+    ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
         "N*s",
@@ -1186,7 +1213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=758,
+        line=774,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -1194,7 +1221,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=763,
+        line=779,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -1202,7 +1229,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=767,
+        line=783,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -1211,7 +1238,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=771,
+        line=787,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -1220,7 +1247,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=776,
+        line=792,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -1228,7 +1255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=781,
+        line=797,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -1237,7 +1264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=785,
+        line=801,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -1246,7 +1273,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=790,
+        line=806,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -1255,7 +1282,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=795,
+        line=811,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -1264,7 +1291,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=802,
+        line=818,
     ),
     "extent": Symbol(
         "extent",
@@ -1273,7 +1300,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=809,
+        line=825,
     ),
     "firmest": Symbol(
         "firmest",
@@ -1282,7 +1309,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=816,
+        line=832,
     ),
     "preload": Symbol(
         "preload",
@@ -1291,7 +1318,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=821,
+        line=837,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -1300,7 +1327,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=826,
+        line=842,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1309,7 +1336,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=831,
+        line=847,
     ),
     "gap_share": Symbol(
         "gap_share",
@@ -1318,7 +1345,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=836,
+        line=852,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1327,7 +1354,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=841,
+        line=857,
     ),
     "half_width": Symbol(
         "half_width",
@@ -1336,7 +1363,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w",
         file="srs/symbols.md",
-        line=846,
+        line=862,
     ),
     "corner_fall": Symbol(
         "corner_fall",
@@ -1345,7 +1372,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_f",
         file="srs/symbols.md",
-        line=851,
+        line=867,
     ),
     "extent_thin": Symbol(
         "extent_thin",
@@ -1354,7 +1381,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=857,
+        line=873,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1363,7 +1390,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=862,
+        line=878,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1372,7 +1399,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=867,
+        line=883,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1381,7 +1408,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=872,
+        line=888,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1389,7 +1416,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=877,
+        line=893,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1397,7 +1424,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=881,
+        line=897,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1405,7 +1432,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=885,
+        line=901,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1413,7 +1440,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=889,
+        line=905,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1421,7 +1448,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=893,
+        line=909,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1430,7 +1457,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=897,
+        line=913,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1439,7 +1466,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=902,
+        line=918,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1448,7 +1475,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=907,
+        line=923,
     ),
     "shift": Symbol(
         "shift",
@@ -1457,7 +1484,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=912,
+        line=928,
     ),
     "turn": Symbol(
         "turn",
@@ -1465,7 +1492,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=917,
+        line=933,
     ),
     "early_share": Symbol(
         "early_share",
@@ -1474,7 +1501,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=921,
+        line=937,
     ),
     "step_share": Symbol(
         "step_share",
@@ -1482,7 +1509,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of a step that is over",
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=928,
+        line=944,
     ),
     "impulse_late": Symbol(
         "impulse_late",
@@ -1490,7 +1517,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sum of the impulses of a contact in a step, each times the share of the step that was over",
         tex="j_{\\mathrm{late}}",
         file="srs/symbols.md",
-        line=932,
+        line=948,
     ),
     "impulse_turned": Symbol(
         "impulse_turned",
@@ -1499,7 +1526,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{j}",
         file="srs/symbols.md",
-        line=938,
+        line=954,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1508,7 +1535,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=943,
+        line=959,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1517,7 +1544,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=950,
+        line=966,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1526,7 +1553,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=955,
+        line=971,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1535,7 +1562,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=962,
+        line=978,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1544,7 +1571,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=969,
+        line=985,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1553,7 +1580,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=975,
+        line=991,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1561,7 +1588,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=982,
+        line=998,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1570,7 +1597,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=995,
+        line=1011,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1578,7 +1605,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=1000,
+        line=1016,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1586,7 +1613,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=1004,
+        line=1020,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1595,7 +1622,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=1010,
+        line=1026,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1603,7 +1630,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=1015,
+        line=1031,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1612,7 +1639,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=1019,
+        line=1035,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1620,7 +1647,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=1024,
+        line=1040,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1629,7 +1656,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=1028,
+        line=1044,
     ),
     "advance": Symbol(
         "advance",
@@ -1638,7 +1665,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=1033,
+        line=1049,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1646,7 +1673,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=1038,
+        line=1054,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1655,7 +1682,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=1042,
+        line=1058,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1663,7 +1690,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=1047,
+        line=1063,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1671,7 +1698,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=1051,
+        line=1067,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1680,7 +1707,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=1055,
+        line=1071,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1688,7 +1715,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=1060,
+        line=1076,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1696,7 +1723,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=1064,
+        line=1080,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1704,7 +1731,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1069,
+        line=1085,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1712,7 +1739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1075,
+        line=1091,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1721,7 +1748,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=1079,
+        line=1095,
     ),
     "slip": Symbol(
         "slip",
@@ -1729,7 +1756,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1086,
+        line=1102,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1737,7 +1764,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=1092,
+        line=1108,
     ),
     "circling": Symbol(
         "circling",
@@ -1746,7 +1773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=1096,
+        line=1112,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1754,7 +1781,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1103,
+        line=1119,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1763,7 +1790,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1107,
+        line=1123,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1772,7 +1799,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1112,
+        line=1128,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1781,7 +1808,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1117,
+        line=1133,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1789,7 +1816,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1122,
+        line=1138,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1798,7 +1825,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1126,
+        line=1142,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1806,7 +1833,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1131,
+        line=1147,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1814,7 +1841,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1135,
+        line=1151,
     ),
     "arc": Symbol(
         "arc",
@@ -1823,7 +1850,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1141,
+        line=1157,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1832,7 +1859,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1146,
+        line=1162,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1840,7 +1867,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1156,
+        line=1172,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1848,7 +1875,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1160,
+        line=1176,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1857,7 +1884,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1164,
+        line=1180,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1866,7 +1893,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1169,
+        line=1185,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1875,7 +1902,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1174,
+        line=1190,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1884,7 +1911,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1179,
+        line=1195,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1893,7 +1920,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1184,
+        line=1200,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1901,7 +1928,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1189,
+        line=1205,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1910,7 +1937,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1198,
+        line=1214,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1918,7 +1945,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1203,
+        line=1219,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1927,7 +1954,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1207,
+        line=1223,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1935,7 +1962,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1212,
+        line=1228,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1943,7 +1970,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1216,
+        line=1232,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1952,7 +1979,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1220,
+        line=1236,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1961,7 +1988,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1225,
+        line=1241,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1970,7 +1997,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1230,
+        line=1246,
     ),
     "work": Symbol(
         "work",
@@ -1978,7 +2005,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1235,
+        line=1251,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -1987,7 +2014,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1239,
+        line=1255,
     ),
     "support_work": Symbol(
         "support_work",
@@ -1996,7 +2023,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1244,
+        line=1260,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -2005,7 +2032,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1249,
+        line=1265,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2013,7 +2040,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1254,
+        line=1270,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2021,7 +2048,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_s",
         file="srs/symbols.md",
-        line=1258,
+        line=1274,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2030,7 +2057,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1262,
+        line=1278,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2038,7 +2065,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1268,
+        line=1284,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2047,7 +2074,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1272,
+        line=1288,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2056,7 +2083,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1277,
+        line=1293,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2065,7 +2092,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1282,
+        line=1298,
     ),
     "rising_energy_charged": Symbol(
         "rising_energy_charged",
@@ -2074,7 +2101,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1287,
+        line=1303,
     ),
     "velocity_charged": Symbol(
         "velocity_charged",
@@ -2083,7 +2110,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1292,
+        line=1308,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2091,7 +2118,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1297,
+        line=1313,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2100,7 +2127,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1303,
+        line=1319,
     ),
     "energy_along_given_charged": Symbol(
         "energy_along_given_charged",
@@ -2109,7 +2136,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1308,
+        line=1324,
     ),
     "velocity_repaid": Symbol(
         "velocity_repaid",
@@ -2118,7 +2145,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1313,
+        line=1329,
     ),
     "angular_velocity_repaid": Symbol(
         "angular_velocity_repaid",
@@ -2126,7 +2153,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body that has paid for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1318,
+        line=1334,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2135,7 +2162,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1322,
+        line=1338,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2143,7 +2170,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1327,
+        line=1343,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2152,7 +2179,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1331,
+        line=1347,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2160,7 +2187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1336,
+        line=1352,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2169,7 +2196,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1341,
+        line=1357,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2178,7 +2205,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1346,
+        line=1362,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2187,7 +2214,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1351,
+        line=1367,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2195,7 +2222,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1356,
+        line=1372,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2203,7 +2230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1360,
+        line=1376,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2211,7 +2238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1364,
+        line=1380,
     ),
     "energy_unpaid": Symbol(
         "energy_unpaid",
@@ -2219,7 +2246,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1368,
+        line=1384,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2228,7 +2255,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1374,
+        line=1390,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2237,7 +2264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1379,
+        line=1395,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2246,7 +2273,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1386,
+        line=1402,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2255,7 +2282,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1391,
+        line=1407,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2263,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1396,
+        line=1412,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2271,7 +2298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1401,
+        line=1417,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2279,7 +2306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1407,
+        line=1423,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2288,7 +2315,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1411,
+        line=1427,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2297,7 +2324,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1418,
+        line=1434,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2306,7 +2333,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1423,
+        line=1439,
     ),
     "energy": Symbol(
         "energy",
@@ -2314,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1428,
+        line=1444,
     ),
     "radius": Symbol(
         "radius",
@@ -2323,7 +2350,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1437,
+        line=1453,
     ),
     "length": Symbol(
         "length",
@@ -2332,7 +2359,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1442,
+        line=1458,
     ),
     "width": Symbol(
         "width",
@@ -2341,7 +2368,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1449,
+        line=1465,
     ),
     "height": Symbol(
         "height",
@@ -2350,7 +2377,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1454,
+        line=1470,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2359,7 +2386,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1459,
+        line=1475,
     ),
     "center": Symbol(
         "center",
@@ -2368,7 +2395,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1464,
+        line=1480,
     ),
     "offset": Symbol(
         "offset",
@@ -2376,7 +2403,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1469,
+        line=1485,
     ),
     "area": Symbol(
         "area",
@@ -2385,7 +2412,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1473,
+        line=1489,
     ),
     "way": Symbol(
         "way",
@@ -2394,7 +2421,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1478,
+        line=1494,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2402,7 +2429,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1483,
+        line=1499,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2411,7 +2438,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1487,
+        line=1503,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2420,7 +2447,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1492,
+        line=1508,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2428,7 +2455,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1497,
+        line=1513,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2436,7 +2463,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1501,
+        line=1517,
     ),
     "lean": Symbol(
         "lean",
@@ -2444,7 +2471,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1505,
+        line=1521,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2452,7 +2479,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1509,
+        line=1525,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2460,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1513,
+        line=1529,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2469,7 +2496,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1519,
+        line=1535,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2477,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1532,
+        line=1548,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2485,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1536,
+        line=1552,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2493,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1540,
+        line=1556,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2501,7 +2528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1544,
+        line=1560,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2510,7 +2537,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1548,
+        line=1564,
     ),
     "slope": Symbol(
         "slope",
@@ -2519,7 +2546,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1553,
+        line=1569,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2528,7 +2555,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1558,
+        line=1574,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2537,7 +2564,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1563,
+        line=1579,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2546,7 +2573,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1568,
+        line=1584,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2554,7 +2581,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1573,
+        line=1589,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2562,7 +2589,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1577,
+        line=1593,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2570,7 +2597,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1581,
+        line=1597,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2579,7 +2606,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1585,
+        line=1601,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2587,7 +2614,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1590,
+        line=1606,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2595,7 +2622,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1594,
+        line=1610,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2603,7 +2630,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1598,
+        line=1614,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2611,7 +2638,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1602,
+        line=1618,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2619,7 +2646,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1606,
+        line=1622,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2627,7 +2654,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1610,
+        line=1626,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2635,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1614,
+        line=1630,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2643,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1618,
+        line=1634,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2651,7 +2678,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1622,
+        line=1638,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2660,7 +2687,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1626,
+        line=1642,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2668,7 +2695,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1631,
+        line=1647,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2677,7 +2704,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1635,
+        line=1651,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2686,7 +2713,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1640,
+        line=1656,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2695,7 +2722,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1645,
+        line=1661,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2704,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1650,
+        line=1666,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2712,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1655,
+        line=1671,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2721,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1659,
+        line=1675,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2729,7 +2756,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1664,
+        line=1680,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2737,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1668,
+        line=1684,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2746,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1672,
+        line=1688,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2755,7 +2782,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1677,
+        line=1693,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2763,7 +2790,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1682,
+        line=1698,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2772,7 +2799,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1686,
+        line=1702,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2780,7 +2807,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1691,
+        line=1707,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2788,7 +2815,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1695,
+        line=1711,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2797,7 +2824,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1699,
+        line=1715,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2806,7 +2833,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1704,
+        line=1720,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2815,7 +2842,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1709,
+        line=1725,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2824,7 +2851,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1714,
+        line=1730,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2833,7 +2860,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1719,
+        line=1735,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2842,7 +2869,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1724,
+        line=1740,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2851,7 +2878,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1729,
+        line=1745,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2860,7 +2887,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1734,
+        line=1750,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2869,7 +2896,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1739,
+        line=1755,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2877,7 +2904,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1744,
+        line=1760,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2886,7 +2913,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1748,
+        line=1764,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2895,7 +2922,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1753,
+        line=1769,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2904,7 +2931,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1758,
+        line=1774,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2912,7 +2939,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1763,
+        line=1779,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2921,7 +2948,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1767,
+        line=1783,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2929,7 +2956,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1772,
+        line=1788,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2937,7 +2964,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1776,
+        line=1792,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2946,7 +2973,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1780,
+        line=1796,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2955,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1785,
+        line=1801,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2964,7 +2991,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1790,
+        line=1806,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2972,7 +2999,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1795,
+        line=1811,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2980,7 +3007,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1799,
+        line=1815,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2988,7 +3015,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1803,
+        line=1819,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2997,7 +3024,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1807,
+        line=1823,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3006,7 +3033,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1812,
+        line=1828,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3015,7 +3042,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1817,
+        line=1833,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3024,7 +3051,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1822,
+        line=1838,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3033,7 +3060,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1827,
+        line=1843,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3042,7 +3069,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1832,
+        line=1848,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3051,7 +3078,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1837,
+        line=1853,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3060,7 +3087,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1842,
+        line=1858,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3068,7 +3095,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1847,
+        line=1863,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3077,7 +3104,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1851,
+        line=1867,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3085,7 +3112,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1856,
+        line=1872,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3094,7 +3121,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1860,
+        line=1876,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3103,7 +3130,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1865,
+        line=1881,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3112,7 +3139,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1870,
+        line=1886,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3121,7 +3148,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1875,
+        line=1891,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3130,7 +3157,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1880,
+        line=1896,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3138,7 +3165,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1885,
+        line=1901,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3147,7 +3174,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1889,
+        line=1905,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3156,7 +3183,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1894,
+        line=1910,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3165,7 +3192,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1899,
+        line=1915,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3174,7 +3201,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1904,
+        line=1920,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3182,7 +3209,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1909,
+        line=1925,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3190,7 +3217,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1913,
+        line=1929,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3199,7 +3226,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1917,
+        line=1933,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3208,7 +3235,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1922,
+        line=1938,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3217,7 +3244,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1927,
+        line=1943,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3226,7 +3253,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1932,
+        line=1948,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3235,7 +3262,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1937,
+        line=1953,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3244,7 +3271,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1942,
+        line=1958,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3253,7 +3280,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1947,
+        line=1963,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3262,7 +3289,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1952,
+        line=1968,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3271,7 +3298,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1957,
+        line=1973,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3279,7 +3306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1962,
+        line=1978,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3287,7 +3314,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1966,
+        line=1982,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3296,7 +3323,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1970,
+        line=1986,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3304,7 +3331,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1975,
+        line=1991,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3312,7 +3339,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1979,
+        line=1995,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3321,7 +3348,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1983,
+        line=1999,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3330,7 +3357,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1988,
+        line=2004,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3339,7 +3366,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1993,
+        line=2009,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3347,7 +3374,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1998,
+        line=2014,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3356,7 +3383,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2002,
+        line=2018,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3364,7 +3391,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2007,
+        line=2023,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3373,7 +3400,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2011,
+        line=2027,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3381,7 +3408,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2016,
+        line=2032,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3390,7 +3417,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2020,
+        line=2036,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3398,7 +3425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2025,
+        line=2041,
     ),
     "change": Symbol(
         "change",
@@ -3407,7 +3434,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=2029,
+        line=2045,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3416,7 +3443,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2034,
+        line=2050,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3425,7 +3452,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2039,
+        line=2055,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3433,7 +3460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2044,
+        line=2060,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3442,7 +3469,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2048,
+        line=2064,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3450,7 +3477,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2053,
+        line=2069,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3458,7 +3485,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2057,
+        line=2073,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3466,7 +3493,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2061,
+        line=2077,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3475,7 +3502,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=2065,
+        line=2081,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3483,7 +3510,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2070,
+        line=2086,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3492,6 +3519,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2074,
+        line=2090,
     ),
 }

@@ -28,6 +28,7 @@ from tamias2d.engine.continuous.work import (
     energy_seen,
     support_velocity,
     take_energy_back,
+    take_impulse_back,
     work_ahead,
 )
 from tamias2d.engine.part_impulses import forget_impulses_of
@@ -86,14 +87,19 @@ def rebound(
         return rebound_freely(i, j, now, time_step, friction, restitution, bodies, events)
     k, wall = (i, j) if bodies.kind[i] == tb.DYNAMIC else (j, i)
     support = support_velocity(k, wall, now, bodies.pose, bodies.motion)
-    spin = bodies.motion[wall, tb.SPIN]
+    spin, row = bodies.motion[wall, tb.SPIN], bodies.motion[k]
+    x, y, turn = row[tb.VX], row[tb.VY], row[tb.SPIN]
     before = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     before -= work_ahead(k, left, control, bodies)
     impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, events)
     after = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     after -= work_ahead(k, left, control, bodies)
     if events.met_points[0, tb.M_SURFACE_SPEED] == 0.0:
-        take_energy_back(k, after - before, support, spin, bodies.motion, bodies.properties)
+        given, turned = (row[tb.VX] - x, row[tb.VY] - y), row[tb.SPIN] - turn
+        surplus = take_impulse_back(
+            k, after - before, given, turned, support, spin, bodies.motion, bodies.properties
+        )
+        take_energy_back(k, surplus, support, spin, bodies.motion, bodies.properties)
     return impulse
 
 

@@ -9,13 +9,18 @@ is seen from the other body, which may move.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.trajectory import relative_place
 from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.solver.support import share_left
 from tamias2d.engine.tables import Bodies, Control
 from tamias2d.generated.definitions import kinetic_energy, point_velocity
 from tamias2d.generated.island_energy import (
     angular_velocity_damped,
+    angular_velocity_repaid,
     angular_velocity_seen,
     damped_share,
+    energy_along_given,
+    given_product,
     velocity_damped,
+    velocity_repaid,
     velocity_seen,
     work,
 )
@@ -46,6 +51,43 @@ def work_ahead(i: int, left: float, control: Control, bodies: Bodies) -> float:
         (left * bodies.motion[i, tb.DX], left * bodies.motion[i, tb.DY]),
         left * bodies.motion[i, tb.DANGLE],
     )
+
+
+def take_impulse_back(
+    i: int,
+    surplus: float,
+    given: Vector,
+    turned: float,
+    support: Vector,
+    spin: float,
+    motion: Array,
+    properties: Array,
+) -> float:
+    """Take a surplus from what an impact gave a body; return what of it is left (DD88), J.
+
+    The impact changed its velocity, m/s, and its spin, rad/s. Nothing else pays: what a smooth
+    surface does not push keeps its velocity along it.
+    """
+    mass, inertia = mass_and_inertia(i, properties)
+    row = motion[i]
+    product = given_product(
+        mass,
+        velocity_seen((row[tb.VX], row[tb.VY]), support),
+        given,
+        inertia,
+        angular_velocity_seen(row[tb.SPIN], spin),
+        turned,
+    )
+    change = kinetic_energy(mass, given, inertia, turned)
+    if not (surplus > 0.0 and product > 0.0 and change > 0.0):
+        return surplus
+    along = energy_along_given(product, change)
+    share = share_left(along, max(along - surplus, 0.0))
+    row[tb.VX], row[tb.VY] = velocity_repaid(
+        (row[tb.VX], row[tb.VY]), given, share, product, change
+    )
+    row[tb.SPIN] = angular_velocity_repaid(row[tb.SPIN], turned, share, product, change)
+    return max(surplus - along, 0.0)
 
 
 def take_energy_back(

@@ -12,6 +12,7 @@ from tamias2d.engine.joints.activity import (
     join_slabs,
     note_mechanisms,
 )
+from tamias2d.engine.joints.approach import joined_approach
 from tamias2d.engine.joints.at_rest import note_joined_support, wake_tied
 from tamias2d.engine.joints.island_charge import charge_joined, support_joined
 from tamias2d.engine.joints.payment import pay_together, repay_as_one
@@ -42,6 +43,7 @@ JOINT_STAGES = (
     hold_tied,
     join_islands,
     join_slabs,
+    joined_approach,
     keep_joint_impulses,
     mark_joined,
     note_gains,

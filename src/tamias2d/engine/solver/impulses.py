@@ -19,7 +19,8 @@ def store_impulses(
     """Store the impulses of touching contacts, which are listed by slabs, and where they acted.
 
     A contact with an impulse touched. The impulses of the parts of a step are added up as each
-    ends (`add_up_impulses`). A contact that restitution has parted is marked.
+    ends (`add_up_impulses`). A contact that restitution has parted is marked, and what that gave
+    is not kept for the next step: it is over.
     """
     in_parts, bouncing = control.counts[tb.LEVEL] > 0, constraints.counts[tb.BOUNCING] > 0
     for place in range(first, last):
@@ -40,7 +41,11 @@ def store_impulses(
                 manifold[tb.WORLD_POINT + to + 1] = pose[tb.Y] + manifold[tb.PY + to]
                 if total > 0.0:
                     contacts.flags[p, tb.TOUCHES] |= tb.IS_TOUCHING
-            if bouncing and row[tb.FIRST_RESTITUTION + n * LANES + m] > 0.0:
-                contacts.flags[p, tb.BOUNCED] = 1
-            manifold[tb.NORMAL_IMPULSE + to] = row[at + tb.P_NORMAL_IMPULSE]
-            manifold[tb.TANGENT_IMPULSE + to] = row[at + tb.P_TANGENT_IMPULSE]
+            pressing, holding = row[at + tb.P_NORMAL_IMPULSE], row[at + tb.P_TANGENT_IMPULSE]
+            if bouncing:
+                bounce = n * LANES + m
+                if row[tb.FIRST_RESTITUTION + bounce] > 0.0:
+                    contacts.flags[p, tb.BOUNCED] = 1
+                pressing = max(pressing - row[tb.FIRST_RESTITUTION + bounce], 0.0)
+                holding -= row[tb.FIRST_REBOUND_DRAG + bounce]
+            manifold[tb.NORMAL_IMPULSE + to], manifold[tb.TANGENT_IMPULSE + to] = pressing, holding

@@ -4,6 +4,7 @@ Source: Catto (2024), soft step; the softness under a load, and the preload, are
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.approach import joined_approach
 from tamias2d.engine.tables import Bodies, Constraints, Contacts, Control, Integers
 from tamias2d.generated.soft_contact import (
     angular_frequency_even,
@@ -147,7 +148,9 @@ def finish_lane(
             speed = approach_velocity(m, at, row, a, b)
             pressing = 0.0 if bounced else row[at + tb.P_NORMAL_IMPULSE]
             slow = meets_slowly(m, at, speed, pressing, row, control)
-            row[at + tb.P_APPROACH] = 0.0 if slow else speed
+            met = speed
+            met = joined_approach(met, m, at, lane, row, control, bodies)
+            row[at + tb.P_APPROACH] = 0.0 if slow else met
             if bounced and speed > 0.0:
                 row[at + tb.P_NORMAL_IMPULSE] = row[at + tb.P_TANGENT_IMPULSE] = 0.0
 

@@ -7,7 +7,7 @@ moved when the step began: there, gravity does no work that contacts could take 
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.blocks import lane_of
+from tamias2d.engine.solver.blocks import lane_of, points_of
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
 from tamias2d.generated.definitions import kinetic_energy, momentum, point_velocity
@@ -40,7 +40,7 @@ def find_references(
         i, j = touching.body_a[k], touching.body_b[k]
         if bodies.kind[i] != tb.DYNAMIC:
             i, j = j, i
-        if bodies.kind[j] != tb.DYNAMIC:
+        if bodies.kind[j] != tb.DYNAMIC and supports(k, touching, constraints):
             root = islands.links[i, tb.ROOT]
             support_island(j, root, bodies, islands)
             b, m = lane_of(k, touching)
@@ -49,6 +49,17 @@ def find_references(
     for n in range(islands.counts[tb.ROOTS]):
         see_from_ground(islands.energy[islands.roots[n]])
     find_free_references(bodies, touching, constraints, islands)
+
+
+def supports(k: int, touching: Touching, constraints: Constraints) -> bool:
+    """Return whether a touching contact has given an impulse in this part, or lifted an overlap."""
+    b, m = lane_of(k, touching)
+    row, found = constraints.blocks[b], False
+    for n in range(points_of(k, touching)):
+        at = tb.SHARED + n * tb.POINT_SIZE + m
+        overlaps = min(row[at + tb.P_GAP], row[at + tb.P_GAP_NOW]) < 0.0
+        found = found or overlaps or row[at + tb.P_TOTAL_IMPULSE] > 0.0
+    return found
 
 
 def see_from_ground(row: Array) -> None:
