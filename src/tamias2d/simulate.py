@@ -34,8 +34,8 @@ def simulate(
     the reference otherwise; but contacts are stepped (`Stepped`, R12) where a body is kinematic, a
     sensor or a compound, where bodies are so near at the start that they are meant to touch, and
     from the start where impacts, located, came to what rigid bodies leave open. More than a hundred
-    moving bodies that can meet are stepped, too, unless they are discs under constant loads that do
-    not settle. The first of the run's `notes` names the method and the reason.
+    moving bodies that can meet are stepped, too, unless they are convex, under constant loads, and
+    do not settle. The first of the run's `notes` names the method and the reason.
 
     `times` are those of the samples, s, sorted and within the run; without them it is 60 a second,
     or every step (`time_step`, s) of a stepped method. Between steps through contacts states are

@@ -18,7 +18,7 @@ STALE = "stale"
 """The specification, or the scene, changed after the last result."""
 UNCOVERED = "uncovered"
 """No case checks the item."""
-NONE = "none"
+NONE = "not judged"
 """An item that nothing can verify: a change, an erratum."""
 WORST_FIRST = (FAIL, STALE, UNCOVERED, NOT_RUN, MANUAL, PASS, NONE)
 OPEN = (FAIL, STALE, UNCOVERED, NOT_RUN)
@@ -110,11 +110,11 @@ def lacking() -> dict[str, str]:
 
 
 def exit_code(rows: Iterable[Traced]) -> int:
-    """Return 1 if a goal or requirement failed, is stale, uncovered or not run; else 0.
+    """Return 1 if an item failed, is stale, uncovered or not run, of whatever kind; else 0.
 
     What only people can judge, and have not yet, is shown but is no fault of the program.
     """
-    return int(any(row.kind in _DEMANDS and row.verdict in OPEN for row in rows))
+    return int(any(row.verdict in OPEN for row in rows))
 
 
 def plan_table() -> tuple[list[str], list[tuple[str, str, list[bool]]]]:

@@ -14,6 +14,7 @@ from warnings import warn
 import pytest
 from typer.testing import CliRunner, Result
 
+import tamias2d as t2
 from tamias2d import cli, motion
 from tamias2d.commands import run as run_command
 from tamias2d.commands.names import find_method
@@ -431,6 +432,16 @@ def test_a_missing_extra_fails_no_case(call: Call, monkeypatch: pytest.MonkeyPat
     )
 
 
+def test_what_is_recommended_can_be_run_as_it_is_said(call: Call) -> None:
+    """`run --tolerance` takes another setting: that is said, too."""
+    said = call("recommend", "pendulum", "--tolerance", "1e-4", "--duration", "1 s").stdout
+    (line,) = (line for line in said.splitlines() if line.startswith("Run it: "))
+    run = eval(line.removeprefix("Run it: "), {"t2": t2, "scene": t2.catalogue.load("pendulum")})
+    assert f"within 0.0001: {run.method}" in said
+    assert f"{run.time_step:.4g} s\n" in said
+    assert "often by another setting" in said
+
+
 def test_trace_answers_every_item(call: Call) -> None:
     call("verify", "TC1")
     assert "`tamias2d verify` runs them" in call("trace", "TC1").stderr  # what it rests on
@@ -443,11 +454,14 @@ def test_trace_answers_every_item(call: Call) -> None:
     assert wanted <= items["IM1"].keys()
 
 
-def test_trace_names_the_used_item_whose_cases_are_open(call: Call) -> None:
+def test_trace_names_the_used_items_whose_cases_are_open(call: Call) -> None:
     named = trace("R5")[0].cases
     results.add(Outcome(id, "", 0.0, 1.0, "pass", fingerprint(items()[id])) for id in named)
     said = call("trace", "R5").stderr
-    assert said == "Some cases of IM1 have not been run yet: `tamias2d verify IM1` runs them.\n"
+    assert said == (
+        "Some cases of IM1, semi_implicit_euler have not been run yet: "
+        "`tamias2d verify IM1 semi_implicit_euler` runs them.\n"
+    )
 
 
 def test_trace_leads_from_a_requirement_to_the_line_of_its_code(call: Call) -> None:
@@ -457,6 +471,13 @@ def test_trace_leads_from_a_requirement_to_the_line_of_its_code(call: Call) -> N
     file, line = place.split(":")
     source = Path(__file__).parents[2].joinpath(file).read_text().splitlines()
     assert source[int(line) - 1].startswith("def impulse(")
+
+
+def test_trace_shows_all_that_a_requirement_stands_on(call: Call) -> None:
+    text = call("trace").stdout
+    of_r13 = text[text.index("\nR13 ") : text.index("\nR15 ")]
+    missing = [id for id in trace("R13")[0].links if f"\n  {id} " not in of_r13]
+    assert missing == []
 
 
 def test_trace_of_an_item_shows_what_depends_on_it(call: Call) -> None:

@@ -1,6 +1,7 @@
 """Which way `simulate` takes through contacts, and what a run by steps is and says."""
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -63,6 +64,11 @@ def test_scenes_of_the_catalogue_that_can_be_located_are(name: str) -> None:
     assert run.method == ClosedForm()
     assert run.cost is not None
     assert run.cost.contacts == 0
+
+
+def test_a_note_has_no_digits_that_nobody_reads() -> None:
+    note = t2.simulate(t2.catalogue.load("bullet-wall"), duration=0.1).notes[0]
+    assert max(map(len, re.findall(r"[0-9.]+(?= s)", note))) <= 8
 
 
 def test_a_method_that_is_asked_for_is_taken() -> None:

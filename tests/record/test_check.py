@@ -9,6 +9,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d import record, replay
+from tamias2d.certificate import Certificate
 from tamias2d.record import header as headers
 from tamias2d.record.difference import first_difference
 from tamias2d.record.history import OF_BODIES, TOTALS
@@ -142,3 +143,45 @@ def test_what_the_viewer_draws_is_not_the_history(run: t2.Run, tmp_path: Path) -
     run.save(tmp_path / "run.rrd")
     exact = record.load(tmp_path / "run.rrd").position
     assert np.any(exact != exact.astype(np.float32))
+
+
+ASKED = {
+    "of a quality": ("incline", {"quality": 0.01}),
+    "within a tolerance": ("incline", {"tolerance": 1e-2}),
+    "of a quality, located": ("cradle-touching", {"quality": 0.01}),
+}
+
+
+@pytest.mark.parametrize("suffix", [".rrd", ".npz"])
+@pytest.mark.parametrize("name", ASKED)
+def test_what_was_asked_for_is_certified_again_in_the_same_way(
+    tmp_path: Path, suffix: str, name: str
+) -> None:
+    scene, asked = ASKED[name]
+    path = tmp_path / f"run{suffix}"
+    t2.simulate(t2.catalogue.load(scene), duration=2.0, **asked).save(path)  # type: ignore[arg-type]
+    answer = replay.check(path)
+    assert answer.identical, answer.says
+    assert "its certificate, computed again, is the same" in answer.says
+
+
+def test_a_bound_of_steps_that_is_forged_is_found(tmp_path: Path) -> None:
+    """Also if it tells of steps that no plan has, or of a quality that the run has not."""
+    run = t2.simulate(t2.catalogue.load("incline"), duration=2.0, tolerance=1e-2)
+    honest = run.certificate
+    assert honest is not None
+    path = tmp_path / "run.npz"
+    for forged in (
+        replace(honest, bound=1e-9),
+        replace(honest, how=honest.how.replace("steps of 0", "steps of 9")),
+        replace(honest, measure=of_quality(run).measure),
+    ):
+        replace(run, certificate=forged).save(path)
+        assert "its certificate differs" in replay.check(path).says
+
+
+def of_quality(run: t2.Run) -> Certificate:
+    """Return the certificate of a run of some quality."""
+    certificate = t2.simulate(run.scene, duration=0.1, quality=0.5).certificate
+    assert certificate is not None
+    return certificate

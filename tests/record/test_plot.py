@@ -67,6 +67,14 @@ def test_a_suffix_that_is_no_picture(run: t2.Run, tmp_path: Path) -> None:
         plot(run, tmp_path / "plot.mp3")
 
 
+@pytest.mark.parametrize("suffix", [".jpg", ".eps", ""])
+def test_only_those_pictures_are_drawn_that_are_promised(
+    run: t2.Run, tmp_path: Path, suffix: str
+) -> None:
+    with pytest.raises(t2.InputError, match=r"one of \.png, \.svg, \.pdf, \.gif\. Give"):
+        plot(run, tmp_path / f"plot{suffix}")
+
+
 def test_a_place_that_is_not_there(run: t2.Run, tmp_path: Path) -> None:
     with pytest.raises(t2.RecordingError, match="there is no directory"):
         plot(run, tmp_path / "missing" / "plot.png")

@@ -163,6 +163,7 @@ def test_an_empty_scene_needs_nothing() -> None:
         "omits rotation (IM2): no body has a torque or a spin, and none can be hit",
         "omits detection (IM4): no body has a shape",
         "omits impact (IM3): no two bounds meet within 2 s",
+        "omits impacts that act together (A18): no two bounds meet within 2 s",
         "omits resting contact (GD3): no two bounds meet within 2 s",
         "omits friction (IM9, GD8): no two bounds meet within 2 s",
         "omits closed form: no body moves",
@@ -189,6 +190,7 @@ def test_one_disc_alone_pushed_and_twisted() -> None:
         "needs rotation (IM2): 'a' is spun or twisted from the start",
         "omits detection (IM4): 1 body has a shape: there is no pair",
         "omits impact (IM3): no two bounds meet within 0.5 s",
+        "omits impacts that act together (A18): no two bounds meet within 0.5 s",
         "omits resting contact (GD3): no two bounds meet within 0.5 s",
         "omits friction (IM9, GD8): no two bounds meet within 0.5 s",
         f"omits closed form: 'a' is {varies}",
@@ -212,6 +214,8 @@ def test_three_bodies_that_meet() -> None:
         f"needs rotation (IM2): {turned}",
         "needs detection (IM4): 3 bodies have shapes",
         f"needs impact (IM3): {met}",
+        "needs impacts that act together (A18): 'a' may be struck while it touches another: "
+        "then a rule decides",
         "needs resting contact (GD3): bodies that can meet are pressed together by gravity "
         "or a force",
         "omits friction (IM9, GD8): no body states friction (A6)",
@@ -226,7 +230,9 @@ def test_free_discs_that_meet_do_not_come_to_rest_on_each_other() -> None:
     found = table(catalogue.load("oblique-discs"), 3.0)
     met = "the bounds of 'moving' and 'struck' meet within 3 s"
     assert f"needs impact (IM3): {met}" in found
-    assert "omits resting contact (GD3): no gravity and no force presses bodies together" in found
+    why = "nothing presses bodies together: those that touch exert no force"
+    assert f"omits resting contact (GD3): {why}" in found
+    assert "omits impacts that act together (A18): no body can meet two others" in found
     why = "no body has a torque or a spin, and a disc is hit through its centre (no friction, A6)"
     assert f"omits rotation (IM2): {why}" in found
     assert "needs gravity (GD2): (0, -9.81) m/s^2 acts" in table(catalogue.load("resting"), 1.0)

@@ -159,8 +159,9 @@ def test_a_study_is_drawn_with_its_failures(studied: Study, tmp_path: Path) -> N
     text = path.read_text()
     for words in ("tolerance 1e-06", "VelocityVerlet", "Pymunk", "spring, 2 s"):
         assert f"<!-- {words}" in text
-    with pytest.raises(InputError, match=r"suffix '\.jpeg2000'"):
-        plot(studied, tmp_path / "study.jpeg2000", tolerance=None)
+    for suffix in (".jpeg2000", ".gif"):  # which would not move
+        with pytest.raises(InputError, match=rf"suffix '\{suffix}': .* \.png, \.svg, \.pdf\. Give"):
+            plot(studied, tmp_path / f"study{suffix}", tolerance=None)
 
 
 def test_an_engine_that_is_missing_is_named_and_has_no_point(

@@ -6,7 +6,16 @@ import pytest
 from hypothesis import given, strategies as st
 
 from tamias2d.errors import InputError
-from tamias2d.trace import WORST_FIRST, Graph, exit_code, neighbourhood, plan_table, trace, worst
+from tamias2d.trace import (
+    NONE,
+    WORST_FIRST,
+    Graph,
+    exit_code,
+    neighbourhood,
+    plan_table,
+    trace,
+    worst,
+)
 from tamias2d.verify import results, verify
 from tamias2d.verify.items import items
 from tamias2d.verify.outcome import Outcome
@@ -47,7 +56,7 @@ def small(**verdicts: str) -> Graph:
 def test_all_passes() -> None:
     graph = small(TC1="pass", TC2="pass")
     assert {graph.verdict(id) for id in graph.items if id != "LC1"} == {"pass"}
-    assert graph.verdict("LC1") == "none"
+    assert graph.verdict("LC1") == NONE
 
 
 @pytest.mark.parametrize(
@@ -139,6 +148,35 @@ def test_nothing_is_left_without_a_case() -> None:
         and "judged" not in items()[row.id]["data"]
     ]
     assert open_ == []
+
+
+def test_all_that_is_specified_is_reached_from_a_demand() -> None:
+    """Whoever adds an equation has to say which requirement asks for it."""
+    graph = Graph(items(), {})
+    demands = {id for id, each in items().items() if each["kind"] in ("goal", "requirement")}
+    reached = demands.union(*(graph.reach(id, graph.forward) for id in demands))
+    beside = ("case", "change", "erratum")
+    left = [id for id, each in items().items() if each["kind"] not in beside and id not in reached]
+    assert left == []
+
+
+def test_nothing_is_uncovered_when_all_cases_pass() -> None:
+    passed = {
+        id: [Outcome(id, "q", 0.0, 1.0, "pass", "h")]
+        for id, each in items().items()
+        if each["kind"] == "case"
+    }
+    graph = Graph(items(), passed, lambda _: "h")
+    assert {graph.verdict(id) for id in items()} == {"pass", "manual", NONE}
+
+
+def test_an_uncovered_item_is_no_success_whatever_its_kind() -> None:
+    graph = small(TC1="pass", TC2="pass")
+    graph.items["hinge"] = item("hinge", "constraint")
+    again = Graph(graph.items, graph.outcomes, own_hash)
+    rows = [again.traced(id) for id in again.items]
+    assert [row.id for row in rows if row.verdict == "uncovered"] == ["hinge"]
+    assert exit_code(rows) == 1
 
 
 def test_a_result_is_stale_when_what_it_rests_on_changes(monkeypatch: pytest.MonkeyPatch) -> None:

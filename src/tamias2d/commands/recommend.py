@@ -13,7 +13,8 @@ def recommend_method(name: str, *, tolerance: str, duration: str | None, as_json
     """Print the plan for a scene of the catalogue or in a file."""
     scene = find_scene(name)
     asked = share(tolerance, option="--tolerance")
-    plan = recommend(scene, duration=span_of(scene, name, duration), tolerance=asked or 0.0)
+    span = span_of(scene, name, duration)
+    plan = recommend(scene, duration=span, tolerance=asked or 0.0)
     if as_json:
         print_json(_as_json(name, plan))
         return
@@ -32,7 +33,12 @@ def recommend_method(name: str, *, tolerance: str, duration: str | None, as_json
         ),
     )
     say(_spent(plan))
-    say(f"Run it: {command()} run {name} --tolerance {plan.tolerance:g}")
+    step = f", time_step={plan.choice.time_step!r}" if plan.choice.time_step else ""
+    say(f"Run it: t2.simulate(scene, duration={span!r}, method=t2.{plan.choice.method}{step})")
+    say(
+        f"`{command()} run {name} --tolerance {plan.tolerance:g}` certifies a run within it: the "
+        "first one that holds, often by another setting. It weighs methods only if none does."
+    )
 
 
 def _method(one: Estimate) -> str:

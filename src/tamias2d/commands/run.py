@@ -41,9 +41,9 @@ class _Files:
         if self.record:
             refuse_file(self.record)
         if self.plot:
-            from tamias2d.record.plot import refuse_picture
+            from tamias2d.record.plot import OF_RUNS, refuse_picture
 
-            refuse_picture(self.plot)
+            refuse_picture(self.plot, OF_RUNS)
 
     def write(self, run: Run) -> None:
         if self.record:

@@ -21,7 +21,7 @@ _Row: TypeAlias = tuple[str, str, str, str]
 
 
 def trace_items(id: str | None, *, as_json: bool) -> int:
-    """Print all items, or one with its surroundings; return 1 if a demand is not met."""
+    """Print all items, or one with its surroundings; return 1 if an item is not in order."""
     items = trace(id)
     if as_json:
         print_json({"items": [item.as_json() for item in items]})
@@ -58,10 +58,9 @@ def _print_all(items: list[Traced]) -> None:
     for demand in demands:
         rows.append(_row(demand))
         for used in (known[id] for id in demand.links):
-            if used.code:
-                rows.append(_row(used, "  "))
-                rows += () if used.id in shown else _code(used)
-                shown.add(used.id)
+            rows.append(_row(used, "  "))
+            rows += () if used.id in shown else _code(used)
+            shown.add(used.id)
     _print(rows)
     verdicts = [demand.verdict for demand in demands]
     counts = ", ".join(f"{verdicts.count(v)} {v}" for v in dict.fromkeys(verdicts))

@@ -573,7 +573,7 @@ def shift_shared(mass_a: Scalar, shift_a: Vector, mass_b: Scalar, shift_b: Vecto
         mass_b: Mass of a body; of body B, kg
         shift_b: How far the centre of mass has moved since the step began; of body B, m
 
-    Source: DD62, srs/models/continuous_collision.md:514.
+    Source: DD62, srs/models/continuous_collision.md:518.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -593,7 +593,7 @@ def inward_share(turn: Scalar, fraction: Scalar, arc: Scalar) -> Scalar:
         fraction: Part of a step that has passed, 1
         arc: Angle by which a wall turns before a body that it carries meets it again, rad
 
-    Source: DD49, srs/models/continuous_collision.md:529.
+    Source: DD49, srs/models/continuous_collision.md:533.
     """
     return abs(turn) * least(abs(turn) * (1 - fraction), arc / 2)
 
@@ -610,7 +610,7 @@ def shift_carried(shift: Vector, turn: Scalar, span: Vector, inward_share: Scala
         inward_share: Part of its distance by which a carried body comes nearer to its carrier,
             1
 
-    Source: DD49, srs/models/continuous_collision.md:530.
+    Source: DD49, srs/models/continuous_collision.md:534.
     """
     shift_x, shift_y = shift
     span_x, span_y = span

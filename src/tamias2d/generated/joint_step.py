@@ -547,7 +547,7 @@ def lost_velocity(row_velocity: Scalar, row_velocity_before: Scalar, restitution
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: DD96, srs/models/joint_step.md:313.
+    Source: DD96, srs/models/joint_step.md:314.
     """
     return -(row_velocity + restitution * row_velocity_before)
 
@@ -563,7 +563,7 @@ def lost_share(row_mass: Scalar, lost_velocity: Scalar, applied_impulse: Scalar)
             for, m/s
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
 
-    Source: DD96, srs/models/joint_step.md:314.
+    Source: DD96, srs/models/joint_step.md:315.
     """
     return row_mass * lost_velocity / applied_impulse
 
@@ -578,7 +578,7 @@ def row_mass_joined(row_mass: Scalar, lost_share: Scalar) -> Scalar:
         lost_share: Part that joints take of what an impulse changes in the velocity of a
             contact, 1
 
-    Source: DD96, srs/models/joint_step.md:315.
+    Source: DD96, srs/models/joint_step.md:316.
     """
     return row_mass / (1 - lost_share)
 
@@ -598,7 +598,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:370.
+    Source: IM19, srs/models/joint_step.md:371.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -620,7 +620,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:374.
+    Source: IM19, srs/models/joint_step.md:375.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -655,7 +655,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:376.
+    Source: IM19, srs/models/joint_step.md:377.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -671,7 +671,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:377.
+    Source: IM19, srs/models/joint_step.md:378.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -685,7 +685,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:481.
+    Source: DD79, srs/models/joint_step.md:482.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -699,7 +699,7 @@ def drive_work(row_impulse: Scalar, drive_rate: Scalar) -> Scalar:
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: DD79, srs/models/joint_step.md:482.
+    Source: DD79, srs/models/joint_step.md:483.
     """
     return row_impulse * drive_rate
 
@@ -724,7 +724,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:483.
+    Source: DD79, srs/models/joint_step.md:484.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -743,7 +743,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:485.
+    Source: DD79, srs/models/joint_step.md:486.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -767,7 +767,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:487.
+    Source: DD79, srs/models/joint_step.md:488.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -782,7 +782,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:489.
+    Source: DD79, srs/models/joint_step.md:490.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -798,6 +798,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:490.
+    Source: DD79, srs/models/joint_step.md:491.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

@@ -46,7 +46,7 @@ def plainly(text: str) -> dict[str, Any]:
 
 def is_kept(text: str) -> bool:
     """Whether a source was compiled before, as far as can be told without the compiler."""
-    return any((storage.home_path() / "kernels").glob(f"{_hash(text)}.*"))
+    return any((storage.home_path() / "kernels").glob(f"{hash_of(text)}.*"))
 
 
 @cache
@@ -57,7 +57,7 @@ def loaded(text: str) -> ModuleType:
     """
     from tamias2d.kernels.cache import njit
 
-    module = ModuleType(f"tamias2d_kernel_{_hash(text)}")
+    module = ModuleType(f"tamias2d_kernel_{hash_of(text)}")
     module.__dict__["njit"] = njit(text)
     sys.modules[module.__name__] = module  # numba finds the names of compiled code here
     _run(text, module.__dict__)
@@ -66,10 +66,11 @@ def loaded(text: str) -> ModuleType:
 
 def _run(text: str, names: dict[str, Any]) -> None:
     """Run a source; tracebacks show its lines."""
-    name = f"<tamias2d kernel {_hash(text)}>"
+    name = f"<tamias2d kernel {hash_of(text)}>"
     linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
     exec(compile(text.replace(_IMPORT, "", 1), name, "exec"), names)  # our `njit` is in `names`
 
 
-def _hash(text: str) -> str:
+def hash_of(text: str) -> str:
+    """Return what a source is known by among what is kept."""
     return hashlib.sha256(text.encode()).hexdigest()[:16]

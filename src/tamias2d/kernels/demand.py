@@ -45,7 +45,8 @@ class Demand:
             "linear drag": self.linear_drag,
             "quadratic drag": self.quadratic_drag,
         }
-        acting = ", ".join(["gravity", *(name for name, there in terms.items() if there)])
+        steady = "gravity (0 where a scene has none)"
+        acting = ", ".join([steady, *(name for name, there in terms.items() if there)])
         return f"{self.scheme}: {acting}; {'with' if self.rotation else 'without'} rotation"
 
 

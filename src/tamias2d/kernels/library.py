@@ -5,7 +5,7 @@ Serves: the engine, and `tamias2d warm`. Hides: assembling and compiling.
 
 import gc
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from functools import cache, wraps
 from types import SimpleNamespace, TracebackType
@@ -13,10 +13,11 @@ from typing import TypeVar
 
 from tamias2d.errors import InputError
 from tamias2d.kernels.assembled import assembled
-from tamias2d.kernels.compiled import is_kept, loaded
+from tamias2d.kernels.compiled import hash_of, is_kept, loaded
 from tamias2d.kernels.copied import Function, leaving_out
 from tamias2d.kernels.kept_source import is_of_package, kept_source
 from tamias2d.kernels.progress import progress, time_of_compiling
+from tamias2d.kernels.turn import turn
 
 T = TypeVar("T")
 
@@ -97,7 +98,8 @@ def _fault_again(make: Callable[[Library], T]) -> Callable[[Library], T]:
 @cache
 def _compiled(library: Library) -> SimpleNamespace:
     text = _text(library)
-    with progress(library.name, text), _seldom_collected():
+    alone = nullcontext() if is_kept(text) else turn(library.name, hash_of(text))
+    with alone, progress(library.name, text), _seldom_collected():
         module = loaded(text)
     _LOADED.add(library)
     return SimpleNamespace(

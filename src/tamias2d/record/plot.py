@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from tamias2d.record.drawing import View
     from tamias2d.run_data import RunData
 
+STILL = (".png", ".svg", ".pdf")
+"""Kinds of picture, by their suffixes."""
+MOVING = ".gif"
+OF_RUNS = (*STILL, MOVING)
 INSTANTS = 6
 """How many times each body is drawn, the last one strongest."""
 NAMED = 10
@@ -35,8 +39,8 @@ def plot(run: RunData, path: str | Path) -> None:
         RecordingError: matplotlib is not installed, or the file cannot be written.
     """
     path = checked_path(path)
-    figure = figure_for(path)
-    if path.suffix == ".gif":
+    figure = figure_for(path, OF_RUNS)
+    if path.suffix == MOVING:
         animate(run, figure, path)
         return
     grid = figure.add_gridspec(2, 2, width_ratios=[3, 2])
@@ -52,20 +56,19 @@ def save_figure(figure: Any, path: Path) -> None:
         figure.savefig(draft, format=path.suffix[1:], dpi=120)
 
 
-def refuse_picture(path: Path) -> None:
+def refuse_picture(path: Path, kinds: tuple[str, ...] = STILL) -> None:
     """Raise as `plot` would, where that can be known before there is a run."""
-    figure_for(path)
+    figure_for(path, kinds)
     refuse_place(path)
 
 
-def figure_for(path: Path) -> Any:
-    """Return an empty figure for a picture of this name; raises as `plot` does."""
+def figure_for(path: Path, kinds: tuple[str, ...] = STILL) -> Any:
+    """Return an empty figure for a picture of one of these kinds; raises as `plot` does."""
     figure = _figure(path)
-    kinds = figure.canvas.get_supported_filetypes()
-    if path.suffix[1:] not in kinds:
+    if path.suffix not in kinds:
         raise InputError(
             f"{path_text(path)}: suffix {path.suffix!r}: a picture is one of "
-            f"{', '.join(sorted(kinds))}. Give it such a name, .png for one."
+            f"{', '.join(kinds)}. Give it such a name, .png for one."
         )
     return figure
 

@@ -3,6 +3,7 @@
 A scene pays only for the physics that it needs, and can say why.
 """
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
@@ -122,6 +123,7 @@ class _Inquiry:
             yield from self.governed()
         yield Need("detection (IM4)", "model", compared, self.compared(len(solid)))
         yield Need("impact (IM3)", "model", bool(self.pairs), self.meeting())
+        yield Need("impacts that act together (A18)", "model", *self.acts_together())
         yield Need("resting contact (GD3)", "model", *self.rests())
         yield Need("friction (IM9, GD8)", "model", *self.rubs())
         running = [body for body in self.scene.bodies if body.surface_speed]
@@ -267,6 +269,17 @@ class _Inquiry:
         more = f", and of {others} more pair{'s' * (others > 1)}," if others else ""
         return f"the bounds of {names}{more} meet within {self.duration:g} s"
 
+    def acts_together(self) -> tuple[bool, str]:
+        """Return whether one that is struck may touch another: the rule that decides then."""
+        if not self.pairs:
+            return False, self.meeting()
+        partners = Counter(k for pair in self.pairs for k in pair if self.scene.bodies[k].dynamic)
+        shared = next((k for k, count in partners.items() if count > 1), None)
+        if shared is None:
+            return False, "no body can meet two others"
+        name = self.scene.bodies[shared].name
+        return True, f"'{name}' may be struck while it touches another: then a rule decides"
+
     def rests(self) -> tuple[bool, str]:
         scene = self.scene
         acts = bool(scene.springs or scene.fields or scene.attraction)
@@ -275,7 +288,7 @@ class _Inquiry:
         if not self.pairs:
             return False, self.meeting()
         if not loaded:
-            return False, "no gravity and no force presses bodies together"
+            return False, "nothing presses bodies together: those that touch exert no force"
         return True, "bodies that can meet are pressed together by gravity or a force"
 
 

@@ -62,7 +62,9 @@ def solve(
         except _UNDECIDED as refusal:
             if method is not None or any(joint.beyond_steps for joint in scene.joints):
                 raise
-            reason = f"impacts could be located up to {refusal.time:.6g} s. {refusal}"
+            when = f"{refusal.time:.6g} s"
+            why = str(refusal).replace(f"{refusal.time!r} s", when)  # a note is read by people
+            reason = f"impacts could be located up to {when}. {why}"
         except OverlapError as refusal:
             if method is not None or scene.joints or refusal.share > MEANT_TO_TOUCH:
                 raise

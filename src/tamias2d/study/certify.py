@@ -18,9 +18,11 @@ from tamias2d.study.exact_bound import exact
 from tamias2d.study.path_error import HOW, error_beside, has_error_equation, of_error
 from tamias2d.study.penetration import crowded, penetrations
 from tamias2d.study.perturbed import LOST, MOVED, growth, horizon
+from tamias2d.study.quality import certify_quality, is_of_quality
 from tamias2d.study.refined import Refined
 from tamias2d.study.statement import of_energy, of_penetration, of_positions, with_rule
 from tamias2d.study.step_doubling import against_shorter, shorter_runs, step_doubling
+from tamias2d.study.stepped_plan import refined_to
 from tamias2d.suggestions import suggests
 
 _COARSE = 10 * MOVED  # is the tolerance of a method whose steps err more than what is perturbed
@@ -89,6 +91,10 @@ def certify_tighter(run: Run, looser: Run) -> Run:
 
 def certify_as(run: Run, told: Certificate) -> Run:
     """Return a run with a certificate that was made as another one tells, of all ways there are."""
+    if is_of_quality(told):
+        return certify_quality(run)
+    if isinstance(run.method, Stepped):
+        return _certify_steps_as(run, told)
     if told.how.endswith(HOW) and has_error_equation(run.scene, run.method, run.duration):
         return certify_with_error(run, error_beside(run))
     usual, method = certify(run), run.method
@@ -103,6 +109,18 @@ def certify_as(run: Run, told: Certificate) -> Run:
             except NoBoundError:
                 return usual
     return certify_embedded(run)[0]
+
+
+def _certify_steps_as(run: Run, told: Certificate) -> Run:
+    """Return a run by steps with a certificate as another one tells: of its steps, or of a plan.
+
+    Both may be told of the same shortest step.
+    """
+    usual = certify_steps(run)
+    if usual.certificate is None or replace(usual.certificate, hashes=told.hashes) == told:
+        return usual
+    shorter = refined_to(run.scene, duration=run.duration, times=run.times, told=told.how)
+    return usual if shorter is None else certify_steps(run, shorter)
 
 
 def _certified(

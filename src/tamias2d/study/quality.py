@@ -127,11 +127,26 @@ def checked_quality(value: object) -> float:
     return float(value)  # type: ignore[arg-type]
 
 
+def certify_quality(run: Run) -> Run:
+    """Return a run with the certificate of its quality, whatever this is."""
+    return _stating(run, quality_of(run.scene, _history(run)))
+
+
+def is_of_quality(certificate: Certificate) -> bool:
+    """Return whether a certificate states the quality of a run."""
+    return certificate.measure == _MEASURE
+
+
 def _certified(run: Run, quality: float) -> Run:
     """Return a run with its certificate; raise `ToleranceError` if it is not of the quality."""
     found = quality_of(run.scene, _history(run))
     if found.size > quality:
         raise _refusal(quality, found.size)
+    return _stating(run, found)
+
+
+def _stating(run: Run, found: Quality) -> Run:
+    """Return a run with a certificate that states a quality."""
     energy = "that of the energy is not known: something gives some"
     if found.energy is not None:
         energy = f"the energy changes by {found.energy:.1e}"

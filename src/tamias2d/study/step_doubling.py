@@ -96,10 +96,15 @@ def against_shorter(run: Run, shorter: Refined) -> Bound:
     away = distance(run.scene, run, finest)
     rounded = rounding(run) * run.duration / shorter.time_step + gaps(run)
     how = (
-        f"steps of {shorter.time_step:.4g} s; runs by steps of up to twice that, and by other "
+        f"{shortest_told(shorter.time_step)}runs by steps of up to twice that, and by other "
         f"substeps, show that this is within {float(doubt[-1]):.2g} m of the answer"
     )
     return Bound("step doubling", float((away + doubt).max(initial=0.0)) + rounded, how)
+
+
+def shortest_told(time_step: float) -> str:
+    """Return how a bound from shorter steps begins: with the shortest, s."""
+    return f"steps of {time_step:.4g} s; "
 
 
 def gaps(run: Run) -> float:

@@ -20,8 +20,9 @@ from tamias2d.solve import FRAMES, solve
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.pilot import Estimate
-from tamias2d.study.refined import Refined, refinements, stepped, work_of
+from tamias2d.study.refined import Refined, refined, refinements, stepped, work_of
 from tamias2d.study.refusal import BOUND_LESS, LOOSEST, ToleranceError, rounded_up, sooner
+from tamias2d.study.step_doubling import shortest_told
 
 _SHARE = 1 / 3  # of the tolerance may be in doubt
 WORK = 1000.0
@@ -31,6 +32,7 @@ _COARSEST = 2.0 / FRAMES  # s
 _FEWEST = 16  # steps of a run
 _FALLS = 8.0  # times, at most, halving a step makes an error smaller
 _STALE = 4  # halvings in which the doubt must halve, or it never will
+_HALVINGS = 30  # of the first step: more than any work limit leaves
 _SAMPLES = 120
 _ROUNDED = 1e-9  # of a step
 
@@ -87,9 +89,7 @@ def plan_steps(
     Raises:
         ToleranceError: runs do not agree so well, or not up to the end; it says until when.
     """
-    asked = np.unique(np.asarray(times, dtype=float))
-    first = aligned_step(duration, asked)
-    looked = _looked(asked, duration, first)
+    first, looked = _grid(duration, times)
     seen = _refined(scene, duration, tolerance, looked, first, WORK * work_limit)
     refined = seen[-1]
     if len(seen) < 2 or not refined.share <= _SHARE * tolerance:
@@ -107,6 +107,29 @@ def plan_steps(
             return SteppedPlan(refined, (estimate, *map(_lost, failed.values())), spent)
         failed[substeps] = estimate
     raise _beyond(tolerance, duration, seen, reason)
+
+
+def refined_to(scene: Scene, *, duration: float, times: Array, told: str) -> Refined | None:
+    """Return what shorter steps say, refined as in the plan of a bound that is told; or None.
+
+    None if no plan of this scene tells it: it says which steps were the shortest.
+    """
+    first, looked = _grid(duration, times)
+    for step in (first / 2**halvings for halvings in range(1, _HALVINGS)):
+        if told.startswith(shortest_told(step / 2)):
+            longer, shorter = (
+                refined(scene, duration=duration, times=looked, time_step=each, grid=first)
+                for each in (2 * step, step)
+            )
+            return shorter.after(longer)
+    return None
+
+
+def _grid(duration: float, times: Sequence[float] | Array) -> tuple[float, Array]:
+    """Return the step, s, from which runs are refined, and the times (k,), s, at which they are."""
+    asked = np.unique(np.asarray(times, dtype=float))
+    first = aligned_step(duration, asked)
+    return first, _looked(asked, duration, first)
 
 
 def first_step(duration: float) -> float:

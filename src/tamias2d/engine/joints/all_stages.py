@@ -4,6 +4,7 @@ from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.early import note_early_joined
 from tamias2d.engine.islands import join_islands
 from tamias2d.engine.joined import mark_joined, or_joined, unless_joined
+from tamias2d.engine.joined_approach import joined_approach
 from tamias2d.engine.joints.acting import unless_tied
 from tamias2d.engine.joints.activity import (
     activate_joined,
@@ -12,7 +13,6 @@ from tamias2d.engine.joints.activity import (
     join_slabs,
     note_mechanisms,
 )
-from tamias2d.engine.joints.approach import joined_approach
 from tamias2d.engine.joints.at_rest import note_joined_support, wake_tied
 from tamias2d.engine.joints.island_charge import charge_joined, support_joined
 from tamias2d.engine.joints.payment import pay_together, repay_as_one

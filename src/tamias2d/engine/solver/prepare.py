@@ -4,7 +4,7 @@ Source: Catto (2024), soft step; the softness under a load, and the preload, are
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.approach import joined_approach
+from tamias2d.engine.joined_approach import joined_approach
 from tamias2d.engine.tables import Bodies, Constraints, Contacts, Control, Integers
 from tamias2d.generated.soft_contact import (
     angular_frequency_even,
