@@ -35,7 +35,7 @@ BODY = [
     {"inertia": 0.0},
     {"inertia": -1.0},
     {"inertia": "1 kg*m^2"},
-    {"inertia": INF},
+    {"inertia": -INF},
     {"position": None},
     {"position": 1.0},
     {"position": (1.0,)},

@@ -234,7 +234,7 @@ joints:
         ("kind: revolute", "kind: revolut", "5:11", "did you mean 'revolute'"),
         ("[0 m, 0 m]]", "[0 m, 0 s]]", "6:26", "must be in m"),
         ("[rod,", "[rot,", "6:15", "the scene has none such"),
-        ("anchor: [-0.5 m", "anchor: [-0.4 m", "6:14", "off by -0.1 m"),
+        ("anchor: [-0.5 m", "anchor: [-0.4 m", "6:14", "off by 0.1 m"),
         ("anchor:", "ankor:", "7:5", "did you mean 'anchor'"),
         ("    anchor", "    length: 1 m\n    anchor", "7:5", "key 'length' of a joint of kind rev"),
         (", [0 m, 0 m]]", "]", "6:14", "found 1 ends"),

@@ -8,6 +8,8 @@ import pytest
 from hypothesis import example, given, settings, strategies as st
 
 import tamias2d as t2
+from tamias2d.engine.validity import OVERFLOWED, Invalid
+from tamias2d.simulator.invalid_state import invalid_state
 from tests.simulator.crowd import SHAPES
 
 NUMBERS = [math.nan, math.inf, -math.inf, 0.0, -0.0, -1.0, 5e-324, 1e-300, 1e300, 1.7e308, 7, -7]
@@ -17,7 +19,10 @@ ARRAYS = [np.zeros((2, 3)), np.zeros((0, 2)), np.array("x"), np.array([None, 1])
 ODD = st.sampled_from([*NUMBERS, *HUGE, *OTHERS, *ARRAYS])
 GOOD = st.one_of(st.floats(-10, 10), st.tuples(st.floats(-9, 9), st.floats(-9, 9)))
 VALUE = st.one_of(ODD, GOOD, st.lists(st.one_of(ODD, st.floats(-5, 5)), max_size=3))
-RULES = ("must be finite", "body: must be 0", "must be at most", "must be within", "cannot hold")
+RULES = (
+    *("must be finite", "body: must be 0", "must be 0: its inertia", "must be at most"),
+    *("must be within", "cannot hold"),
+)
 ADDED = (
     *("mass", "position", "velocity", "orientation", "angular_velocity", "force", "torque"),
     *("linear_drag", "angular_drag", "inertia", "restitution", "friction"),
@@ -171,3 +176,13 @@ def test_what_is_written_to_the_row_of_a_removed_body_is_refused() -> None:
 def test_rays_that_do_not_match_are_called_rays() -> None:
     with pytest.raises(t2.InputError, match=r"\(3, 2\) for 3 rays"):
         small().ray_cast([(0, 9), (5, 9)], [(0, 0), (5, -1), (1, 1)])
+
+
+def test_what_overflows_in_a_mechanism_is_told_with_a_joint_of_it() -> None:
+    found = Invalid("velocity", 0, [1.0, 2.0, 3.0], OVERFLOWED)
+    kinds = np.zeros(1, dtype=np.int8)
+    said = str(invalid_state(found, kinds, lambda row: f"body {row}", None, "rope"))
+    assert "the mechanism of joint 'rope', which holds it (R4, R13)" in said
+    alone = str(invalid_state(found, kinds, lambda row: f"body {row}"))
+    assert "joint" not in alone
+    assert "float64 cannot hold what a step makes of it" in alone

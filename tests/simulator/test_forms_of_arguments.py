@@ -105,7 +105,7 @@ def test_particles_are_the_same_alone_and_among_others() -> None:
 
 BAD: dict[str, list[Any]] = {
     "mass": [0.0, -1.0, np.nan, np.inf, 1e-320, True],
-    "inertia": [0.0, np.inf, 1e-320, False],
+    "inertia": [0.0, -np.inf, 1e-320, False],
     "orientation": [np.nan, -np.inf, True],
     "torque": [np.inf, False],
     "linear_drag": [-1e-9, np.nan, True],

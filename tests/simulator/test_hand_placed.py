@@ -8,6 +8,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.errors import StepWarning
+from tamias2d.scene.writing import scene_text
 
 LIMITS = t2.Limits(lower=-0.5, upper=0.5, restitution=0.0)
 
@@ -90,3 +91,51 @@ def test_a_tooth_behind_which_a_wheel_was_put_is_told() -> None:
     with pytest.warns(StepWarning, match="'pawl'.*put 0.05 .* beyond its lower limit"):
         sim.step(10)
     assert sim.orientation[0] == pytest.approx(tooth, abs=1e-4)
+
+
+@pytest.mark.parametrize("turn", [3.0, -2.0])
+def test_a_car_that_is_put_back_on_its_wheels_has_not_turned(turn: float) -> None:
+    """It was told that its wheels' grooves had turned too far in a substep."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)))
+    hull = sim.add(t2.Box(width=2.0, height=0.5), mass=800.0, position=(0.0, 1.0), restitution=0.0)
+    places = np.array([(-0.8, 0.4), (0.8, 0.4)])
+    wheels = sim.add(t2.Disc(radius=0.4), mass=40.0, position=places, group=-1, restitution=0.0)
+    spring = t2.JointSpring(stiffness=9e4, damping=6e3)
+    for k, place in zip(wheels.tolist(), places, strict=True):
+        sim.add_joint(t2.Wheel(axis=(0.0, 1.0), spring=spring), hull, k, at=place)
+    sim.orientation[hull] = turn
+    cosine, sine = np.cos(turn), np.sin(turn)
+    sim.position[wheels] = (0.0, 1.0) + (places - (0.0, 1.0)) @ [[cosine, sine], [-sine, cosine]]
+    sim.step()  # which the chassis takes upside down, or nearly
+    sim.orientation[hull], sim.position[hull] = 0.0, (5.0, 3.0)
+    sim.position[wheels] = places + np.array([5.0, 2.0])
+    sim.velocity[:] = sim.angular_velocity[:] = 0.0
+    sim.step(30)
+    assert sim.warnings == ()
+
+
+def test_a_wheel_without_a_motor_is_a_wheel_and_a_groove_is_a_groove() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    for x in (0.0, 1.0):
+        scene.add_body(t2.Disc(radius=0.1), mass=1.0, position=(x, 0.0), restitution=0.0)
+    spring, motor = t2.JointSpring(stiffness=1.0), t2.Motor(speed=0.0)
+    limits = t2.Limits(lower=-1.0, upper=2.0, restitution=0.0)
+    for kind in (
+        t2.Wheel(axis=(1.0, 0.0), spring=spring),
+        t2.Wheel(axis=(1.0, 0.0), spring=spring, limits=limits, motor=motor),
+        t2.Groove(axis=(1.0, 0.0)),
+        t2.Groove(axis=(1.0, 0.0), limits=limits, motor=motor),
+    ):
+        scene.add_joint(kind, 0, 1)
+    assert [joint.kind for joint in scene.joints] == ["wheel", "wheel", "groove", "groove"]
+    text = scene_text(scene)
+    assert scene_text(t2.load(text)) == text
+
+
+def test_a_joint_that_does_not_fit_says_where_its_anchors_are() -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+    box = sim.add(t2.Box(width=1.0, height=1.0), mass=1.0, position=(5.0, 0.0), restitution=0.0)
+    message = r"off by 0.5 m \(TM7\).*the centres of bodies unless they are stated, and `at` puts"
+    with pytest.raises(t2.InputError, match=message):
+        sim.add_joint(t2.Weld(), (5.0, 0.5), box)
+    sim.add_joint(t2.Weld(), (5.0, 0.5), box, at=(5.0, 0.5))

@@ -19,10 +19,8 @@ from tamias2d import (
     InputError,
     JointSpring,
     Limits,
-    Motor,
     Reference,
     Revolute,
-    Rotary,
     Scene,
     Simulator,
     Target,
@@ -191,19 +189,3 @@ def test_a_target_too_far_away_for_float64_is_refused() -> None:
         sim.set_target("mouse", (1e300, 0.0))
     sim.step()
     assert sim.position[0] == pytest.approx((0.5, 3.0), abs=1e-12)
-
-
-def test_a_body_that_may_not_turn() -> None:
-    """An infinite inertia is refused, and the joint that it is told of does what was meant."""
-    sim = plain(Scene(gravity=(0.0, -G)))
-    box = Box(width=1.0, height=1.0)
-    with pytest.raises(InputError, match=r"found inf.*Rotary\(motor=Motor\(speed=0.0\)\)"):
-        sim.add(box, mass=1.0, inertia=math.inf, position=(0.0, 0.0), restitution=0.0)
-    with pytest.raises(InputError, match=r"found inf.*Rotary\(motor=Motor\(speed=0.0\)\)"):
-        Scene(gravity=(0.0, 0.0)).add_body(None, mass=1.0, inertia=math.inf, position=(0.0, 0.0))
-    body = sim.add(box, mass=1.0, position=(0.0, 0.0), restitution=0.0)
-    sim.add_joint(Rotary(motor=Motor(speed=0.0)), (0.0, 0.0), body)
-    sim.torque[body] = 100.0
-    sim.step(60)
-    assert abs(sim.orientation[body]) < 1e-6
-    assert sim.velocity[body, 1] == pytest.approx(-G)

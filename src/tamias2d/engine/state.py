@@ -14,7 +14,8 @@ RESOLVED = 2.0**50
 def gather_state(control: Control, state: BodyState, bodies: Bodies) -> bool:
     """Bring what users can set to the slots of the bodies; return whether all of it is valid.
 
-    Numbers are finite and not too large, and of each body only those differ from 0 that it has.
+    Numbers are finite and not too large, and of each body only those differ from 0 that it has:
+    what cannot be turned has no spin.
     """
     bad = (
         0
@@ -28,6 +29,8 @@ def gather_state(control: Control, state: BodyState, bodies: Bodies) -> bool:
             bodies.pose[i, n], bodies.motion[i, n], bodies.load[i, n] = at[n], speed[n], by[n]
         bad += 0 if is_valid_state(at, speed, by, bodies.properties[i, tb.BOUNDING_RADIUS]) else 1
         bad += 0 if suits_kind(bodies.kind[i], at, speed, by) else 1
+        spins = (bodies.kind[i] == tb.DYNAMIC) & (speed[2] != 0.0)
+        bad += 1 if spins & (bodies.properties[i, tb.INVERSE_INERTIA] == 0.0) else 0
     return bad == 0
 
 

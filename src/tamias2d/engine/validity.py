@@ -10,7 +10,7 @@ from tamias2d.engine.state import LARGEST, RESOLVED
 from tamias2d.engine.store import Store
 from tamias2d.state import Array
 
-NOT_FINITE, TOO_LARGE, TOO_FAR, MOVES, OVERFLOWED, PUSHED, NO_BODY = range(7)
+NOT_FINITE, TOO_LARGE, TOO_FAR, MOVES, OVERFLOWED, PUSHED, NO_BODY, SPINS = range(8)
 """Why a value is not valid; one has overflowed if it was not finite after a step."""
 
 _COLUMNS = {
@@ -66,6 +66,10 @@ def first_invalid(store: Store) -> Invalid:
             return invalid
     moving = (speed > 0.0) & (kind == tb.STATIC)
     if (invalid := _first("velocity", state.velocity[:size], moving, MOVES)) is not None:
+        return invalid
+    unturned = (kind == tb.DYNAMIC) & (state.properties[:size, [tb.INVERSE_INERTIA]] == 0.0)
+    spin = columns["angular_velocity"]
+    if (invalid := _first("angular_velocity", spin, unturned & (spin != 0.0), SPINS)) is not None:
         return invalid
     for quantity in ("force", "torque"):
         pushed = (columns[quantity] != 0.0) & (kind != tb.DYNAMIC)

@@ -132,7 +132,8 @@ def _of_body(scene: Scene, keys: tuple[Any, ...]) -> bool:
         return body is not None and keys[2] in ("restitution", "friction")
     if keys[2] == "radius":
         return isinstance(body.shape, Disc)
-    return body.shape is not None or keys[2] not in ("angular_velocity", "torque", "inertia")
+    turns = body.inverse_inertia > 0.0 or not body.dynamic
+    return turns or keys[2] not in ("angular_velocity", "torque", "inertia")
 
 
 def _pushed(scene: Scene) -> list[int]:

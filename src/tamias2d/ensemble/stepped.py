@@ -141,6 +141,8 @@ def _has_place(scene: Scene, keys: tuple[Any, ...]) -> bool:
         return bool(keys[0] == "gravity")
     body, key = scene.bodies[scene.index(keys[1])], keys[2]
     slowed = body.linear_drag or body.angular_drag
+    if body.dynamic and not body.inverse_inertia and key in ("angular_velocity", "torque"):
+        return False  # nothing turns it: each scene refuses what would
     moves = key in _MOTION and not (body.static and isinstance(body.shape, HalfPlane))
     pushed = key in ("force", "torque") or (key in ("mass", "inertia") and not slowed)
     return key in (*_SURFACE, "surface_speed") or moves or (pushed and body.shape is not None)

@@ -4,8 +4,6 @@ import math
 from collections.abc import Container
 from typing import get_args
 
-import numpy as np
-
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.chain import Chain
@@ -107,20 +105,20 @@ def checked_name(name: object, taken: Container[str]) -> str:
     return text
 
 
-def remedy_of_inertia(value: object) -> str:
-    """Return what to do about an inertia, or several; an infinite one has a joint instead."""
-    remedy = "Give a positive inertia in kg m^2, or leave it out."
-    each = np.ravel(np.asarray(value, dtype=object))
-    if any(isinstance(one, float) and one == math.inf for one in each):
-        remedy += " A body that is not to turn is tied to the plane by "
-        remedy += "add_joint(Rotary(motor=Motor(speed=0.0)), (0.0, 0.0), body)."
-    return remedy
+REMEDY_OF_INERTIA = (
+    "Give a positive inertia in kg m^2, or math.inf for a body that nothing turns, or leave it out."
+)
 
 
 def checked_inertia(value: object, mass: float, shape: Shape | None, of: str) -> float:
-    """Return the inertia that is stated or that follows from mass and shape, kg m^2."""
+    """Return the inertia that is stated or that follows from mass and shape, kg m^2.
+
+    It is infinite for what nothing turns.
+    """
+    if isinstance(value, float) and value == math.inf:
+        return math.inf
     if value is not None:
-        inertia = number(value, "inertia", of, remedy_of_inertia(value), at=("inertia",))
+        inertia = number(value, "inertia", of, REMEDY_OF_INERTIA, at=("inertia",))
     elif shape is None or isinstance(shape, HalfPlane | Chain):
         return math.inf
     else:
@@ -173,16 +171,27 @@ def refuse_undefined_law(body: Body) -> None:
     first_value(body.torque, body.start, at=("torque",))
 
 
-def refuse_turning_particle(body: Body) -> None:
-    """Refuse torque or spin where nothing says the inertia."""
-    turned = body.angular_velocity != 0 or body.torque != 0.0
-    if turned and body.inertia == math.inf:
-        key = "torque" if body.torque != 0.0 else "angular_velocity"
-        raise RuleError(
-            f"inertia of body '{body.name}': found none, though its {key} is not 0 (R2, IM2). "
-            "State the inertia in kg m^2, or give the body a shape.",
-            "inertia",
+def refuse_turned(body: Body) -> None:
+    """Refuse torque or spin where nothing says the inertia, or where that is infinite."""
+    for key in ("torque", "angular_velocity"):
+        if getattr(body, key) != 0.0 and body.inertia == math.inf:
+            raise RuleError(
+                f"inertia of body '{body.name}': {fault_of_turning(key, body.inertia_stated)}",
+                "inertia",
+            )
+
+
+def fault_of_turning(key: str, stated: bool) -> str:
+    """Return what is wrong where something turns a body without an inertia, and what helps."""
+    if stated:
+        return (
+            f"found inf, though its {key} is not 0: nothing turns such a body (R2, IM2). State a "
+            f"finite one in kg m^2, or leave the {key} out."
         )
+    return (
+        f"found none, though its {key} is not 0 (R2, IM2). State the inertia in kg m^2, or give "
+        "the body a shape."
+    )
 
 
 def refuse_placed_half_plane(body: Body) -> None:

@@ -239,20 +239,29 @@ def _refuse_singular(start: Start, bodies: Sequence[Body], of: str) -> None:
             "between",
         )
     for body in start.turned:
-        if body.dynamic and body.inertia == math.inf:
+        if body.dynamic and body.inertia == math.inf and not body.inertia_stated:
             raise RuleError(
                 f"{of}: '{body.name}' has no inertia, and the joint would turn it (IM2, TM7). "
                 "State its inertia.",
                 "between",
             )
+    if not start.moves:
+        names = " and ".join(f"'{bodies[k].name}'" for k in moving)
+        raise RuleError(
+            f"{of}: it would only turn {names}, which nothing turns: the inertia is infinite (TM7, "
+            "DD20). Leave out what turns, or give a finite inertia.",
+            "between",
+        )
 
 
 def _refuse_unfit(start: Start, of: str, *, at_rest: bool = False) -> None:
     """Refuse a joint that does not hold at the start."""
     if start.way(start.rows) > _FITS * start.size:
         raise RuleError(
-            f"{of}: it does not hold at the start: it is off by {start.worst(start.rows)} (TM7). "
-            "Move the bodies or the anchors so that it fits.",
+            f"{of}: it does not hold at the start: it is off by "
+            f"{start.worst(np.abs(start.rows))} (TM7). Move the bodies or the anchors so that it "
+            "fits: these are the centres of bodies unless they are stated, and `at` puts all of "
+            "them at one place of the world.",
             "between",
         )
     if not at_rest and start.way(start.rates) > _FITS * start.speed:

@@ -49,6 +49,15 @@ class Start:
         ]
 
     @property
+    def moves(self) -> bool:
+        """Whether it can move a body that it holds, or turn one that can be turned."""
+        return any(
+            bool(np.any(slopes[:, : 2 if self._held[end].inertia == math.inf else 3]))
+            for end, slopes in self.slopes.items()
+            if end in self._held and self._held[end].dynamic
+        )
+
+    @property
     def steepness(self) -> tuple[tuple[float, float], ...]:
         """By how much each row changes for each m, and for each rad, of the bodies it holds."""
         moved, turned = steepness([self.slopes[end] for end in self._held if end in self.slopes])

@@ -67,14 +67,20 @@ class Joint:
     @property
     def kind(self) -> str:
         """The word for its kind in a scene file."""
-        measures = [freedom.measure for freedom in self.freedoms]
         if self.model == "travel":
             return "target"
-        if self.model == "groove" and "angle" in measures:
+        if self.model == "groove" and self._is_wheel:
             return "wheel"
         if self.model == "angle":
             return "ratchet" if self.pitch else "rotary"
         return self.model
+
+    @property
+    def _is_wheel(self) -> bool:
+        """Whether a groove has a motor about its point, or a suspension and no motor along it."""
+        along = [freedom for freedom in self.freedoms if freedom.measure == "travel"]
+        hangs = any(each.spring and not each.motor for each in along)
+        return hangs or len(along) < len(self.freedoms)
 
     @property
     def governed(self) -> bool:

@@ -201,11 +201,11 @@ class _Inquiry:
         cornered = [
             body
             for body in self.moving
-            if body.shape is not None and not isinstance(body.shape, Disc)
+            if body.inverse_inertia and not isinstance(body.shape, Disc)
         ]
         if self.pairs and cornered:
             return True, f"{_named(cornered)} turned when hit beside the centre of mass"
-        if self.pairs and self.rough:
+        if self.pairs and self.rough and any(body.inverse_inertia for body in self.moving):
             return True, f"{_named(self.rough)} rough, and friction turns what touches"
         asked = {k for laws in self.laws() if laws[1] & _TURNED for k in laws[0]}
         if asked:

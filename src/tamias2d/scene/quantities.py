@@ -3,6 +3,7 @@
 Every function raises `RuleError` with the path of the value; the caller adds its place.
 """
 
+import math
 import re
 from typing import Any
 
@@ -15,6 +16,7 @@ from tamias2d.spec.units import parse_quantity
 
 _ANGLE = re.compile(r"\b(rad|deg)\b")
 _ZERO = re.compile(r"[+-]?0*\.?0*")
+_INFINITE = re.compile(r"inf\b")
 _EXPRESSION = re.compile(rf"[\[(]|\b({'|'.join((*VARYING, 'mass'))})\b")
 _SYMBOL = {"anchor": "arm", "other_anchor": "arm", "point": "position"}
 
@@ -95,15 +97,19 @@ def _component(raw: object, symbol: Symbol, path: KeyPath) -> object:
 
 
 def read_quantity(raw: object, name: str, path: KeyPath) -> float:
-    """Return a number in SI units from ``848.5 m/s``; a bare zero fits any unit."""
+    """Return a number in SI units from ``848.5 m/s``; a bare zero fits any unit.
+
+    An inertia may be ``inf kg*m^2``.
+    """
     text, symbol = " ".join(scalar_text(raw, path).split()), SYMBOLS[name]
     if _ZERO.fullmatch(text) and "0" in text:
         return 0.0
     what = label(_named(path))
     pure = symbol.unit == "1"
     example = "Write it like 0.8." if pure else f"Write it like '1.5 {symbol.unit}'."
+    endless = name == "inertia" and _INFINITE.match(text) is not None
     try:
-        quantity = parse_quantity(text)
+        quantity = parse_quantity(_INFINITE.sub("1", text, count=1) if endless else text)
     except SpecFault as fault:
         raise RuleError(f"{what}: {fault.message} (R2). {example}", *path) from None
     if quantity.dimension != symbol.dimension:
@@ -118,7 +124,7 @@ def read_quantity(raw: object, name: str, path: KeyPath) -> float:
         raise RuleError(
             f"{what}: found {shown(text)}: {rule} (symbol {symbol.name}). {example}", *path
         )
-    return quantity.value
+    return math.inf if endless else quantity.value
 
 
 def _named(path: KeyPath) -> KeyPath:

@@ -28,7 +28,7 @@ from tamias2d.scene.checks import (
     optional_restitution,
     refuse_placed_half_plane,
     refuse_shape,
-    refuse_turning_particle,
+    refuse_turned,
     refuse_undefined_law,
 )
 from tamias2d.scene.compound import Shape
@@ -114,7 +114,7 @@ class Scene(SceneData):
         `position`, `velocity`, `orientation`, `angular_velocity` and `mass`. Drag slows it down by
         `linear_drag` (kg/s) times its velocity, and by `quadratic_drag` (kg/m) times the square of
         its speed (IM6); `angular_drag` (kg m^2/s) slows its turning. The inertia in kg m^2 follows
-        from mass and shape unless it is stated.
+        from mass and shape unless it is stated; with ``math.inf`` nothing turns the body (DD20).
 
         Restitution and friction are those of its surface, see `restitution` and `friction`. Whom it
         may touch, `category`, `mask` (None for all) and `group` say, see `collides`. A `sensor`
@@ -145,7 +145,7 @@ class Scene(SceneData):
             angular_drag=checked_drag(angular_drag, "angular_drag", of),
             **_surface(of, restitution, friction, category, mask, group, sensor),
         )
-        refuse_turning_particle(body)
+        refuse_turned(body)
         refuse_undefined_law(body)
         return self._append(body)
 

@@ -92,9 +92,11 @@ def refuse_spring(spring: Spring, bodies: Sequence[Body], of: str) -> None:
             f"other anchor of {of}: a point has none (IM7). Move the point itself.", "other_anchor"
         )
     for (k, anchor), key in zip(spring.ends, ("anchor", "other_anchor"), strict=False):
-        if anchor != (0, 0) and bodies[k].dynamic and bodies[k].inertia == math.inf:
+        body = bodies[k]
+        unknown = body.dynamic and body.inertia == math.inf and not body.inertia_stated
+        if anchor != (0, 0) and unknown:
             raise RuleError(
-                f"{key.replace('_', ' ')} of {of}: '{bodies[k].name}' has no inertia, and a pull "
+                f"{key.replace('_', ' ')} of {of}: '{body.name}' has no inertia, and a pull "
                 "beside its centre would turn it (IM2, IM7). State its inertia.",
                 key,
             )

@@ -7,7 +7,7 @@ import numpy as np
 
 from tamias2d.engine.batch import Batch
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
-from tamias2d.scene.checks import SHAPES, refuse_shape
+from tamias2d.scene.checks import SHAPES, fault_of_turning, refuse_shape
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.rules import RuleError, sequence
 from tamias2d.scene.shapes import HalfPlane
@@ -66,7 +66,8 @@ def added_batch(kind: int, given: Mapping[str, Any]) -> Batch:
     )
     are = constitution(kind, known, given, of)
     if kind == DYNAMIC:
-        _refuse_turned({"torque": torque, "angular_velocity": spin}, are.inertia, of)
+        turned = {"torque": torque, "angular_velocity": spin}
+        _refuse_turned(turned, are.inertia, of, stated=given.get("inertia") is not None)
     columns = (*place, turn, *velocity, spin, *force, torque, *are.numbers)
     return Batch(table(columns, count), whole_table(are.wholes, count), known)
 
@@ -120,15 +121,14 @@ def _refuse_placed(shapes: Sequence[Shape | None], given: Mapping[str, Any]) -> 
         )
 
 
-def _refuse_turned(many: dict[str, Column], inertia: Column, of: str) -> None:
-    """Refuse a torque or spin where nothing says the inertia."""
+def _refuse_turned(many: dict[str, Column], inertia: Column, of: str, *, stated: bool) -> None:
+    """Refuse a torque or spin where nothing says the inertia, or where that is infinite."""
     if is_finite(inertia):
         return
     for key in ("torque", "angular_velocity"):
         bad = np.isinf(inertia) & np.not_equal(many[key], 0.0)
         if bad.any():
             raise RuleError(
-                f"inertia[{int(np.argmax(bad))}] of {of}: found none, though its {key} is not 0 "
-                "(R2, IM2). State the inertia in kg m^2, or give the body a shape.",
+                f"inertia[{int(np.argmax(bad))}] of {of}: {fault_of_turning(key, stated)}",
                 "inertia",
             )

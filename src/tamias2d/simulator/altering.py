@@ -45,8 +45,10 @@ class Altering(Stepping):
         `mass` is a number in kg for all of k bodies, or an array (k,); so is `inertia` in kg m^2,
         which changes in proportion to the mass where it is left out, whether it followed from the
         shape or was stated (DD92). Velocities stay, so that momentum changes, and so do the
-        coefficients of drag, whose rates follow. What sleeps wakes where something changes. Loads
-        that depend on the mass follow it, those of fields that stand in `force` too.
+        coefficients of drag, whose rates follow; but with an inertia of ``math.inf``, with which
+        nothing turns a body, its angular velocity and angular drag end. What sleeps wakes where
+        something changes. Loads that depend on the mass follow it, those of fields that stand in
+        `force` too.
 
         Raises:
             InputError: a body is not there or cannot be pushed, or a value breaks a rule (R4).
@@ -56,6 +58,8 @@ class Altering(Stepping):
         now, heavy = masses_now(self._engine, rows), masses(mass, _OF, len(rows))
         turned = _inertias(inertia, now, heavy)
         self._weigh(rows, now, now._replace(mass=heavy, inertia=turned))
+        if inertia is not None:
+            self._engine.velocity[rows[np.isinf(turned)], 2] = 0.0
 
     @exclusive
     def set_drag(

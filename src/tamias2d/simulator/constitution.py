@@ -12,12 +12,20 @@ import numpy as np
 
 from tamias2d.engine.batch import UNSTATED
 from tamias2d.engine.tables import DYNAMIC
-from tamias2d.scene.checks import REMEDY_OF_SURFACE_SPEED, checked_inertia, remedy_of_inertia
+from tamias2d.scene.checks import REMEDY_OF_INERTIA, REMEDY_OF_SURFACE_SPEED, checked_inertia
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL, checked_sensor, checked_whole
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator.batch import drag_rates
-from tamias2d.simulator.columns import Column, WholeColumn, column, is_finite, numbers, whole_column
+from tamias2d.simulator.columns import (
+    Column,
+    WholeColumn,
+    as_array,
+    column,
+    is_finite,
+    numbers,
+    whole_column,
+)
 from tamias2d.state import Array
 
 DRAGS = {
@@ -114,10 +122,16 @@ def _mass(value: object, of: str, count: int) -> Column:
 
 
 def stated_inertias(value: object, of: str, count: int) -> Array:
-    """Return the inertias that are stated of so many bodies, kg m^2, or raise `RuleError`."""
-    remedy = remedy_of_inertia(value)
-    inertia = numbers(value, "inertia", of, remedy, count=count, symbol="inertia")
+    """Return the inertias that are stated of so many bodies, kg m^2, or raise `RuleError`.
+
+    They are infinite for what nothing turns.
+    """
+    given = as_array(value, "inertia", of, REMEDY_OF_INERTIA)
+    endless = np.equal(given, math.inf) & (given.dtype.kind == "f")
+    finite = np.where(endless, 1.0, given) if endless.any() else value
+    inertia = numbers(finite, "inertia", of, REMEDY_OF_INERTIA, count=count, symbol="inertia")
     refuse_tiny(inertia, "inertia", of)
+    inertia[np.broadcast_to(endless, inertia.shape)] = math.inf
     return inertia
 
 

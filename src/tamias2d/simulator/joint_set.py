@@ -294,6 +294,10 @@ class JointSet:
         held = (joint.name for joint in self if joint.equations and body in joint.bodies)
         return next(held, None)
 
+    def holding(self, body: int) -> str | None:
+        """Return the name of a joint that holds a body, or None."""
+        return next((joint.name for joint in self if body in joint.bodies), None)
+
     def kept(self, engine: Engine) -> Array:
         """Return what the last step left of each row, as `JointLayout.kept` does.
 

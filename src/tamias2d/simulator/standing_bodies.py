@@ -26,6 +26,7 @@ class _Standing:
     dynamic: bool
     kinematic: bool
     inertia: float
+    inertia_stated: bool
     shape: _Shape
 
 
@@ -50,5 +51,6 @@ class StandingBodies:
             dynamic=bool(engine.kind[row] == tb.DYNAMIC),
             kinematic=bool(engine.kind[row] == tb.KINEMATIC),
             inertia=1 / inverse if inverse > 0 else np.inf,
+            inertia_stated=inverse > 0 or radius > 0,  # a particle may have none
             shape=_Shape(radius),
         )

@@ -110,7 +110,8 @@ def too_long_for_joints(
             f"its size (R13). {remedy}"
         )
         yield f"joint {joint.name} {why}", text
-    if (whirled := turned(layout)) is not None:
+    whirled = turned(layout)
+    if whirled is not None and whirled.name not in placed:  # what is put elsewhere has not turned
         text = (
             f"joint '{whirled.name}' ({whirled.kind}), before {time:.6g} s: what it holds turned "
             f"by more than half a radian in a substep of a step of {time_step:.6g} s, which costs "

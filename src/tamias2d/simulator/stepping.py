@@ -153,8 +153,8 @@ class Stepping(Views):
         if (invalid := engine.step(count, untouched=untouched, events=self._events)) is not None:
             if self._jointed and self._joints.begin_anew_if_infinite():
                 self._unsettled = True
-            equation = self._joints.equation_of(invalid.row)
-            raise invalid_state(invalid, engine.kind, self._name_of, equation)
+            joints = self._joints.equation_of(invalid.row), self._joints.holding(invalid.row)
+            raise invalid_state(invalid, engine.kind, self._name_of, *joints)
         self._seen = False
         if (limits := engine.limits) > self._limits:
             self._limits = limits

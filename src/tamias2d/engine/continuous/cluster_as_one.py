@@ -9,7 +9,7 @@ what is too much is taken from the motion about the centre of mass (DD36).
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.two_as_one import ROUNDED, place_at_end
 from tamias2d.engine.solver.angular_momentum import as_one, can_turn, return_motion, suffices
-from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.tables import Bodies, Integers
 from tamias2d.generated.definitions import angular_momentum, kinetic_energy, momentum
 from tamias2d.generated.island_energy import (
@@ -64,8 +64,9 @@ def return_cluster_turning(
             k, begun = i, False
             while k != i or not begun:
                 begun = True
+                spun = turned and can_be_turned(k, bodies.properties)
                 place = place_at_end(k, origin, bodies)
-                return_motion(one, given, energy, turned, place, bodies.motion[k])
+                return_motion(one, given, energy, spun, place, bodies.motion[k])
                 k = together[k]
             return
 

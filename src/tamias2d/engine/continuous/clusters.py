@@ -13,6 +13,7 @@ from tamias2d.engine.continuous.cluster_as_one import (
 )
 from tamias2d.engine.continuous.trajectory import redirect_path, relative_place
 from tamias2d.engine.continuous.work import take_energy_back, work_ahead
+from tamias2d.engine.solver.energy import can_be_turned
 from tamias2d.engine.tables import Bodies, Control, Integers
 from tamias2d.generated.continuous_collision import inward_share, shift_carried, shift_shared
 from tamias2d.state import Array, Vector
@@ -116,13 +117,16 @@ def leave(i: int, together: Integers) -> None:
 def displacement_along(i: int, j: int, now: float, bodies: Bodies) -> tuple[Vector, float]:
     """Return the displacement of body j as a part of i, m and rad, as far as a line can be.
 
+    What cannot be turned only goes along.
+
     Along with a wall that turns it begins on the inside of its arc, and cuts that before the wall
     has turned by `MOST_ARC`: there both meet again.
     """
     shift, turn = (bodies.motion[i, tb.DX], bodies.motion[i, tb.DY]), bodies.motion[i, tb.DANGLE]
     offset = relative_place(i, j, now, bodies.pose, bodies.motion)
     inwards = inward_share(turn, now, MOST_ARC) if bodies.kind[i] != tb.DYNAMIC else 0.0
-    return shift_carried(shift, turn, offset, inwards), turn
+    by = shift_carried(shift, turn, offset, inwards)
+    return by, turn if can_be_turned(j, bodies.properties) else 0.0
 
 
 def redirect(i: int, now: float, to: Vector, turn: float, control: Control, bodies: Bodies) -> None:

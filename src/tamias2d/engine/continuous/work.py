@@ -8,7 +8,7 @@ is seen from the other body, which may move.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.trajectory import relative_place
-from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.solver.support import share_left
 from tamias2d.engine.tables import Bodies, Control
 from tamias2d.generated.definitions import kinetic_energy, point_velocity
@@ -99,4 +99,5 @@ def take_energy_back(
         share = damped_share(energy, max(energy - surplus, 0.0), 0.0)
         row = motion[i]
         row[tb.VX], row[tb.VY] = velocity_damped((row[tb.VX], row[tb.VY]), support, share)
-        row[tb.SPIN] = angular_velocity_damped(row[tb.SPIN], spin, share)
+        if can_be_turned(i, properties):
+            row[tb.SPIN] = angular_velocity_damped(row[tb.SPIN], spin, share)

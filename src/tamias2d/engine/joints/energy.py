@@ -20,7 +20,7 @@ from tamias2d.engine.joints.island_charge import (
 )
 from tamias2d.engine.joints.opening import note_drive
 from tamias2d.engine.joints.yielding import energy_driven, mass_of_mechanism, yields
-from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
     add_to_island,
     begin_motion,
@@ -248,7 +248,8 @@ def damp_mechanism(first: int, last: int, row: Array, bodies: Bodies, joints: Jo
         now, place = bodies.motion[i], place_from(root, i, bodies)
         as_one = point_velocity((row[tb.REFERENCE], row[tb.REFERENCE + 1]), spin, place)
         now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), as_one, share)
-        now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
+        if can_be_turned(i, bodies.properties):
+            now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
 
 
 def add_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:

@@ -155,9 +155,9 @@ def hang_lanes(row: Array, above: Array) -> None:
         arm = (row[tb.T_ARM_X + m], row[tb.T_ARM_Y + m])
         turned = hinge_moment(mass_x, mass_y, moment, arm)
         inertia = hinge_inertia(moment, row[tb.T_NODE_INERTIA + m], turned, arm)
-        firm = row[tb.T_FIRM + m]
-        yielding = turning_yield(inertia, firm)
-        yielding = yielding if row[tb.T_INERTIA + m] > 0.0 else 0.0
+        firm, can_turn_there = row[tb.T_FIRM + m], row[tb.T_INERTIA + m] > 0.0
+        yielding = turning_yield(inertia if can_turn_there else 1.0, firm)
+        yielding = yielding if can_turn_there else 0.0
         share = turned_share(firm, yielding)
         lever = hinge_lever(turned, yielding)
         hung_x, hung_y = hung_mass(mass_x, lever[0], turned), hung_mass(mass_y, lever[1], turned)

@@ -74,6 +74,10 @@ def makes_energy(energy: Array) -> bool:
 
 def mass_and_inertia(i: int, properties: Array) -> tuple[float, float]:
     """Return both of a dynamic body; an inertia of zero stands for one that cannot turn."""
-    turns = properties[i, tb.INVERSE_INERTIA] > 0.0
-    inertia = 1.0 / properties[i, tb.INVERSE_INERTIA] if turns else 0.0
+    inertia = 1.0 / properties[i, tb.INVERSE_INERTIA] if can_be_turned(i, properties) else 0.0
     return 1.0 / properties[i, tb.INVERSE_MASS], inertia
+
+
+def can_be_turned(i: int, properties: Array) -> bool:
+    """Return whether anything turns a dynamic body."""
+    return bool(properties[i, tb.INVERSE_INERTIA] > 0.0)

@@ -6,7 +6,7 @@ does a mechanism to the motion of what ties it. Cost: some visits to each body.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joined import or_joined
-from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
+from tamias2d.engine.solver.energy import GRACE, can_be_turned, mass_and_inertia
 from tamias2d.engine.solver.support import FREE, LEAST_SHARE, SUPPORTED_BY_MORE
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
 from tamias2d.generated.definitions import (
@@ -205,7 +205,8 @@ def damp_islands(
             velocity = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
             velocity = point_velocity(velocity, spin, place_from(root, i, bodies))
             now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), velocity, share)
-            if row[tb.ALL_COUNT] == 1.0 or spin_is_changed(i, bodies, islands):
+            turned = row[tb.ALL_COUNT] == 1.0 or spin_is_changed(i, bodies, islands)
+            if turned and can_be_turned(i, bodies.properties):
                 now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
 
 

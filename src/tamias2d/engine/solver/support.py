@@ -8,7 +8,7 @@ moved when the step began: there, gravity does no work that contacts could take 
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.solver.blocks import lane_of, points_of
-from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
 from tamias2d.generated.definitions import kinetic_energy, momentum, point_velocity
 from tamias2d.generated.island_energy import (
@@ -157,7 +157,8 @@ def damp_to_support(i: int, share: float, bodies: Bodies, islands: Islands) -> N
     by, spin = reference_at(i, bodies, islands)
     now = bodies.motion[i]
     now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), by, share)
-    now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
+    if can_be_turned(i, bodies.properties):
+        now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], spin, share)
 
 
 def share_left(energy: float, left: float) -> float:

@@ -7,7 +7,7 @@ back, some visits to each member and spring.
 from math import sqrt
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
     add_to_island,
     begin_motion,
@@ -206,5 +206,5 @@ def scale_member(
     if bodies.kind[i] == tb.DYNAMIC:
         now, by = bodies.motion[i], reference_of(i, root, bodies, row)
         now[tb.VX], now[tb.VY] = velocity_damped((now[tb.VX], now[tb.VY]), by, share)
-        if springs.members[k, tb.TURNED] > 0.0:
+        if springs.members[k, tb.TURNED] > 0.0 and can_be_turned(i, bodies.properties):
             now[tb.SPIN] = angular_velocity_damped(now[tb.SPIN], row[tb.REFERENCE + 2], share)

@@ -125,7 +125,8 @@ def _rotation(pyb2d3: Any, angle: float) -> Any:
 
 def _mass(pyb2d3: Any, body: Body) -> Any:
     mass = pyb2d3.MassData()
-    mass.mass, mass.rotational_inertia, mass.center = body.mass, body.inertia, (0.0, 0.0)
+    inertia = body.inertia if body.inverse_inertia else 0.0  # Box2D does not turn what has none
+    mass.mass, mass.rotational_inertia, mass.center = body.mass, inertia, (0.0, 0.0)
     return mass
 
 
