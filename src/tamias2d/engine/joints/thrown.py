@@ -35,7 +35,7 @@ def note_most_motion(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
 
 
 def may_be_thrown(n: int, joints: Joints) -> bool:
-    """Return whether a mechanism has rows that may yield, and nothing gives it any energy.
+    """Return whether contacts touch a mechanism that may yield, and nothing gives it any energy.
 
     One that was driven apart closes as it yields.
     """
@@ -43,7 +43,7 @@ def may_be_thrown(n: int, joints: Joints) -> bool:
     driven = own[tb.M_CARRIED] + own[tb.M_TIMED] + own[tb.M_TURNED_BY_MOTOR] > 0
     whole = joints.numbers[own[tb.M_JOINT]]
     pulled = whole[tb.J_PULLED] + whole[tb.J_OPENED] > 0.0
-    if driven or pulled or own[tb.M_MESHED] == 1:
+    if driven or pulled or own[tb.M_MESHED] == 1 or own[tb.M_TOUCHED] == 0:
         return False
     return first_firm(n, joints) < int(joints.mechanisms[n + 1, tb.M_JOINT])
 
