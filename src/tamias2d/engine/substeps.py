@@ -91,10 +91,12 @@ def finish_step(world: World) -> None:
         note_before_restitution(bodies, touching, constraints, islands)
         clear_restitution(constraints)
         few = constraints.counts[tb.BLOCKS] <= FEW_BLOCKS
+        over = False
         for visit in range(MOST_BOUNCES if few else BOUNCES):
-            if apply_restitution(visit > 0, bodies, constraints):
+            over = over or apply_restitution(visit > 0, bodies, constraints)
+            if over:
                 break
-            fit_rebound(visit == 0, world)
+            over = fit_rebound(over, visit == 0, world)
     update_islands(bodies, touching, islands, world.joints)
     bound_energy(world.control, bodies, touching, constraints, islands, world.joints)
 

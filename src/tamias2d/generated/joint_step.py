@@ -1,5 +1,6 @@
 """Joint step: Row of a joint; Impulse of a row of a joint; Joint in a substep; Rows that yield;
-Mass of a contact through joints; Spring of a joint in a substep; Energy of a mechanism.
+Motion to which a solution may lead; Mass of a contact through joints; Spring of a joint in a
+substep; Energy of a mechanism.
 
 Generated from srs/models/joint_step.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -535,6 +536,30 @@ def closing_share(row_value: Scalar, closing_way: Scalar) -> Scalar:
     return closing_way / abs(row_value)
 
 
+def motion_most(
+    kinetic_energy: Scalar,
+    mass: Scalar,
+    rates_squared: Scalar,
+    row_energy: Scalar,
+    growth_ratio: Scalar,
+) -> Scalar:
+    """Energy of motion to which one solution of a mechanism may lead (J).
+
+    motion_most = growth_ratio*kinetic_energy + mass*rates_squared/2 + row_energy
+
+    Args:
+        kinetic_energy: Energy of motion, turning included, J
+        mass: Mass of a body, kg
+        rates_squared: Sum of the squares of the rates that rows have too much, as lengths,
+            m^2/s^2
+        row_energy: Energy of a spring at a joint, J
+        growth_ratio: By which ratio the energy of motion may grow by one solution, 1
+
+    Source: DD98, srs/models/joint_step.md:309.
+    """
+    return growth_ratio * kinetic_energy + mass * rates_squared / 2 + row_energy
+
+
 def lost_velocity(row_velocity: Scalar, row_velocity_before: Scalar, restitution: Scalar) -> Scalar:
     """What joints have taken of the velocity of a contact that restitution asks for (m/s).
 
@@ -547,7 +572,7 @@ def lost_velocity(row_velocity: Scalar, row_velocity_before: Scalar, restitution
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: DD96, srs/models/joint_step.md:314.
+    Source: DD96, srs/models/joint_step.md:355.
     """
     return -(row_velocity + restitution * row_velocity_before)
 
@@ -563,7 +588,7 @@ def lost_share(row_mass: Scalar, lost_velocity: Scalar, applied_impulse: Scalar)
             for, m/s
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
 
-    Source: DD96, srs/models/joint_step.md:315.
+    Source: DD96, srs/models/joint_step.md:356.
     """
     return row_mass * lost_velocity / applied_impulse
 
@@ -578,9 +603,24 @@ def row_mass_joined(row_mass: Scalar, lost_share: Scalar) -> Scalar:
         lost_share: Part that joints take of what an impulse changes in the velocity of a
             contact, 1
 
-    Source: DD96, srs/models/joint_step.md:316.
+    Source: DD96, srs/models/joint_step.md:357.
     """
     return row_mass / (1 - lost_share)
+
+
+def overshot_share(lost_velocity: Scalar, lost_velocity_before: Scalar) -> Scalar:
+    """The same part where a turn overshoots, of the impulse of this turn (1).
+
+    overshot_share = min(lost_velocity/lost_velocity_before, 0)
+
+    Args:
+        lost_velocity: What joints have taken of the velocity of a contact that restitution asks
+            for, m/s
+        lost_velocity_before: What joints had taken of it after the turn before, m/s
+
+    Source: DD96, srs/models/joint_step.md:358.
+    """
+    return least(lost_velocity / lost_velocity_before, 0)
 
 
 def implicit_share(
@@ -598,7 +638,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:371.
+    Source: IM19, srs/models/joint_step.md:415.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -620,7 +660,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:375.
+    Source: IM19, srs/models/joint_step.md:419.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -655,7 +695,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:377.
+    Source: IM19, srs/models/joint_step.md:421.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -671,7 +711,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:378.
+    Source: IM19, srs/models/joint_step.md:422.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -685,7 +725,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:482.
+    Source: DD79, srs/models/joint_step.md:526.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -699,7 +739,7 @@ def drive_work(row_impulse: Scalar, drive_rate: Scalar) -> Scalar:
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: DD79, srs/models/joint_step.md:483.
+    Source: DD79, srs/models/joint_step.md:527.
     """
     return row_impulse * drive_rate
 
@@ -724,7 +764,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:484.
+    Source: DD79, srs/models/joint_step.md:528.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -743,7 +783,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:486.
+    Source: DD79, srs/models/joint_step.md:530.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -767,7 +807,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:488.
+    Source: DD79, srs/models/joint_step.md:532.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -782,7 +822,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:490.
+    Source: DD79, srs/models/joint_step.md:534.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -798,6 +838,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:491.
+    Source: DD79, srs/models/joint_step.md:535.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

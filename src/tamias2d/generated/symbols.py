@@ -2672,13 +2672,30 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1634,
     ),
+    "lost_velocity_before": Symbol(
+        "lost_velocity_before",
+        "m/s",
+        "what joints had taken of it after the turn before",
+        tex="u_{l,0}",
+        file="srs/symbols.md",
+        line=1638,
+    ),
+    "overshot_share": Symbol(
+        "overshot_share",
+        "1",
+        "the same part where a turn overshoots, of the impulse of this turn",
+        range=Range("<= 0", high=0.0, high_open=False),
+        tex="\\lambda_o",
+        file="srs/symbols.md",
+        line=1642,
+    ),
     "lost_share": Symbol(
         "lost_share",
         "1",
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1638,
+        line=1647,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2687,7 +2704,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1642,
+        line=1651,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2695,7 +2712,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1647,
+        line=1656,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2704,7 +2721,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1651,
+        line=1660,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2713,7 +2730,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1656,
+        line=1665,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2722,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1661,
+        line=1670,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2731,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1666,
+        line=1675,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2739,7 +2756,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1671,
+        line=1680,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2748,7 +2765,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1675,
+        line=1684,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2756,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1680,
+        line=1689,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2764,7 +2781,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1684,
+        line=1693,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2773,7 +2790,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1688,
+        line=1697,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2782,7 +2799,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1693,
+        line=1702,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2790,7 +2807,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1698,
+        line=1707,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2799,7 +2816,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1702,
+        line=1711,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2807,7 +2824,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1707,
+        line=1716,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2815,7 +2832,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1711,
+        line=1720,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2824,7 +2841,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1715,
+        line=1724,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2833,7 +2850,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1720,
+        line=1729,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2842,7 +2859,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1725,
+        line=1734,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2851,7 +2868,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1730,
+        line=1739,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2860,7 +2877,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1735,
+        line=1744,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2869,7 +2886,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1740,
+        line=1749,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2878,7 +2895,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1745,
+        line=1754,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2887,7 +2904,25 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1750,
+        line=1759,
+    ),
+    "growth_ratio": Symbol(
+        "growth_ratio",
+        "1",
+        "by which ratio the energy of motion may grow by one solution",
+        range=Range(">= 1", low=1.0, low_open=False),
+        tex="\\gamma",
+        file="srs/symbols.md",
+        line=1764,
+    ),
+    "motion_most": Symbol(
+        "motion_most",
+        "J",
+        "energy of motion to which one solution of a mechanism may lead",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_m",
+        file="srs/symbols.md",
+        line=1769,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2896,7 +2931,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1755,
+        line=1774,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2904,7 +2939,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1760,
+        line=1779,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2913,7 +2948,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1764,
+        line=1783,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2922,7 +2957,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1769,
+        line=1788,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2931,7 +2966,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1774,
+        line=1793,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2939,7 +2974,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1779,
+        line=1798,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2948,7 +2983,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1783,
+        line=1802,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2956,7 +2991,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1788,
+        line=1807,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2964,7 +2999,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1792,
+        line=1811,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2973,7 +3008,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1796,
+        line=1815,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2982,7 +3017,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1801,
+        line=1820,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2991,7 +3026,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1806,
+        line=1825,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2999,7 +3034,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1811,
+        line=1830,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3007,7 +3042,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1815,
+        line=1834,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3015,7 +3050,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1819,
+        line=1838,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3024,7 +3059,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1823,
+        line=1842,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3033,7 +3068,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1828,
+        line=1847,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3042,7 +3077,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1833,
+        line=1852,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3051,7 +3086,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1838,
+        line=1857,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3060,7 +3095,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1843,
+        line=1862,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3069,7 +3104,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1848,
+        line=1867,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3078,7 +3113,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1853,
+        line=1872,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3087,7 +3122,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1858,
+        line=1877,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3095,7 +3130,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1863,
+        line=1882,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3104,7 +3139,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1867,
+        line=1886,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3112,7 +3147,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1872,
+        line=1891,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3121,7 +3156,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1876,
+        line=1895,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3130,7 +3165,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1881,
+        line=1900,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3139,7 +3174,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1886,
+        line=1905,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3148,7 +3183,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1891,
+        line=1910,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3157,7 +3192,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1896,
+        line=1915,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3165,7 +3200,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1901,
+        line=1920,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3174,7 +3209,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1905,
+        line=1924,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3183,7 +3218,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1910,
+        line=1929,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3192,7 +3227,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1915,
+        line=1934,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3201,7 +3236,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1920,
+        line=1939,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3209,7 +3244,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1925,
+        line=1944,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3217,7 +3252,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1929,
+        line=1948,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3226,7 +3261,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1933,
+        line=1952,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3235,7 +3270,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1938,
+        line=1957,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3244,7 +3279,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1943,
+        line=1962,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3253,7 +3288,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1948,
+        line=1967,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3262,7 +3297,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1953,
+        line=1972,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3271,7 +3306,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1958,
+        line=1977,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3280,7 +3315,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1963,
+        line=1982,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3289,7 +3324,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1968,
+        line=1987,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3298,7 +3333,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1973,
+        line=1992,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3306,7 +3341,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1978,
+        line=1997,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3314,7 +3349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1982,
+        line=2001,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3323,7 +3358,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1986,
+        line=2005,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3331,7 +3366,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1991,
+        line=2010,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3339,7 +3374,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1995,
+        line=2014,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3348,7 +3383,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1999,
+        line=2018,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3357,7 +3392,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2004,
+        line=2023,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3366,7 +3401,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=2009,
+        line=2028,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3374,7 +3409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=2014,
+        line=2033,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3383,7 +3418,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2018,
+        line=2037,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3391,7 +3426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2023,
+        line=2042,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3400,7 +3435,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2027,
+        line=2046,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3408,7 +3443,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2032,
+        line=2051,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3417,7 +3452,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2036,
+        line=2055,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3425,7 +3460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2041,
+        line=2060,
     ),
     "change": Symbol(
         "change",
@@ -3434,7 +3469,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=2045,
+        line=2064,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3443,7 +3478,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2050,
+        line=2069,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3452,7 +3487,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2055,
+        line=2074,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3460,7 +3495,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2060,
+        line=2079,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3469,7 +3504,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2064,
+        line=2083,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3477,7 +3512,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2069,
+        line=2088,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3485,7 +3520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2073,
+        line=2092,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3493,7 +3528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2077,
+        line=2096,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3502,7 +3537,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=2081,
+        line=2100,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3510,7 +3545,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2086,
+        line=2105,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3519,6 +3554,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2090,
+        line=2109,
     ),
 }

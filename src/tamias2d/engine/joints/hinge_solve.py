@@ -31,6 +31,7 @@ from tamias2d.engine.joints.solve import (
     errors_of_joint,
     rate_of_row,
 )
+from tamias2d.engine.joints.thrown import is_thrown, note_most_motion
 from tamias2d.engine.joints.yielding import (
     REMOVED_BY_JOINTS,
     energy_asked,
@@ -90,7 +91,7 @@ def bring_tree_to_aims(
     Arms turn meanwhile; where that matters, it is done again, and with the arms of the end where
     errors do not become much less. Their size was so much at first, m^2/s^2, if that is known.
     """
-    before, most, turned = inf, 0.0, False
+    before, most, turned, fitted = inf, 0.0, False, False
     root = joints.sparse[n, tb.I_NODE] + 1
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_gap_errors(n, substep, bodies, joints)
@@ -105,10 +106,15 @@ def bring_tree_to_aims(
         if turned:
             turn_tree(n, substep, bodies, joints)
         before = size
-        if (
-            not substep * substep * answer_tree(n, substep, most, bodies, joints)
-            > joints.hinges[root, tb.H_SLIGHT]
-        ):
+        largest = substep * substep * answer_tree(n, substep, most, bodies, joints)
+        if is_thrown(n, largest, bodies, joints):
+            take_solution_back(n, 1.0, bodies, joints)
+            if fitted or k > 0:
+                return
+            fit_tree(n, substep, bodies, joints)
+            note_most_motion(n, substep, bodies, joints)
+            before, fitted = inf, True
+        elif not largest > joints.hinges[root, tb.H_SLIGHT]:
             return
         if yields(n, joints):
             return

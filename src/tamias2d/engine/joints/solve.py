@@ -19,6 +19,7 @@ from tamias2d.engine.joints.linearise import (
 )
 from tamias2d.engine.joints.opening import closing_rate, share_closed
 from tamias2d.engine.joints.placed_rows import write_values
+from tamias2d.engine.joints.thrown import is_thrown, note_most_motion
 from tamias2d.engine.joints.yielding import (
     REMOVED_BY_JOINTS,
     REMOVED_YIELDING,
@@ -93,7 +94,7 @@ def bring_to_aims(
         if not again:
             keep_impulses(n, share, joints)
         return
-    before, most, turned = inf, 0.0, False
+    before, most, turned, fitted = inf, 0.0, False, False
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_position_errors(n, substep, bodies, joints)
         if k == 0:
@@ -107,9 +108,16 @@ def bring_to_aims(
         if turned:
             turn_rows(n, substep, bodies, joints)
         solve_joint_errors(n, substep, most, bodies, joints)
+        before = size
+        if is_thrown(n, 0.0, bodies, joints):
+            take_impulses_back(n, 1.0, bodies, joints)
+            if fitted or k > 0:
+                return
+            keep_velocities(n, 0.0, substep, bodies, joints)
+            note_most_motion(n, substep, bodies, joints)
+            before, fitted = inf, True
         if yields(n, joints):
             return
-        before = size
 
 
 def energy_asked_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:

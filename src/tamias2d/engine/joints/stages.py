@@ -33,6 +33,7 @@ from tamias2d.engine.joints.mechanism import (
 from tamias2d.engine.joints.moments import note_after_joints, note_before_joints
 from tamias2d.engine.joints.opening import forget_opened
 from tamias2d.engine.joints.step_impulses import begin_impulses
+from tamias2d.engine.joints.thrown import may_be_thrown, note_most_motion
 from tamias2d.engine.joints.tree_blocks import write_blocks
 from tamias2d.engine.joints.yielding import hold_again, yields
 from tamias2d.engine.tables import Bodies, Control, Joints, World
@@ -104,11 +105,12 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
                 note_drive_of(n, substep, control, bodies, joints, world.islands)
                 aim_mechanism(n, length, substep, joints)
                 begin_motors(n, substep, bodies, joints)
-            before = (
-                energy_of_mechanism(n, bodies, joints, world.islands) if yields(n, joints) else -1.0
-            )
+            before, bounded = 0.0, yields(n, joints) or may_be_thrown(n, joints)
+            if bounded:
+                before = energy_of_mechanism(n, bodies, joints, world.islands)
+            note_most_motion(n, substep, bodies, joints)
             bring_to_end(n, again, length, substep, bodies, joints)
-            if before >= 0.0:
+            if bounded and yields(n, joints):
                 rise_of_yielding(n, before, control, bodies, joints, world.islands)
             joints.mechanisms[n, tb.M_HALF] = 0
     note_after_joints(least, tb.IN_CONTACT, world)

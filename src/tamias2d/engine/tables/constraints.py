@@ -84,6 +84,9 @@ _energy_sums = Columns()  # J, over all bodies with contacts
 TOTAL_ENERGY_START = _energy_sums()  # kinetic energy as the step began
 TOTAL_ENERGY_NOW = _energy_sums()
 TOTAL_WORK = _energy_sums()  # of gravity and forces in this step
+REBOUNDING = _energy_sums()  # place of the one point that rebounds on a jointed body, or -1
+REBOUND_MOST = _energy_sums()  # J, of what is jointed and rebounds: more is made by turns in vain
+REBOUND_LOST = _energy_sums()  # m/s, of its velocity, by joints in the last turn
 
 _slabs = Columns()  # where its part of each list begins
 S_CONTACT = _slabs()  # of touching.by_slab

@@ -110,6 +110,7 @@ J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over this
 J_PULL = _joint_numbers(3)  # N s, impulse of each row over this part
 J_GIVEN = _joint_numbers(3)  # N s, of each row over this substep; of a spring less what was left
 J_DRIVEN = _joint_numbers()  # m/s, likewise: at which what ties it parts its rows in this substep
+J_MOST = _joint_numbers()  # J, likewise: of motion that a solution may lead to in this substep
 J_ENERGY = _joint_numbers()  # J, likewise: of springs, as a part begins
 J_RESERVE_LATER = _joint_numbers()  # J, as it ends
 J_MOTION_LATER = _joint_numbers()  # J, as it ends
