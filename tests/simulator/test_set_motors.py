@@ -173,7 +173,7 @@ def test_what_is_no_motor_is_refused_by_name() -> None:
     before = sim.digest()
     with pytest.raises(InputError, match="joint 'motor': the simulator has none such"):
         sim.set_motor("motor", Motor(speed=1.0))
-    with pytest.raises(InputError, match=r"joint 'joint0' \(groove\): it has no motor .*Motor\("):
+    with pytest.raises(InputError, match=r"joint 'joint0' \(wheel\): it has no motor .*Motor\("):
         sim.set_motor("joint0", Motor(speed=1.0))
     with pytest.raises(InputError, match=r"motor of joint 'engine': found 3.0: .*Give Motor\("):
         sim.set_motor("engine", wrong)

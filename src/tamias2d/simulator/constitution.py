@@ -127,7 +127,8 @@ def stated_inertias(value: object, of: str, count: int) -> Array:
     They are infinite for what nothing turns.
     """
     given = as_array(value, "inertia", of, REMEDY_OF_INERTIA)
-    endless = np.equal(given, math.inf) & (given.dtype.kind == "f")
+    floats = given.dtype.kind == "f"
+    endless = np.equal(given, math.inf) if floats else np.zeros(given.shape, dtype=bool)
     finite = np.where(endless, 1.0, given) if endless.any() else value
     inertia = numbers(finite, "inertia", of, REMEDY_OF_INERTIA, count=count, symbol="inertia")
     refuse_tiny(inertia, "inertia", of)

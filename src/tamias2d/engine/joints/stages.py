@@ -105,12 +105,12 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
                 note_drive_of(n, substep, control, bodies, joints, world.islands)
                 aim_mechanism(n, length, substep, joints)
                 begin_motors(n, substep, bodies, joints)
-            before, bounded = 0.0, yields(n, joints) or may_be_thrown(n, joints)
-            if bounded:
+            before, yielded = -1.0, yields(n, joints)
+            if yielded or may_be_thrown(n, joints):
                 before = energy_of_mechanism(n, bodies, joints, world.islands)
             note_most_motion(n, substep, bodies, joints)
             bring_to_end(n, again, length, substep, bodies, joints)
-            if bounded and yields(n, joints):
+            if before >= 0.0 and (yielded or yields(n, joints)):
                 rise_of_yielding(n, before, control, bodies, joints, world.islands)
             joints.mechanisms[n, tb.M_HALF] = 0
     note_after_joints(least, tb.IN_CONTACT, world)

@@ -45,10 +45,13 @@ def may_be_thrown(n: int, joints: Joints) -> bool:
     pulled = whole[tb.J_PULLED] + whole[tb.J_OPENED] > 0.0
     if driven or pulled or own[tb.M_MESHED] == 1 or own[tb.M_TOUCHED] == 0:
         return False
-    return first_firm(n, joints) < int(joints.mechanisms[n + 1, tb.M_JOINT])
+    for j in range(first_besides_tree(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.joints[j, tb.J_LAW] != tb.SPRING:
+            return True
+    return False
 
 
-def first_firm(n: int, joints: Joints) -> int:
+def first_besides_tree(n: int, joints: Joints) -> int:
     """Return the first joint of a mechanism whose rows may yield: no hinge of a tree does."""
     hinged = joints.mechanisms[n, tb.M_HINGED] == 1
     return first_besides(n, joints) if hinged else int(joints.mechanisms[n, tb.M_JOINT])
@@ -65,7 +68,7 @@ def rates_closing(n: int, removed: float, joints: Joints) -> float:
             row, hinged = joints.hinges[m], joints.members[m, tb.JOINED_HINGE] >= 0
             gap = row[tb.H_GAP] * row[tb.H_GAP] + row[tb.H_GAP + 1] * row[tb.H_GAP + 1]
             rates += removed * removed * gap if hinged else 0.0
-    for j in range(first_firm(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
+    for j in range(first_besides_tree(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS] if ends[tb.J_LAW] < tb.MOTOR else 0):
             arm = numbers[tb.J_ARM + r]
