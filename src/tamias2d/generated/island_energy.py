@@ -73,7 +73,7 @@ def velocity_seen(velocity: Vector, velocity_support: Vector) -> Vector:
         velocity_support: Velocity of the centre of mass; of what an island leans on, at the
             body, m/s
 
-    Source: DD37, srs/models/island_energy.md:50.
+    Source: DD37, srs/models/island_energy.md:51.
     """
     velocity_x, velocity_y = velocity
     velocity_support_x, velocity_support_y = velocity_support
@@ -90,7 +90,7 @@ def angular_velocity_seen(angular_velocity: Scalar, angular_velocity_support: Sc
         angular_velocity_support: Rate of turning, positive counter-clockwise; of what an island
             leans on, at the body, rad/s
 
-    Source: DD37, srs/models/island_energy.md:51.
+    Source: DD37, srs/models/island_energy.md:52.
     """
     return angular_velocity - angular_velocity_support
 
@@ -107,7 +107,7 @@ def shift_seen(shift: Vector, velocity_support: Vector, time_step: Scalar) -> Ve
             body, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD37, srs/models/island_energy.md:52.
+    Source: DD37, srs/models/island_energy.md:53.
     """
     shift_x, shift_y = shift
     velocity_support_x, velocity_support_y = velocity_support
@@ -125,7 +125,7 @@ def turn_seen(turn: Scalar, angular_velocity_support: Scalar, time_step: Scalar)
             leans on, at the body, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD37, srs/models/island_energy.md:53.
+    Source: DD37, srs/models/island_energy.md:54.
     """
     return turn - time_step * angular_velocity_support
 
@@ -139,7 +139,7 @@ def mass_moment(mass: Scalar, position: Vector) -> Vector:
         mass: Mass of a body, kg
         position: Position of the centre of mass, m
 
-    Source: DD38, srs/models/island_energy.md:82.
+    Source: DD38, srs/models/island_energy.md:83.
     """
     position_x, position_y = position
     return (mass * position_x, mass * position_y)
@@ -155,7 +155,7 @@ def inertia_origin(mass: Scalar, position: Vector, inertia: Scalar) -> Scalar:
         position: Position of the centre of mass, m
         inertia: Moment of inertia about the centre of mass, kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:83.
+    Source: DD38, srs/models/island_energy.md:84.
     """
     position_x, position_y = position
     return inertia + mass * (position_x * position_x + position_y * position_y)
@@ -170,7 +170,7 @@ def position_island(mass_moment: Vector, mass: Scalar) -> Vector:
         mass_moment: Mass times position, kg*m
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:84.
+    Source: DD38, srs/models/island_energy.md:85.
     """
     mass_moment_x, mass_moment_y = mass_moment
     return (mass_moment_x / mass, mass_moment_y / mass)
@@ -185,7 +185,7 @@ def velocity_island(momentum: Vector, mass: Scalar) -> Vector:
         momentum: Mass times velocity, kg*m/s
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:85.
+    Source: DD38, srs/models/island_energy.md:86.
     """
     momentum_x, momentum_y = momentum
     return (momentum_x / mass, momentum_y / mass)
@@ -201,7 +201,7 @@ def inertia_island(inertia_origin: Scalar, mass: Scalar, position_island: Vector
         mass: Mass of a body, kg
         position_island: Position of the centre of mass; of an island as one body, m
 
-    Source: DD38, srs/models/island_energy.md:86.
+    Source: DD38, srs/models/island_energy.md:87.
     """
     position_island_x, position_island_y = position_island
     return inertia_origin - mass * (
@@ -229,7 +229,7 @@ def angular_velocity_island(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:87.
+    Source: DD38, srs/models/island_energy.md:88.
     """
     position_island_x, position_island_y = position_island
     velocity_island_x, velocity_island_y = velocity_island
@@ -257,7 +257,7 @@ def kinetic_energy_kept(
             J
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:142.
+    Source: GD13, srs/models/island_energy.md:143.
     """
     return (
         (1 - kept_share) * kinetic_energy_before
@@ -276,7 +276,7 @@ def velocity_kept(velocity_before: Vector, velocity_after: Vector, kept_share: S
         velocity_after: Velocity of the centre of mass; just after the impact, m/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:145.
+    Source: GD13, srs/models/island_energy.md:146.
     """
     velocity_before_x, velocity_before_y = velocity_before
     velocity_after_x, velocity_after_y = velocity_after
@@ -302,7 +302,7 @@ def angular_velocity_kept(
             impact, rad/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:146.
+    Source: GD13, srs/models/island_energy.md:147.
     """
     return angular_velocity_before + kept_share * (angular_velocity_after - angular_velocity_before)
 
@@ -320,7 +320,7 @@ def accumulated_impulse_kept(
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:149.
+    Source: GD13, srs/models/island_energy.md:150.
     """
     return accumulated_impulse - (1 - kept_share) * applied_impulse
 
@@ -338,7 +338,7 @@ def kept_share_rising(energy_room: Scalar, energy_rise: Scalar, change_energy: S
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:153.
+    Source: GD13, srs/models/island_energy.md:154.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -358,7 +358,7 @@ def kept_share_falling(energy_room: Scalar, energy_rise: Scalar, change_energy: 
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:154.
+    Source: GD13, srs/models/island_energy.md:155.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -374,7 +374,7 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM11, srs/models/island_energy.md:248.
+    Source: IM11, srs/models/island_energy.md:249.
     """
     return largest(kinetic_energy_start + work, 0.0)
 
@@ -392,7 +392,7 @@ def damped_share(
         kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
         kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
 
-    Source: IM11, srs/models/island_energy.md:249.
+    Source: IM11, srs/models/island_energy.md:250.
     """
     return least(
         sqrt(
@@ -413,7 +413,7 @@ def velocity_damped(velocity: Vector, velocity_island: Vector, damped_share: Sca
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:252.
+    Source: IM11, srs/models/island_energy.md:253.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -438,7 +438,7 @@ def angular_velocity_damped(
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:253.
+    Source: IM11, srs/models/island_energy.md:254.
     """
     return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)
 
@@ -467,7 +467,7 @@ def given_product(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD88, srs/models/island_energy.md:333.
+    Source: DD88, srs/models/island_energy.md:334.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -488,7 +488,7 @@ def energy_along_given(given_product: Scalar, change_energy: Scalar) -> Scalar:
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:336.
+    Source: DD88, srs/models/island_energy.md:337.
     """
     return given_product * given_product / (4 * change_energy)
 
@@ -513,7 +513,7 @@ def energy_along_given_charged(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD88, srs/models/island_energy.md:337.
+    Source: DD88, srs/models/island_energy.md:338.
     """
     return largest(energy_along_given - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -541,7 +541,7 @@ def velocity_repaid(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:339.
+    Source: DD88, srs/models/island_energy.md:340.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -574,7 +574,7 @@ def angular_velocity_repaid(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:341.
+    Source: DD88, srs/models/island_energy.md:342.
     """
     return (
         angular_velocity
@@ -592,7 +592,7 @@ def energy_given(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Sca
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD87, srs/models/island_energy.md:391.
+    Source: DD87, srs/models/island_energy.md:392.
     """
     return kinetic_energy - kinetic_energy_start - work
 
@@ -607,7 +607,7 @@ def rising_energy(mass: Scalar, velocity: Vector, acceleration: Vector) -> Scala
         velocity: Velocity of the centre of mass, m/s
         acceleration: Acceleration of the centre of mass, m/s^2
 
-    Source: DD87, srs/models/island_energy.md:392.
+    Source: DD87, srs/models/island_energy.md:393.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -636,7 +636,7 @@ def rising_energy_charged(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD87, srs/models/island_energy.md:394.
+    Source: DD87, srs/models/island_energy.md:395.
     """
     return largest(rising_energy - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -653,7 +653,7 @@ def velocity_charged(velocity: Vector, acceleration: Vector, damped_share: Scala
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: DD87, srs/models/island_energy.md:396.
+    Source: DD87, srs/models/island_energy.md:397.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -681,7 +681,7 @@ def lift_beyond_motion(energy_given: Scalar, kinetic_energy: Scalar) -> Scalar:
             it, J
         kinetic_energy: Energy of motion, turning included, J
 
-    Source: DD89, srs/models/island_energy.md:427.
+    Source: DD89, srs/models/island_energy.md:428.
     """
     return largest(energy_given - kinetic_energy, 0.0)
 
@@ -700,7 +700,7 @@ def support_work(
         support_rate: Normal velocity of a contact by the motion of its support alone, m/s
         support_slip: Tangential velocity of a contact by the motion of its support alone, m/s
 
-    Source: DD90, srs/models/island_energy.md:458.
+    Source: DD90, srs/models/island_energy.md:459.
     """
     return total_impulse * (largest(-support_rate, 0.0) + friction * abs(support_slip))
 
@@ -720,7 +720,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:516.
+    Source: DD66, srs/models/island_energy.md:517.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -741,7 +741,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:517.
+    Source: DD66, srs/models/island_energy.md:518.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -772,7 +772,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:518.
+    Source: DD66, srs/models/island_energy.md:519.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -799,7 +799,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:585.
+    Source: IM17, srs/models/island_energy.md:586.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -823,7 +823,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:587.
+    Source: IM17, srs/models/island_energy.md:588.
     """
     return least(
         sqrt(
@@ -852,7 +852,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:590.
+    Source: IM17, srs/models/island_energy.md:591.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -884,7 +884,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:592.
+    Source: IM17, srs/models/island_energy.md:593.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island
