@@ -9,6 +9,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.acting import unless_tied
 from tamias2d.engine.joints.payment import pay_together, repay_as_one
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
+from tamias2d.engine.solver.repayment import product_with_motion, repay_along
 from tamias2d.engine.solver.support import (
     FREE,
     damp_to_support,
@@ -19,14 +20,9 @@ from tamias2d.engine.solver.support import (
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import coordinate_velocity_later, kinetic_energy
 from tamias2d.generated.island_energy import (
-    angular_velocity_repaid,
-    angular_velocity_seen,
     energy_along_given,
     energy_along_given_charged,
-    given_product,
     lift_work,
-    velocity_repaid,
-    velocity_seen,
 )
 from tamias2d.kernels.assembled import inlined
 
@@ -86,19 +82,14 @@ def note_given(i: int, control: Control, bodies: Bodies, islands: Islands) -> No
     given = (row[tb.VELOCITY_GIVEN], row[tb.VELOCITY_GIVEN + 1])
     turned = row[tb.ANGULAR_VELOCITY_GIVEN]
     row[tb.CHANGE_ENERGY] = kinetic_energy(mass, given, inertia, turned)
-    row[tb.GIVEN_PRODUCT] = given_product(
-        mass,
-        velocity_seen((now[tb.VX], now[tb.VY]), by),
-        given,
-        inertia,
-        angular_velocity_seen(now[tb.SPIN], spin),
-        turned,
+    row[tb.GIVEN_PRODUCT] = product_with_motion(
+        i, given, turned, by, spin, bodies.motion, bodies.properties
     )
 
 
 def repay(i: int, bodies: Bodies, islands: Islands) -> None:
     """Take from a body, along what it was given, what it has to pay."""
-    row, now = islands.energy[i], bodies.motion[i]
+    row = islands.energy[i]
     product, change = row[tb.GIVEN_PRODUCT], row[tb.CHANGE_ENERGY]
     island = islands.energy[islands.links[i, tb.ROOT]]
     if not (product > 0.0 and change > 0.0):
@@ -109,11 +100,7 @@ def repay(i: int, bodies: Bodies, islands: Islands) -> None:
     )
     share = share_left(energy, max(left, least_left(energy, i, bodies, islands)))
     given = (row[tb.VELOCITY_GIVEN], row[tb.VELOCITY_GIVEN + 1])
-    now[tb.VX], now[tb.VY] = velocity_repaid(
-        (now[tb.VX], now[tb.VY]), given, share, product, change
-    )
-    turned = row[tb.ANGULAR_VELOCITY_GIVEN]
-    now[tb.SPIN] = angular_velocity_repaid(now[tb.SPIN], turned, share, product, change)
+    repay_along(given, row[tb.ANGULAR_VELOCITY_GIVEN], share, product, change, bodies.motion[i])
 
 
 def repay_from_all(i: int, bodies: Bodies, islands: Islands) -> None:

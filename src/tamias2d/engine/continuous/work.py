@@ -9,18 +9,16 @@ is seen from the other body, which may move.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.trajectory import relative_place
 from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
+from tamias2d.engine.solver.repayment import product_with_motion, repay_along
 from tamias2d.engine.solver.support import share_left
 from tamias2d.engine.tables import Bodies, Control
 from tamias2d.generated.definitions import kinetic_energy, point_velocity
 from tamias2d.generated.island_energy import (
     angular_velocity_damped,
-    angular_velocity_repaid,
     angular_velocity_seen,
     damped_share,
     energy_along_given,
-    given_product,
     velocity_damped,
-    velocity_repaid,
     velocity_seen,
     work,
 )
@@ -69,24 +67,13 @@ def take_impulse_back(
     surface does not push keeps its velocity along it.
     """
     mass, inertia = mass_and_inertia(i, properties)
-    row = motion[i]
-    product = given_product(
-        mass,
-        velocity_seen((row[tb.VX], row[tb.VY]), support),
-        given,
-        inertia,
-        angular_velocity_seen(row[tb.SPIN], spin),
-        turned,
-    )
+    product = product_with_motion(i, given, turned, support, spin, motion, properties)
     change = kinetic_energy(mass, given, inertia, turned)
     if not (surplus > 0.0 and product > 0.0 and change > 0.0):
         return surplus
     along = energy_along_given(product, change)
     share = share_left(along, max(along - surplus, 0.0))
-    row[tb.VX], row[tb.VY] = velocity_repaid(
-        (row[tb.VX], row[tb.VY]), given, share, product, change
-    )
-    row[tb.SPIN] = angular_velocity_repaid(row[tb.SPIN], turned, share, product, change)
+    repay_along(given, turned, share, product, change, motion[i])
     return max(surplus - along, 0.0)
 
 

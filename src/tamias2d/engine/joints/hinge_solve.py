@@ -7,6 +7,7 @@ Source: Featherstone (2008), articulated bodies.
 from math import inf
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.acceptance import is_rejected, note_most_motion
 from tamias2d.engine.joints.angle_laws import (
     error_of_law,
     impulse_of_law,
@@ -31,7 +32,6 @@ from tamias2d.engine.joints.solve import (
     errors_of_joint,
     rate_of_row,
 )
-from tamias2d.engine.joints.thrown import is_thrown, note_most_motion
 from tamias2d.engine.joints.yielding import (
     REMOVED_BY_JOINTS,
     energy_asked,
@@ -107,7 +107,7 @@ def bring_tree_to_aims(
             turn_tree(n, substep, bodies, joints)
         before = size
         largest = substep * substep * answer_tree(n, substep, most, bodies, joints)
-        if is_thrown(n, largest, bodies, joints):
+        if is_rejected(n, largest, bodies, joints):
             take_solution_back(n, 1.0, bodies, joints)
             if fitted or k > 0:
                 return

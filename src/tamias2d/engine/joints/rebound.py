@@ -4,9 +4,9 @@ Cost: of each turn of restitution a solution of all mechanisms that contacts tou
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.acceptance import motion_of_mechanism
 from tamias2d.engine.joints.moments import note_after_joints, note_before_joints
 from tamias2d.engine.joints.stages import fit_velocities
-from tamias2d.engine.joints.thrown import motion_of_mechanism
 from tamias2d.engine.solver.lane import Velocities, normal_speed
 from tamias2d.engine.tables import Bodies, Constraints, Integers, Joints, World
 from tamias2d.generated.island_energy import kinetic_energy_most

@@ -10,6 +10,7 @@ from math import inf
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.cholesky import substitute
+from tamias2d.engine.joints.acceptance import is_rejected, note_most_motion
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
 from tamias2d.engine.joints.linearise import (
@@ -19,7 +20,6 @@ from tamias2d.engine.joints.linearise import (
 )
 from tamias2d.engine.joints.opening import closing_rate, share_closed
 from tamias2d.engine.joints.placed_rows import write_values
-from tamias2d.engine.joints.thrown import is_thrown, note_most_motion
 from tamias2d.engine.joints.yielding import (
     REMOVED_BY_JOINTS,
     REMOVED_YIELDING,
@@ -109,7 +109,7 @@ def bring_to_aims(
             turn_rows(n, substep, bodies, joints)
         solve_joint_errors(n, substep, most, bodies, joints)
         before = size
-        if is_thrown(n, 0.0, bodies, joints):
+        if is_rejected(n, 0.0, bodies, joints):
             take_impulses_back(n, 1.0, bodies, joints)
             if fitted or k > 0:
                 return

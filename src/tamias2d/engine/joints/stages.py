@@ -6,6 +6,7 @@ ends of each substep; one that is touched is solved before and after the contact
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.acceptance import may_be_rejected, note_most_motion
 from tamias2d.engine.joints.block_gather import begin_blocks
 from tamias2d.engine.joints.block_left import give_left_of_blocks, note_left_of_blocks
 from tamias2d.engine.joints.block_scatter import store_blocks
@@ -33,7 +34,6 @@ from tamias2d.engine.joints.mechanism import (
 from tamias2d.engine.joints.moments import note_after_joints, note_before_joints
 from tamias2d.engine.joints.opening import forget_opened
 from tamias2d.engine.joints.step_impulses import begin_impulses
-from tamias2d.engine.joints.thrown import may_be_thrown, note_most_motion
 from tamias2d.engine.joints.tree_blocks import write_blocks
 from tamias2d.engine.joints.yielding import hold_again, yields
 from tamias2d.engine.tables import Bodies, Control, Joints, World
@@ -106,7 +106,7 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
                 aim_mechanism(n, length, substep, joints)
                 begin_motors(n, substep, bodies, joints)
             before, yielded = -1.0, yields(n, joints)
-            if yielded or may_be_thrown(n, joints):
+            if yielded or may_be_rejected(n, joints):
                 before = energy_of_mechanism(n, bodies, joints, world.islands)
             note_most_motion(n, substep, bodies, joints)
             bring_to_end(n, again, length, substep, bodies, joints)

@@ -88,6 +88,7 @@ def stay_on(
     path[tb.SLIDES] = sense
     path[tb.REST_FORCE] = rolling.disc_force(load_on(loads, arm, normal), mass[tb.INVERSE_MASS])
     by_friction = slip_change((x - loads[0], y - loads[1], 0.0), arm, normal)
+    # the force that ends a tangential acceleration is against the one that makes it
     path[tb.REST_FRICTION] = -rolling.rolling_friction(by_friction, mass[tb.INVERSE_MASS])
     if path[tb.RESTS_ON] != p + 1:
         path[tb.RESTS_ON], path[tb.REST_START] = p + 1, now

@@ -1,4 +1,4 @@
-"""Solutions that throw a mechanism: near a singular pose places ask for any motion (DD98).
+"""Which solutions are accepted: near a singular pose places ask for any motion (DD98).
 
 Where links that are held at both ends come straight, or a mechanism comes to a dead centre, the
 small ways by which arms turn in a substep can be made up for by an immense motion only. What a
@@ -28,13 +28,13 @@ def note_most_motion(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
     """Note to how much motion a solution of a mechanism may lead in a substep, s, J."""
     whole = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
     whole[tb.J_MOST] = inf
-    if may_be_thrown(n, joints):
+    if may_be_rejected(n, joints):
         motion, mass = motion_of_mechanism(n, bodies, joints), mass_of_mechanism(n, joints)
         rates = rates_closing(n, REMOVED_BY_JOINTS / substep, joints)
         whole[tb.J_MOST] = motion_most(motion, mass, rates, whole[tb.J_ENERGY], GROWTH)
 
 
-def may_be_thrown(n: int, joints: Joints) -> bool:
+def may_be_rejected(n: int, joints: Joints) -> bool:
     """Return whether contacts touch a mechanism that may yield, and nothing gives it any energy.
 
     One that was driven apart closes as it yields.
@@ -87,7 +87,7 @@ def motion_of_mechanism(n: int, bodies: Bodies, joints: Joints) -> float:
     return energy
 
 
-def is_thrown(n: int, turned: float, bodies: Bodies, joints: Joints) -> bool:
+def is_rejected(n: int, turned: float, bodies: Bodies, joints: Joints) -> bool:
     """Return whether the last solution of a mechanism has led to more motion than is likely.
 
     It has turned a body, and by impulses, by such a product of angles, rad^2, at most.
