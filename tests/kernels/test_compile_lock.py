@@ -10,15 +10,15 @@ import pytest
 
 TAKEN = """
     import sys
-    from tamias2d.kernels.turn import turn
-    with turn("engine", "0123"):
+    from tamias2d.kernels.compile_lock import compile_lock
+    with compile_lock("engine", "0123"):
         print("mine", flush=True)
         sys.stdin.read()
 """
 
 
 def taking(home: Path) -> "subprocess.Popen[str]":
-    """Start a process that takes its turn, says so, and keeps it until its input ends."""
+    """Start a process that takes the lock, says so, and keeps it until its input ends."""
     return subprocess.Popen(
         [sys.executable, "-c", textwrap.dedent(TAKEN)],
         env={**os.environ, "TAMIAS2D_HOME": str(home)},

@@ -1,4 +1,4 @@
-"""Turns of compiling: one process compiles what others wait for, and then find kept.
+"""The lock of compiling: one process compiles what others wait for, and then find kept.
 
 Serves: libraries. Hides: the lock. The system lets it go when its holder ends, in whatever way.
 """
@@ -17,7 +17,7 @@ except ImportError:  # Windows
 
 
 @contextmanager
-def turn(name: str, key: str) -> Iterator[None]:
+def compile_lock(name: str, key: str) -> Iterator[None]:
     """Let no other process compile what has this name, for people, and this key.
 
     Where nothing can be locked, each compiles for itself.
@@ -34,7 +34,7 @@ def turn(name: str, key: str) -> Iterator[None]:
 
 def _opened(key: str) -> int | None:
     """Open the file that is locked; it stays, since another process may be waiting for it."""
-    place = storage.home_path() / "turns"
+    place = storage.home_path() / "locks"
     try:
         storage.make_private(place)
         return os.open(place / key, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o600)
