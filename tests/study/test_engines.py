@@ -139,3 +139,9 @@ def test_what_no_peer_can_mix_is_refused():
         scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(x, 0.0), restitution=bounce)
     with pytest.raises(PeerError, match="restitution"):
         Chipmunk(scene, DT)
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 1.0), friction=0.5)
+    scene.add_static(t2.Box(width=2.0, height=1.0), surface_speed=1.0, friction=0.5)
+    for engine in (Box2D, Chipmunk):
+        with pytest.raises(PeerError, match="surfaces that run"):
+            engine(scene, DT)

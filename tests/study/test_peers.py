@@ -147,6 +147,10 @@ def test_what_is_not_translated_is_refused() -> None:
     scene.add_body(Disc(radius=0.5), mass=1.0, position=(0.0, 0.0), category=2)
     with pytest.raises(PeerError, match="filters"):
         simulate(scene, duration=1.0, steps=10, times=[1.0])
+    scene = Scene(gravity=(0.0, 0.0))
+    scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0), surface_speed=1.0)
+    with pytest.raises(PeerError, match="surfaces that run"):
+        simulate(scene, duration=1.0, steps=10, times=[1.0])
 
 
 def test_without_pymunk_it_says_so(bounce: Scene, monkeypatch: pytest.MonkeyPatch) -> None:

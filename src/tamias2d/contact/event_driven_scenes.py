@@ -19,7 +19,8 @@ def is_event_driven(scene: Scene) -> bool:
 def is_known(body: Body) -> bool:
     """Whether compiled code knows a body."""
     convex = not isinstance(body.shape, Chain | Compound)
-    return convex and not (body.kinematic or body.sensor or filters(body))
+    moves_others = body.kinematic or body.surface_speed != 0.0
+    return convex and not (moves_others or body.sensor or filters(body))
 
 
 def has_thin_pair(scene: Scene) -> bool:

@@ -77,7 +77,10 @@ class Changing(Stepping):
         sensor: bool = False,
         name: object = None,
     ) -> Any:
-        """Add bodies that nothing moves, and return their indices, as `add` does."""
+        """Add bodies that nothing moves, and return their indices, as `add` does.
+
+        What runs along their surfaces, as a belt, `Scene.add_static` says.
+        """
         return self._add(added_batch(STATIC, locals()), position, name)
 
     @exclusive

@@ -155,10 +155,10 @@ class World:
 
 
 def _body(pymunk: Any, body: Body) -> Any:
-    if body.kinematic or body.sensor or filters(body):
+    if body.kinematic or body.sensor or filters(body) or body.surface_speed:
         raise PeerError(
-            f"Pymunk: body '{body.name}': kinematic bodies, sensors and filters are not "
-            "translated. Leave Pymunk out."
+            f"Pymunk: body '{body.name}': kinematic bodies, sensors, filters and surfaces that run "
+            "are not translated. Leave Pymunk out."
         )
     if not body.dynamic:
         own = pymunk.Body(body_type=pymunk.Body.STATIC)

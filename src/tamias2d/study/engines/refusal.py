@@ -39,6 +39,8 @@ def refuse_untranslated(scene: Scene, name: str) -> None:
         what = f"body '{pushed[0].name}': forces are not translated"
     elif odd := [body for body in scene.bodies if body.sensor or filters(body)]:
         what = f"body '{odd[0].name}': sensors and filters are not translated"
+    elif belts := [body for body in scene.bodies if body.surface_speed]:
+        what = f"body '{belts[0].name}': surfaces that run are not translated"
     else:
         return
     raise PeerError(f"{name}: {what}. Leave {name} out.")
