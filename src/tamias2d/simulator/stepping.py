@@ -187,7 +187,7 @@ class Stepping(Views):
         self._unsettled = False
         self._jointed = len(self._joints) > 0
         if self._joints.new:
-            self._joints.settle(self._engine)
+            self._joints.settle(self._engine, self._left)
             self._limit_changes = self._engine.limit_changes
             self._warned.tell(too_stiff_for_steps(self._joints, self._engine, self._time_step))
         self._varying = None
