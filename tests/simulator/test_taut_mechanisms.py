@@ -2,7 +2,8 @@
 
 Their hinges are singular there. Before solutions that throw a mechanism were taken back, hinges
 came apart by up to 4 m, bodies moved by metres in a step that told 0.2 m/s, forces reached
-1e152 N, and some steps were refused.
+1e152 N, and some steps were refused. While contacts pushed light links by their own inertia and
+joints by a far larger one, links of a drawbridge still came apart by up to 2.7 m.
 """
 
 from typing import Any
@@ -89,8 +90,8 @@ def test_a_walker_falls_on_a_straight_bridge(planks: int) -> None:
         sim = bridge(planks, 10.0, 3.0)
         add_walker(sim, chance.uniform(-4.0, 4.0), chance.uniform(4.6, 6.0))
         apart, beyond = follow(sim, 120)
-        assert apart < 0.5
-        assert beyond < 0.6
+        assert apart < 0.06
+        assert beyond < 0.12
 
 
 @pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")
@@ -101,8 +102,8 @@ def test_a_box_of_ten_times_a_plank_falls_on_a_straight_bridge(planks: int) -> N
         at = (float(x) * planks, 3.35 + fall)
         sim.add(Box(width=0.5, height=0.5), mass=10.0, position=at, **SURFACE)
         apart, beyond = follow(sim, 120)
-        assert apart < 0.15
-        assert beyond < 0.2
+        assert apart < 0.05
+        assert beyond < 0.1
 
 
 @pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")
@@ -111,5 +112,5 @@ def test_boxes_fall_on_a_drawbridge(links: int) -> None:
     for seed in range(5):
         sim = drawbridge(np.random.default_rng(seed), links)
         apart, beyond = follow(sim, 150)
-        assert apart < 0.6
-        assert beyond < 1.0
+        assert apart < 0.1
+        assert beyond < 0.2

@@ -37,7 +37,7 @@ class ActiveContacts:
             if touch.staying and names not in before:
                 before.add(names)  # a chain may have more pieces that it touches
                 since = self.rest_times.time_of(pair, instant)
-                self.notes += (f"rest: {names} stay in contact from {since!r} s",)
+                self.notes += (f"rest: {names} stay in contact from {since:.15g} s",)
             self._drop(pair)
             if touch.staying:
                 self.of[pair] = touch.staying

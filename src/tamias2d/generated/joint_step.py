@@ -292,7 +292,7 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:121.
+    Source: IM15, srs/models/joint_step.md:122.
     """
     return (1 - removed_share) * row_value
 
@@ -306,7 +306,7 @@ def drive_error(row_rate: Scalar, drive_rate: Scalar) -> Scalar:
         row_rate: Rate of a row's value, or a body's part in it, m/s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: IM15, srs/models/joint_step.md:122.
+    Source: IM15, srs/models/joint_step.md:123.
     """
     return row_rate - drive_rate
 
@@ -320,7 +320,7 @@ def row_impulse_most(row_force_most: Scalar, time_step: Scalar) -> Scalar:
         row_force_most: The most that a motor exerts, for slopes of length one, N
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:123.
+    Source: IM15, srs/models/joint_step.md:124.
     """
     return time_step * row_force_most
 
@@ -335,7 +335,7 @@ def struck_share(row_value_start: Scalar, row_value: Scalar) -> Scalar:
             m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: IM15, srs/models/joint_step.md:124.
+    Source: IM15, srs/models/joint_step.md:125.
     """
     return row_value_start / (row_value_start - row_value)
 
@@ -350,7 +350,7 @@ def struck_rate(row_rate_start: Scalar, struck_share: Scalar, row_rate: Scalar) 
         struck_share: Part of a substep after which a limit is struck, 1
         row_rate: Rate of a row's value, or a body's part in it, m/s
 
-    Source: IM15, srs/models/joint_step.md:125.
+    Source: IM15, srs/models/joint_step.md:126.
     """
     return row_rate_start + struck_share * (row_rate - row_rate_start)
 
@@ -365,7 +365,7 @@ def bounce_rate(restitution: Scalar, struck_rate: Scalar) -> Scalar:
             energy is lost), 1
         struck_rate: Rate of a row as its limit is struck, m/s
 
-    Source: IM15, srs/models/joint_step.md:126.
+    Source: IM15, srs/models/joint_step.md:127.
     """
     return (-restitution) * struck_rate
 
@@ -379,24 +379,27 @@ def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
         row_force: Force of a row of a joint, for slopes of length one, N
         row_bend: Second derivative of a row's value by the orientation of a body, m
 
-    Source: IM15, srs/models/joint_step.md:127.
+    Source: IM15, srs/models/joint_step.md:128.
     """
     return (-row_force) * row_bend
 
 
-def inertia_held(inertia: Scalar, leaning: Scalar, time_step: Scalar) -> Scalar:
+def inertia_held(
+    inertia: Scalar, leaning: Scalar, time_step: Scalar, inertia_factor_most: Scalar
+) -> Scalar:
     """Moment of inertia about the centre of mass; held through a step (kg*m^2).
 
-    inertia_held = max(inertia, time_step**2*leaning)
+    inertia_held = min(max(inertia, time_step**2*leaning), inertia_factor_most*inertia)
 
     Args:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         leaning: By how much less a joint's pull turns a body that has turned by a radian, N*m
         time_step: Length of one step of a stepped scheme, s
+        inertia_factor_most: Most times its own inertia with which a body counts in joints, 1
 
-    Source: IM15, srs/models/joint_step.md:128.
+    Source: IM15, srs/models/joint_step.md:129.
     """
-    return largest(inertia, time_step * time_step * leaning)
+    return least(largest(inertia, time_step * time_step * leaning), inertia_factor_most * inertia)
 
 
 def half_decay(kick_decay: Scalar) -> Scalar:
@@ -407,7 +410,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:129.
+    Source: IM15, srs/models/joint_step.md:130.
     """
     return sqrt(kick_decay)
 
@@ -421,7 +424,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:130.
+    Source: IM15, srs/models/joint_step.md:131.
     """
     return kick_gain / (1 + half_decay)
 
@@ -436,7 +439,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:131.
+    Source: IM15, srs/models/joint_step.md:132.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -451,7 +454,7 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:132.
+    Source: IM15, srs/models/joint_step.md:133.
     """
     return (kick_velocity - half_gain) / half_decay
 
@@ -466,7 +469,7 @@ def kept_way(kinetic_energy_start: Scalar, lift_work: Scalar, work: Scalar) -> S
         lift_work: Energy that overlaps under the weight of a body store and give back, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM15, srs/models/joint_step.md:133.
+    Source: IM15, srs/models/joint_step.md:134.
     """
     return least((-(kinetic_energy_start + lift_work)) / work, 1)
 
@@ -481,7 +484,7 @@ def spring_change(row_impulse: Scalar, row_yield: Scalar) -> Scalar:
         row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
             1/kg
 
-    Source: DD86, srs/models/joint_step.md:250.
+    Source: DD86, srs/models/joint_step.md:253.
     """
     return row_impulse * row_impulse * row_yield / 2
 
@@ -501,7 +504,7 @@ def change_most(
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:251.
+    Source: DD86, srs/models/joint_step.md:254.
     """
     return amplification * amplification * mass * rates_squared / 2 + spring_change
 
@@ -517,7 +520,7 @@ def firmness_most(mass: Scalar, row_arm: Scalar, amplification: Scalar) -> Scala
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:252.
+    Source: DD86, srs/models/joint_step.md:255.
     """
     return amplification * amplification * mass * row_arm * row_arm
 
@@ -531,7 +534,7 @@ def closing_share(row_value: Scalar, closing_way: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         closing_way: Way by which a row that has yielded may close in a substep at most, m
 
-    Source: DD86, srs/models/joint_step.md:253.
+    Source: DD86, srs/models/joint_step.md:256.
     """
     return closing_way / abs(row_value)
 
@@ -555,7 +558,7 @@ def motion_most(
         row_energy: Energy of a spring at a joint, J
         growth_ratio: By which ratio the energy of motion may grow by one solution, 1
 
-    Source: DD98, srs/models/joint_step.md:309.
+    Source: DD98, srs/models/joint_step.md:312.
     """
     return growth_ratio * kinetic_energy + mass * rates_squared / 2 + row_energy
 
@@ -572,7 +575,7 @@ def lost_velocity(row_velocity: Scalar, row_velocity_before: Scalar, restitution
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: DD96, srs/models/joint_step.md:355.
+    Source: DD96, srs/models/joint_step.md:358.
     """
     return -(row_velocity + restitution * row_velocity_before)
 
@@ -588,7 +591,7 @@ def lost_share(row_mass: Scalar, lost_velocity: Scalar, applied_impulse: Scalar)
             for, m/s
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
 
-    Source: DD96, srs/models/joint_step.md:356.
+    Source: DD96, srs/models/joint_step.md:359.
     """
     return row_mass * lost_velocity / applied_impulse
 
@@ -603,7 +606,7 @@ def row_mass_joined(row_mass: Scalar, lost_share: Scalar) -> Scalar:
         lost_share: Part that joints take of what an impulse changes in the velocity of a
             contact, 1
 
-    Source: DD96, srs/models/joint_step.md:357.
+    Source: DD96, srs/models/joint_step.md:360.
     """
     return row_mass / (1 - lost_share)
 
@@ -618,7 +621,7 @@ def overshot_share(lost_velocity: Scalar, lost_velocity_before: Scalar) -> Scala
             for, m/s
         lost_velocity_before: What joints had taken of it after the turn before, m/s
 
-    Source: DD96, srs/models/joint_step.md:358.
+    Source: DD96, srs/models/joint_step.md:361.
     """
     return least(lost_velocity / lost_velocity_before, 0)
 
@@ -638,7 +641,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:415.
+    Source: IM19, srs/models/joint_step.md:418.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -660,7 +663,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:419.
+    Source: IM19, srs/models/joint_step.md:422.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -695,7 +698,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:421.
+    Source: IM19, srs/models/joint_step.md:424.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -711,7 +714,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:422.
+    Source: IM19, srs/models/joint_step.md:425.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -725,7 +728,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:526.
+    Source: DD79, srs/models/joint_step.md:529.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -739,7 +742,7 @@ def drive_work(row_impulse: Scalar, drive_rate: Scalar) -> Scalar:
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: DD79, srs/models/joint_step.md:527.
+    Source: DD79, srs/models/joint_step.md:530.
     """
     return row_impulse * drive_rate
 
@@ -764,7 +767,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:528.
+    Source: DD79, srs/models/joint_step.md:531.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -783,7 +786,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:530.
+    Source: DD79, srs/models/joint_step.md:533.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -807,7 +810,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:532.
+    Source: DD79, srs/models/joint_step.md:535.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -822,7 +825,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:534.
+    Source: DD79, srs/models/joint_step.md:537.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -838,6 +841,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
             negative, J
 
-    Source: DD79, srs/models/joint_step.md:535.
+    Source: DD79, srs/models/joint_step.md:538.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

@@ -2632,13 +2632,21 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1614,
     ),
+    "inertia_factor_most": Symbol(
+        "inertia_factor_most",
+        "1",
+        "most times its own inertia with which a body counts in joints",
+        tex="\\kappa_{\\max}",
+        file="srs/symbols.md",
+        line=1618,
+    ),
     "drive_rate": Symbol(
         "drive_rate",
         "m/s",
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1618,
+        line=1622,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2646,7 +2654,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1622,
+        line=1626,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2654,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1626,
+        line=1630,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2662,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1630,
+        line=1634,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2670,7 +2678,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1634,
+        line=1638,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2678,7 +2686,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1638,
+        line=1642,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2687,7 +2695,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1642,
+        line=1646,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2695,7 +2703,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1647,
+        line=1651,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2704,7 +2712,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1651,
+        line=1655,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2712,7 +2720,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1656,
+        line=1660,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2721,7 +2729,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1660,
+        line=1664,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2730,7 +2738,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1665,
+        line=1669,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2739,7 +2747,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1670,
+        line=1674,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2748,7 +2756,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1675,
+        line=1679,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2756,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1680,
+        line=1684,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2765,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1684,
+        line=1688,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2773,7 +2781,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1689,
+        line=1693,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2781,7 +2789,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1693,
+        line=1697,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2790,7 +2798,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1697,
+        line=1701,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2799,7 +2807,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1702,
+        line=1706,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2807,7 +2815,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1707,
+        line=1711,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2816,7 +2824,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1711,
+        line=1715,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2824,7 +2832,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1716,
+        line=1720,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2832,7 +2840,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or owes where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1720,
+        line=1724,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2841,7 +2849,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c",
         file="srs/symbols.md",
-        line=1724,
+        line=1728,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2850,7 +2858,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a",
         file="srs/symbols.md",
-        line=1729,
+        line=1733,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2859,7 +2867,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1734,
+        line=1738,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2868,7 +2876,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1739,
+        line=1743,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2877,7 +2885,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1744,
+        line=1748,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2886,7 +2894,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1749,
+        line=1753,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2895,7 +2903,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1754,
+        line=1758,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2904,7 +2912,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_c",
         file="srs/symbols.md",
-        line=1759,
+        line=1763,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -2913,7 +2921,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma",
         file="srs/symbols.md",
-        line=1764,
+        line=1768,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -2922,7 +2930,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1769,
+        line=1773,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2931,7 +2939,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1774,
+        line=1778,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2939,7 +2947,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1779,
+        line=1783,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2948,7 +2956,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1783,
+        line=1787,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2957,7 +2965,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1788,
+        line=1792,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2966,7 +2974,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1793,
+        line=1797,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2974,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1798,
+        line=1802,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2983,7 +2991,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1802,
+        line=1806,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2991,7 +2999,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1807,
+        line=1811,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2999,7 +3007,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1811,
+        line=1815,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3008,7 +3016,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1815,
+        line=1819,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3017,7 +3025,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1820,
+        line=1824,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3026,7 +3034,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1825,
+        line=1829,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3034,7 +3042,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1830,
+        line=1834,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3042,7 +3050,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1834,
+        line=1838,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3050,7 +3058,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1838,
+        line=1842,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3059,7 +3067,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1842,
+        line=1846,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3068,7 +3076,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1847,
+        line=1851,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3077,7 +3085,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1852,
+        line=1856,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3086,7 +3094,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1857,
+        line=1861,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3095,7 +3103,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1862,
+        line=1866,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3104,7 +3112,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1867,
+        line=1871,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3113,7 +3121,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1872,
+        line=1876,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3122,7 +3130,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1877,
+        line=1881,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3130,7 +3138,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1882,
+        line=1886,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3139,7 +3147,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1886,
+        line=1890,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3147,7 +3155,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1891,
+        line=1895,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3156,7 +3164,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1895,
+        line=1899,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3165,7 +3173,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1900,
+        line=1904,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3174,7 +3182,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1905,
+        line=1909,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3183,7 +3191,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1910,
+        line=1914,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3192,7 +3200,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1915,
+        line=1919,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3200,7 +3208,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1920,
+        line=1924,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3209,7 +3217,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1924,
+        line=1928,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3218,7 +3226,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1929,
+        line=1933,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3227,7 +3235,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1934,
+        line=1938,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3236,7 +3244,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1939,
+        line=1943,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3244,7 +3252,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1944,
+        line=1948,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3252,7 +3260,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1948,
+        line=1952,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3261,7 +3269,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1952,
+        line=1956,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3270,7 +3278,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1957,
+        line=1961,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3279,7 +3287,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1962,
+        line=1966,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3288,7 +3296,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1967,
+        line=1971,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3297,7 +3305,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1972,
+        line=1976,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3306,7 +3314,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1977,
+        line=1981,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3315,7 +3323,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1982,
+        line=1986,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3324,7 +3332,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1987,
+        line=1991,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3333,7 +3341,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1992,
+        line=1996,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3341,7 +3349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1997,
+        line=2001,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3349,7 +3357,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=2001,
+        line=2005,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -3358,7 +3366,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=2005,
+        line=2009,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -3366,7 +3374,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=2010,
+        line=2014,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -3374,7 +3382,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=2014,
+        line=2018,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3383,7 +3391,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=2018,
+        line=2022,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3392,7 +3400,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2023,
+        line=2027,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3401,7 +3409,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=2028,
+        line=2032,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3409,7 +3417,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=2033,
+        line=2037,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3418,7 +3426,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2037,
+        line=2041,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3426,7 +3434,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2042,
+        line=2046,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3435,7 +3443,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2046,
+        line=2050,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3443,7 +3451,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2051,
+        line=2055,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3452,7 +3460,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2055,
+        line=2059,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3460,7 +3468,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2060,
+        line=2064,
     ),
     "change": Symbol(
         "change",
@@ -3469,7 +3477,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=2064,
+        line=2068,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3478,7 +3486,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2069,
+        line=2073,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3487,7 +3495,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2074,
+        line=2078,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3495,7 +3503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2079,
+        line=2083,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3504,7 +3512,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2083,
+        line=2087,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3512,7 +3520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2088,
+        line=2092,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3520,7 +3528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2092,
+        line=2096,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3528,7 +3536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2096,
+        line=2100,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3537,7 +3545,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=2100,
+        line=2104,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3545,7 +3553,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2105,
+        line=2109,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3554,6 +3562,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2109,
+        line=2113,
     ),
 }

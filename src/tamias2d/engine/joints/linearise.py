@@ -6,6 +6,8 @@ joints that depend on each other share their load, and nothing is singular.
 Cost: cosine and sine of each body, some blocks for each joint, and a sparse factorization.
 """
 
+from math import inf
+
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.cholesky import factor
 from tamias2d.engine.direct.matrix import add_diagonal, clear_pivot
@@ -34,6 +36,7 @@ from tamias2d.state import Array
 FIRM = 1e8  # firmness of a row, for each unit of its own mass
 ROW_TURNED = 0.48  # sine of half a radian, by which a row may turn in a substep
 HINGE = KINDS.index("revolute")
+HELD_WHERE_TOUCHED = 4.0  # times its own inertia: of 1, 4 and 16 planks of bridges part least
 TURNED_TOGETHER = 8  # angles: as many as fit into the widest registers
 
 
@@ -257,9 +260,10 @@ def note_node_masses(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
     An inertia is 0 for a body that does not turn.
 
     A body at whose arms joints pull counts with so much inertia that it swings slowly enough for
-    substeps.
+    substeps; if contacts, which act on its own inertia, touch the mechanism, with few times that.
     """
     note_leaning(n, joints)
+    most = HELD_WHERE_TOUCHED if joints.mechanisms[n, tb.M_TOUCHED] == 1 else inf
     changed = False
     for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
         i, place = joints.members[node + 1, tb.JOINED_SLOT], joints.places[node + 1]
@@ -269,7 +273,7 @@ def note_node_masses(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
         mass, held = 1.0 / bodies.properties[i, tb.INVERSE_MASS], 0.0
         place[tb.HELD_INVERSE_INERTIA] = 0.0
         if inverse_inertia > 0.0:
-            held = inertia_held(1.0 / inverse_inertia, place[tb.LEANING], substep)
+            held = inertia_held(1.0 / inverse_inertia, place[tb.LEANING], substep, most)
             place[tb.HELD_INVERSE_INERTIA] = 1.0 / held
         changed = changed | (factors[tb.NODE_MASS] != mass) | (factors[tb.NODE_INERTIA] != held)
         factors[tb.NODE_MASS], factors[tb.NODE_INERTIA] = mass, held
