@@ -67,7 +67,7 @@ class Impacts:
         for _ in range(_MAX_ROUNDS):
             again = self._approaching()
             self.ruled |= {i for touch in again for i in self._moving(touch)}
-            if all(self.rate(c) >= -limit for touch in again for c in touch.contacts):
+            if all(self.rate(c) >= -limit for touch in again for c in touch.striking):
                 break
             self._answer(again)
         if again:
@@ -81,7 +81,7 @@ class Impacts:
         return [touch for touch in self._touching.values() if self._approaches(touch)]
 
     def _approaches(self, touch: TouchingPair) -> bool:
-        return any(self.rate(contact) < -touch.noise for contact in touch.contacts)
+        return any(self.rate(contact) < -touch.noise for contact in touch.striking)
 
     def _answer(self, approaching: Sequence[TouchingPair]) -> None:
         """Let the pairs that approach answer: together those that act on each other."""
@@ -126,7 +126,7 @@ class Impacts:
     def _impulse_directions(self, touch: TouchingPair) -> list[Contact]:
         """Return the contacts of a pair, once for each direction of their impulses."""
         frictional = self._world.friction(*touch.pair) > 0
-        return touch.contacts + [tangent_of(contact) for contact in touch.contacts if frictional]
+        return touch.striking + [tangent_of(contact) for contact in touch.striking if frictional]
 
     def _coupled(self, first: Contact, second: Contact) -> bool:
         cores = self._world.cores
@@ -150,7 +150,7 @@ class Impacts:
         self.ruled |= {i for touch in group for i in self._moving(touch)}
         meetings = [
             Meeting(
-                [contact for contact in touch.contacts if self.rate(contact) <= touch.noise],
+                [contact for contact in touch.striking if self.rate(contact) <= touch.noise],
                 self._world.restitution(*touch.pair),
                 self._world.friction(*touch.pair),
             )
@@ -161,8 +161,9 @@ class Impacts:
     def _close(self) -> None:
         """Take what is left of all approach, without restitution (DD68)."""
         patches = [
-            Patch(tuple(touch.contacts), self._world.friction(*touch.pair), 0)
+            Patch(tuple(touch.striking), self._world.friction(*touch.pair), 0)
             for touch in self._touching.values()
+            if touch.striking
         ]
         self._push(closing_impulses(self._world.cores, patches, self._states))
 
@@ -182,7 +183,7 @@ class Impacts:
         A separating one is left out: if the others drive it together, it is resolved in turn.
         """
         cores, states, (a, b) = self._world.cores, self._states, touch.pair
-        approaching = [contact for contact in touch.contacts if self.rate(contact) <= touch.noise]
+        approaching = [contact for contact in touch.striking if self.rate(contact) <= touch.noise]
         restitution = self._world.restitution(a, b)
         if cores[a].jointed or cores[b].jointed:
             self._resolve_jointed_pair(touch, approaching, restitution)

@@ -23,6 +23,7 @@ from tamias2d.contact.manifold import (
     normal_velocity,
     speed_scale,
 )
+from tamias2d.contact.one_surface import strike_as_one
 from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.refusal import LastingContactError, RangeError, UndecidedContactError, named
 from tamias2d.contact.simultaneous_impact import apply
@@ -58,6 +59,7 @@ class Instant:
         self._find_touching(bodies)
         if world.again:
             self._hush()
+        strike_as_one(self.touching_pairs.values(), world)
         impacts = Impacts(time, world, self.states, self.touching_pairs)
         impacts.resolve()
         self.contact_impulses = impacts.impulses

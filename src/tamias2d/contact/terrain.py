@@ -7,6 +7,7 @@ from tamias2d.scene.chain import Piece
 from tamias2d.state import Vector
 
 _BESIDE = 1e-6  # sine: a direction that leans back by no more is beside the piece
+_ROOM = 1e-9  # sine: a direction for which room is short by no more has it, but for rounding
 _SAME = 1e-12  # sine: a direction that leans by no more is the normal of the piece
 
 
@@ -49,4 +50,4 @@ def _is_normal(up: float, along: float, start: Vector, end: Vector) -> bool:
     if abs(along) <= _SAME:
         return up > 0
     cosine, sine = start if along < 0 else end
-    return bool(admitted(sine, corner_room(cosine, sine, up, abs(along))))
+    return bool(admitted(sine, corner_room(cosine, sine, up, abs(along)) + _ROOM))

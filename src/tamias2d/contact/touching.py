@@ -30,8 +30,13 @@ class TouchingPair:
     """The size of the terms that make up its velocities, m/s."""
     noise: float
     """The largest normal velocity that counts as 0, m/s."""
+    striking: list[Contact] = field(init=False)
+    """Those of its contacts, and of its neighbours in a chain, that take part in impacts."""
     staying: list[Contact] = field(default_factory=list)
     rest_at: float = 0.0
     """When its bounces end if they go on as a geometric series of times, s; 0 if they do not."""
     rest_noise: float = 0.0
     """The error of `rest_at` by rounding, s."""
+
+    def __post_init__(self) -> None:
+        self.striking = self.contacts
