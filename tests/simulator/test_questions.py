@@ -183,7 +183,7 @@ def test_rays_down_at_a_turned_terrain_find_it() -> None:
             )
             ground = sim.to_world(0, points[1:-1]).repeat(5, axis=0)
             ground[:, 0] += aside * chance.uniform(-1, 1, len(ground))
-            hit = sim.ray_cast(ground + (0.0, far), ground - (0.0, far))
+            hit = sim.ray_cast(ground + np.array((0.0, far)), ground - np.array((0.0, far)))
             assert (hit.body == 0).all(), (far, aside)
             assert np.allclose(hit.point, ground, atol=1e-8 if far < 1e7 else 1e-6)
 
