@@ -13,6 +13,7 @@ from tamias2d.engine.batch import Batch
 from tamias2d.engine.body_pool import BodyPool
 from tamias2d.engine.contact_events import ContactEvents
 from tamias2d.engine.contact_report import Contacts, contact_report
+from tamias2d.engine.interruption import end_if_asked
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.rows import kept_apart, set_joints
 from tamias2d.engine.menu import JOINTED, chosen, functions
@@ -358,6 +359,8 @@ class Engine(Store):
                 status = self._continued(status)
                 return None if status in (tb.DONE, tb.CLEAR) else self._refused(status)
             while count > 0:
+                if timed:
+                    end_if_asked()
                 if self._alone:
                     asked = min(count, self._ballistic_steps_per_call.most)
                     taken = self._ballistic_steps(asked, timed)
