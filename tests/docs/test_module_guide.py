@@ -2,6 +2,8 @@
 
 import ast
 import re
+import tomllib
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -12,7 +14,8 @@ weave = pytest.importorskip("weave.modules", reason="needs Sphinx")
 
 interface = pytest.importorskip("weave.interface")
 public_names = pytest.importorskip("weave.public_names")
-PACKAGE = Path(__file__).parents[2] / "src/tamias2d"
+ROOT = Path(__file__).parents[2]
+PACKAGE = ROOT / "src/tamias2d"
 EVERY = list(weave.modules(PACKAGE))
 
 
@@ -34,6 +37,42 @@ def test_a_package_says_what_it_serves_and_what_it_hides(package: object) -> Non
     service, secret = package.service_and_secret
     assert service, f"{package.name}: its docstring needs a sentence 'Serves: ...'"
     assert secret, f"{package.name}: its docstring needs a sentence 'Hides: ...'"
+
+
+def test_every_package_has_a_place_in_the_guide() -> None:
+    inner = {path.parent.name for path in PACKAGE.glob("*/__init__.py")}
+    assert sorted(weave.PARTS) == sorted({"", *inner})
+
+
+GUIDE = (ROOT / "docs/modules.md").read_text(encoding="utf-8")
+FIRST_COLUMN = re.compile(r"^\| (`[^|]+`) \|", re.M)
+
+
+def rows_of(heading: str) -> list[list[str]]:
+    """The names in the first column of all tables under a heading of the guide."""
+    text = GUIDE.partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
+    return [re.findall(r"`([^`]+)`", cell) for cell in FIRST_COLUMN.findall(text)]
+
+
+def test_the_guide_lists_the_layers_in_their_order() -> None:
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    (contract,) = (
+        one for one in settings["tool"]["importlinter"]["contracts"] if one["type"] == "layers"
+    )
+    layers = [re.findall(r"\w+", layer) for layer in reversed(contract["layers"])]
+    height = {name: k for k, layer in enumerate(layers) for name in layer if name != "__main__"}
+    rows = rows_of("Which package may use which")
+    assert sorted(name for row in rows for name in row) == sorted(height)
+    for below, above in pairwise(rows):
+        assert max(map(height.get, below)) <= min(map(height.get, above)), (below, above)
+
+
+def test_the_guide_lists_each_file_and_folder_of_the_engine() -> None:
+    engine = PACKAGE / "engine"
+    folders = [f"{path.parent.name}/" for path in engine.glob("*/__init__.py")]
+    files = [path.name for path in engine.glob("*.py") if path.name != "__init__.py"]
+    listed = [name for row in rows_of("Inside the engine") for name in row]
+    assert sorted(listed) == sorted(files + folders)
 
 
 def test_service_and_secret_are_read_from_a_docstring() -> None:

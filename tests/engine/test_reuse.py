@@ -75,7 +75,7 @@ def test_boxes_at_rest_keep_their_manifolds(monkeypatch: pytest.MonkeyPatch) -> 
         kept.append(move_gaps(*given))
         return kept[-1]
 
-    monkeypatch.setattr("tamias2d.engine.narrow_phase.touching.move_gaps", noted)
+    monkeypatch.setattr("tamias2d.engine.narrow_phase.manifold.move_gaps", noted)
     scene = t2.Scene(gravity=(0.0, -9.81))
     surface = {"friction": 0.5, "restitution": 0.0}
     scene.add_static(t2.Box(width=9.0, height=1.0), position=(0.0, -0.5), **surface)

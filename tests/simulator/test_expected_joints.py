@@ -87,7 +87,7 @@ def loaded(monkeypatch: pytest.MonkeyPatch) -> list[Library]:
         return compiled(library)
 
     monkeypatch.setattr(Library, "compiled", noted)
-    functions = "tamias2d.engine.engine.functions"
+    functions = "tamias2d.engine.step_calls.functions"
     monkeypatch.setattr(functions, lambda library, **_: library.compiled())
     return found
 

@@ -61,10 +61,8 @@ class FrictionConstraint:
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:  # noqa: ARG002
         """Return the acceleration that remains under the contact forces."""
         x, y, turn = acceleration
-        separating_direction, up, round_ = (
-            p * x + q * y + r * turn + 0.0 for p, q, r in self._left
-        )
-        return separating_direction, up, round_
+        across, up, round_ = (p * x + q * y + r * turn + 0.0 for p, q, r in self._left)
+        return across, up, round_
 
     def within_cone(self, acceleration: Acceleration) -> bool:
         """Return whether the forces of the mode lie within the friction cones.
@@ -128,8 +126,8 @@ class TurningFrictionConstraint:
         core = self._cores[self._body]
         for contact, force in zip(columns, found.tolist(), strict=True):
             x, y, turn = unit_response(core, self._body, contact)
-            separating_direction, up, spin = acceleration
-            acceleration = separating_direction + force * x, up + force * y, spin + force * turn
+            across, up, round_ = acceleration
+            acceleration = across + force * x, up + force * y, round_ + force * turn
         return acceleration
 
 

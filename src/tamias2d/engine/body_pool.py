@@ -16,7 +16,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.batch import UNSTATED, Batch
 from tamias2d.engine.canonical_order import in_order
 from tamias2d.engine.carried_touch import CarriedTouch
-from tamias2d.engine.contact_list import ContactList
+from tamias2d.engine.listed_contacts import ListedContacts
 from tamias2d.engine.propagators import Propagators
 from tamias2d.engine.rows import index_of
 from tamias2d.engine.shape_form import Form, form_of
@@ -49,7 +49,7 @@ class BodyPool:
         absent = np.flatnonzero(store.world.state.kind[: store.size] == tb.ABSENT)
         self._free: list[int] = absent[::-1].tolist()
         self._shapes = ShapePool(store)
-        self._contacts = ContactList(store, self.wake)
+        self._contacts = ListedContacts(store, self.wake)
         self._order = self._ranked_shapes()
         self._new: dict[int, _New] = {}  # bodies without a rank
         self._leaving: list[int] = []  # removed since the pool was settled

@@ -39,7 +39,7 @@ _NOTHING: tuple[tuple[Contacts, ...], tuple[IntArray, ...]] = (), ()
 
 
 @dataclass(frozen=True, kw_only=True)
-class Touching:
+class TouchReport:
     """What touched in the last step, and which pairs began and ceased to in a call of steps."""
 
     contacts: Contacts

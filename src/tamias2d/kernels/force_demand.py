@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tamias2d.motion.terms import anchored
+from tamias2d.motion.terms import anchored, end_row
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import steady_load, varying_laws
 from tamias2d.state import Array
@@ -158,17 +158,11 @@ def _springs(scene: Scene, bodies: Sequence[int], demand: ForceDemand) -> Tables
     springs = [s for s in scene.springs if set(s.bodies) & set(bodies)]
     row_of = {body: row for row, body in enumerate(bodies)}
     still: list[tuple[float, float, float]] = []
-
-    def row(body: int | None, point: tuple[float, float]) -> int:
-        if body in row_of:
-            return row_of[body]
-        held = None if body is None else scene.bodies[body]
-        still.append((*held.position, held.orientation) if held else (*point, 0.0))
-        return len(bodies) + len(still) - 1
-
+    first = [end_row(scene, s.first, s.point, row_of, still) for s in springs]
+    second = [end_row(scene, s.second, s.point, row_of, still) for s in springs]
     tables: Tables = {
-        "first_ends": np.array([row(s.first, s.point) for s in springs], dtype=np.int64),
-        "second_ends": np.array([row(s.second, s.point) for s in springs], dtype=np.int64),
+        "first_ends": np.array(first, dtype=np.int64),
+        "second_ends": np.array(second, dtype=np.int64),
         "still": np.array(still, dtype=np.float64).reshape(-1, 3).ravel(),
         "stiffness": np.array([s.stiffness for s in springs]),
         "rest_length": np.array([s.rest_length for s in springs]),

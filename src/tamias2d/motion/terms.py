@@ -145,7 +145,7 @@ class Springs:
         )
         fixed: list[tuple[float, float, float]] = []
         self._ends = tuple(
-            np.array([_row(scene, body, point, row_of, fixed) for body, point in ends])
+            np.array([end_row(scene, body, point, row_of, fixed) for body, point in ends])
             for ends in (
                 [(s.first, s.point) for s in springs],
                 [(s.second, s.point) for s in springs],
@@ -215,7 +215,7 @@ class Attraction:
         return np.stack(force, axis=-1)
 
 
-def _row(
+def end_row(
     scene: Scene,
     body: int | None,
     point: tuple[float, float],

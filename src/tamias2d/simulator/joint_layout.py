@@ -185,16 +185,26 @@ def by_joint(joints: Sequence[Joint], kept: Array) -> dict[str, Array]:
     return {joint.name: part for joint, part in zip(joints, parts, strict=True)}
 
 
-def kept_of_new(joints: Sequence[Joint], engine: Engine) -> Array:
-    """Return what `JointLayout.kept` would of joints of which the engine was not told yet."""
+def kept_of_new(joints: Sequence[Joint], engine: Engine, left: Array) -> Array:
+    """Return what `JointLayout.kept` would of joints of which the engine was not told yet.
+
+    The last step left bodies at poses (n, 3).
+    """
     owner = [k for k, joint in enumerate(joints) for _ in joint_rows(joint)]
     kept = np.zeros((len(owner), KEPT_COUNT))
-    kept[:, _PULLED] = pulled_apart(joints, engine)[owner]
+    kept[:, _PULLED] = _pulled_apart(joints, engine, left)[owner]
     return kept
 
 
-def pulled_apart(joints: Sequence[Joint], engine: Engine) -> Array:
-    """Return for how many substeps joints (j,) pull together what was moved since they came."""
+def _pulled_apart(joints: Sequence[Joint], engine: Engine, left: Array) -> Array:
+    """Return for how many substeps joints (j,) follow what nothing pushes, moved since the step.
+
+    It may have come since, and then been moved.
+    """
     lengths, angles = separations(joints, engine.pose, engine.time)
     sizes = np.array([size_of_joint(joint, engine) for joint in joints])
-    return np.where(np.maximum(lengths / sizes, angles) > APART, PULLED, 0.0)
+    apart = np.maximum(lengths / sizes, angles) > APART
+    moved, known = engine.kind != tb.DYNAMIC, min(len(left), engine.size)
+    moved[:known] &= (engine.pose[:known] != left[:known]).any(axis=1)
+    tied = np.array([moved[list(joint.bodies)].any() for joint in joints], dtype=bool)
+    return np.where(apart & tied, PULLED, 0.0)

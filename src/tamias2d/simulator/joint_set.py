@@ -223,14 +223,14 @@ class JointSet:
         if self._layout is not None and not self.new:
             self._layout.note_masses()
 
-    def settle(self, engine: Engine) -> None:
-        """Tell the engine which joints there are."""
+    def settle(self, engine: Engine, left: Array) -> None:
+        """Tell the engine which joints there are; the last step left bodies at poses (n, 3)."""
         for joint in self:
             if joint.pitch and not math.isfinite(tooth_of(joint)):
                 self._joints[joint.name] = on_tooth(joint, tooth_reached(joint, engine.pose))
         joints = list(self)
         pushed = self._limits.pushed if self._limits else {}
-        self._layout = JointLayout(engine, joints, self.kept(engine), restored=self._restored)
+        self._layout = JointLayout(engine, joints, self.kept(engine, left), restored=self._restored)
         self._saved, self._fresh = {}, set()
         watched = any(joint.breaks or joint.pitch for joint in joints)
         self._watch = JointWatch(self._layout) if watched else None
@@ -298,10 +298,10 @@ class JointSet:
         """Return the name of a joint that holds a body, or None."""
         return next((joint.name for joint in self if body in joint.bodies), None)
 
-    def kept(self, engine: Engine) -> Array:
+    def kept(self, engine: Engine, left: Array) -> Array:
         """Return what the last step left of each row, as `JointLayout.kept` does.
 
-        Joints go on with it where others come or go.
+        Joints go on with it where others come or go. The step left bodies at poses (n, 3).
         """
         if self._layout is not None and not self.new:
             return self._layout.kept()
@@ -311,16 +311,16 @@ class JointSet:
         rows = [
             known[joint.name]
             if joint.name in known and joint.name not in self._fresh
-            else kept_of_new([joint], engine)
+            else kept_of_new([joint], engine, left)
             for joint in self
         ]
-        return np.concatenate(rows) if rows else kept_of_new([], engine)
+        return np.concatenate(rows) if rows else kept_of_new([], engine, left)
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
         """Return what joints exerted in the last step, and how well they hold now."""
         return reactions_of(
             list(self),
-            self.kept(engine),
+            self.kept(engine, engine.pose),
             engine.pose,
             engine.velocity,
             time=engine.time,

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NoReturn
 
-from tamias2d.engine.contact_events import Touching
+from tamias2d.engine.contact_events import TouchReport
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.state_copy import StateCopy
 from tamias2d.errors import RecordingError
@@ -24,7 +24,7 @@ class KeptState:
     expects_joints: bool
     names: Mapping[str, int]
     staying: frozenset[int]
-    touching: Touching
+    touching: TouchReport
     happened: tuple[JointEvent[str], ...]
     pushed: Array | None
     left: Array

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d import archive
-from tamias2d.engine.contact_events import Touching, pairs_of
+from tamias2d.engine.contact_events import TouchReport, pairs_of
 from tamias2d.engine.contact_report import Contacts, contacts_of
 from tamias2d.engine.saved_checks import UnfitError, require
 from tamias2d.errors import RecordingError, TamiasError, path_text
@@ -164,7 +164,7 @@ def scene_of(about: About, kind: NDArray[np.int8], *, dynamic: int, where: str) 
     return scene
 
 
-def touching_arrays(told: Touching) -> dict[str, NDArray[Any]]:
+def touching_arrays(told: TouchReport) -> dict[str, NDArray[Any]]:
     """Return a contact report as arrays by name."""
     reports = {"contacts": told.contacts, "began": told.began}
     return {"ended": told.ended} | {
@@ -174,7 +174,7 @@ def touching_arrays(told: Touching) -> dict[str, NDArray[Any]]:
     }
 
 
-def touching_of(arrays: Arrays, size: int) -> Touching:
+def touching_of(arrays: Arrays, size: int) -> TouchReport:
     """Return the contact report of arrays, about `size` bodies.
 
     Raises:
@@ -189,7 +189,7 @@ def touching_of(arrays: Arrays, size: int) -> Touching:
     for report in (contacts, began):
         same = {len(values) for values in vars(report).values()}
         require(len(same) == 1, "touching", "its columns must have one length")
-    return Touching(
+    return TouchReport(
         contacts=contacts, began=began, ended=pairs_of(_report_array(arrays, "ended", size, 2))
     )
 

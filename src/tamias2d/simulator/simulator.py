@@ -228,7 +228,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         }
         found = {f"{part}.{key}": a for part, arrays in parts.items() for key, a in arrays.items()}
         pushed = {} if self._pushed is None else {"pushed": self._pushed}
-        tied = {"joints": self._joints.kept(self._engine)} if len(self._joints) else {}
+        tied = {"joints": self._joints.kept(self._engine, self._left)} if len(self._joints) else {}
         return saving.sealed(about, {**found, **pushed, **tied})
 
     def _take_over(self, content: Mapping[str, NDArray[Any]], where: str, compiled: bool) -> None:

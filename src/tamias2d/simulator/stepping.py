@@ -5,7 +5,7 @@ from typing import TypeGuard
 
 import numpy as np
 
-from tamias2d.engine.contact_events import ContactEvents, Touching
+from tamias2d.engine.contact_events import ContactEvents, TouchReport
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.interruption import end_if_asked
 from tamias2d.engine.tables import ABSENT
@@ -88,7 +88,7 @@ class Stepping(Views):
         self._limits = 0  # of which was told
         self._left = self._engine.pose.copy()  # where the last step left bodies
         self._pushed: Array | None = None  # loads for the next step only
-        self._touching: Touching | None = None
+        self._touching: TouchReport | None = None
         self._begin_call()
         self._unsettled = True
 
@@ -145,7 +145,7 @@ class Stepping(Views):
         self._happened: list[JointEvent[str]] = []
         self._events.begin(self._engine.steps)
         if self._touching is not None:
-            self._touching = Touching(contacts=self._touching.contacts)
+            self._touching = TouchReport(contacts=self._touching.contacts)
 
     def _advance(self, count: int) -> None:
         """Take some steps, or raise `RuleError`."""
@@ -189,7 +189,7 @@ class Stepping(Views):
         self._unsettled = False
         self._jointed = len(self._joints) > 0
         if self._joints.new:
-            self._joints.settle(self._engine)
+            self._joints.settle(self._engine, self._left)
             self._limit_changes = self._engine.limit_changes
             self._warned.tell(too_stiff_for_steps(self._joints, self._engine, self._time_step))
         self._varying = None
@@ -237,11 +237,11 @@ class Stepping(Views):
             engine.wake(np.array(sorted(freed), dtype=np.int64))
         self._unsettled |= self._joints.new
 
-    def _report(self) -> Touching:
+    def _report(self) -> TouchReport:
         if self._touching is None:
             engine, events = self._engine, self._events
             events.note(engine, engine.steps)
-            self._touching = Touching(
+            self._touching = TouchReport(
                 contacts=engine.contact_report(), began=events.began, ended=events.ended
             )
         return self._touching

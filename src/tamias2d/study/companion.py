@@ -22,6 +22,13 @@ def limit_beside(run: Run) -> int:
     return max(WORK_LIMIT, _MORE * (steps + len(run.impacts.time)))
 
 
+def error_left(loose: Run, tight: Run) -> float:
+    """Return how much of the error of a run is left in a tighter one, by order and steps."""
+    steps = [one.cost.steps if one.cost else 1 for one in (loose, tight)]
+    order = float(loose.method.facts.order) if loose.method.facts else 1.0
+    return float((steps[0] / steps[1]) ** order)
+
+
 def companion(scene: Scene, **inputs: Any) -> Run:
     """Return a run as `simulate` does; raise `RefusedError` where that refuses one."""
     try:

@@ -6,7 +6,7 @@ with starts next to each other (`statistics`).
 """
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,9 +57,6 @@ class ContactErrors:
     def quality(self) -> float:
         """The larger of overlap and energy."""
         return max(self.overlap, self.energy or 0.0)
-
-
-NAMES = tuple(field.name for field in fields(ContactErrors))
 
 
 @dataclass(frozen=True)

@@ -18,10 +18,11 @@ from tamias2d.scene import Scene
 from tamias2d.state import History
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.contact_candidates import RATES, ContactCandidate, contact_candidates, follow
-from tamias2d.study.contact_errors import NAMES, Answer, ContactErrors, contact_errors, statistics
+from tamias2d.study.contact_errors import Answer, ContactErrors, contact_errors, statistics
 from tamias2d.study.engines.own import Own
 from tamias2d.study.engines.refusal import PeerError
 from tamias2d.study.front import front
+from tamias2d.study.phases import over_phases
 from tamias2d.study.refined import SUBSTEPS, Refined, nudged, refinements, stepped, work_of
 from tamias2d.study.refusal import ToleranceError, sooner
 from tamias2d.study.schedule import Schedule
@@ -299,19 +300,10 @@ def _point(bare: ContactPoint, candidate: ContactCandidate, known: _Known) -> Co
             found.append(errors if k == 0 else replace(errors, overlap=found[0].overlap))
     return replace(
         bare,
-        error=_over(found, median),
-        worst=_over(found, max),
+        error=over_phases(found, median),
+        worst=over_phases(found, max),
         statistics=statistics(known.scenes[0], histories),
     )
-
-
-def _over(found: Sequence[ContactErrors], what: Callable[[list[float]], float]) -> ContactErrors:
-    """Return each measure over the phases; None where it applies in none."""
-    values = {}
-    for name in NAMES:
-        each = [value for one in found if (value := getattr(one, name)) is not None]
-        values[name] = what(each) if each else None
-    return ContactErrors(**values)  # type: ignore[arg-type]
 
 
 def _time(

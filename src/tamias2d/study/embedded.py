@@ -12,7 +12,7 @@ from tamias2d.run import Run
 from tamias2d.scene.acting import brief_laws, kinked
 from tamias2d.solve import solve_halved
 from tamias2d.study.bound import Bound, NoBoundError, companion_of, difference, rounding
-from tamias2d.study.companion import limit_beside
+from tamias2d.study.companion import error_left, limit_beside
 from tamias2d.study.error import radii, scale
 
 _TRUSTED = 1.5  # times what companions say (after Roache's index)
@@ -108,7 +108,7 @@ def embedded(run: Run, tighter: list[Run]) -> Bound:
         rtol = _two_digits(rtol / times)
         companion = _by_whole_steps(run, rtol)
         tighter.append(companion)
-        left, times = _left(run, companion), _TIGHTER
+        left, times = error_left(run, companion), _TIGHTER
     if left > _LEFT:
         return _against(run, Reference(1e-13))
     value = _ONE * difference(run, companion) / (1 - left) + rounding(run)
@@ -123,7 +123,7 @@ def of_tighter(run: Run, looser: Run) -> Bound:
     Errors of steps that are chosen follow the tolerance roughly. Where the looser run is good by
     luck, this one errs by more of the difference than the order leaves, which its root allows for.
     """
-    left = _left(looser, run)
+    left = error_left(looser, run)
     if left > _LEFT:
         raise NoBoundError("the steps of the looser run are nearly as short")
     value = _LUCKY * math.sqrt(left) * difference(run, looser) + rounding(run)
@@ -154,13 +154,6 @@ def _by_whole_steps(run: Run, rtol: float) -> Run:
     """Return a run of the same scene by the same method at another tolerance."""
     assert isinstance(run.method, Dop853 | DormandPrince5)
     return companion_of(run, method=replace(run.method, rtol=rtol, halved=False))
-
-
-def _left(run: Run, companion: Run) -> float:
-    """Return how much of the error a companion has left, by the number of its steps."""
-    steps = [one.cost.steps if one.cost else 1 for one in (run, companion)]
-    order = float(run.method.facts.order) if run.method.facts else 1.0
-    return float((steps[0] / steps[1]) ** order)
 
 
 def _against(run: Run, method: Method) -> Bound:

@@ -7,7 +7,7 @@ and histories as graphs over time, in which jumps are lines.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -43,9 +43,6 @@ class Errors:
     def size(self) -> float:
         """The largest of those of positions, of times and of states of impacts."""
         return max(self.position, self.event_time or 0.0, self.event_state or 0.0)
-
-
-NAMES = tuple(field.name for field in fields(Errors))
 
 
 def errors(found: Sampled, truth: Sampled) -> Errors:

@@ -4,7 +4,9 @@ How a step falls about an impact is chance; one run says little. A later start s
 velocities of all bodies together, so that they neither overlap nor meet in another order.
 """
 
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import fields, replace
+from typing import TypeVar
 
 import numpy as np
 
@@ -15,9 +17,12 @@ from tamias2d.scene.acting import timed_loads
 from tamias2d.scene.restart import restarted
 from tamias2d.solve import solve
 from tamias2d.state import State
+from tamias2d.study.contact_errors import ContactErrors
+from tamias2d.study.event_errors import Errors
 
 LEAST = 32  # phases that the measure of a scene with impacts rests on
 _GOLDEN = (5**0.5 - 1) / 2
+_E = TypeVar("_E", Errors, ContactErrors)
 
 
 def phases(scene: Scene, duration: float, count: int, *, first_impact: float) -> list[Scene]:
@@ -48,3 +53,12 @@ def started(run: Run, k: int) -> Scene:
         )
         bodies.append(replace(body, **state._asdict()) if body.dynamic else body)
     return restarted(run.scene, bodies)
+
+
+def over_phases(found: Sequence[_E], what: Callable[[list[float]], float]) -> _E:
+    """Return each measure over the phases; None where it applies in none."""
+    values = {}
+    for name in (field.name for field in fields(found[0])):
+        known = [value for one in found if (value := getattr(one, name)) is not None]
+        values[name] = what(known) if known else None
+    return type(found[0])(**values)  # type: ignore[arg-type]

@@ -19,7 +19,7 @@ from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.solve import solve
 from tamias2d.state import Array
-from tamias2d.study.companion import RefusedError, companion
+from tamias2d.study.companion import RefusedError, companion, error_left
 from tamias2d.study.error import apart, scale
 from tamias2d.study.refusal import sooner
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
@@ -180,7 +180,7 @@ class Pilot:
         loose = self._run(Dop853(rtol=looser))
         while True:
             tight = self._run(Dop853(rtol=rtol))
-            away = apart(tight, loose) / scale(tight) * min(1.0, MARGIN * _left(loose, tight))
+            away = apart(tight, loose) / scale(tight) * min(1.0, MARGIN * error_left(loose, tight))
             self._looser = looser, loose
             self.reachable = float(away.max())
             self.until = self._within(away)
@@ -219,13 +219,6 @@ class Pilot:
             self.spent += run.cost.force_evaluations
             self._left -= run.cost.steps + run.cost.impacts
         return run
-
-
-def _left(loose: Run, tight: Run) -> float:
-    """Return how much of the error of the looser run is left in the tighter, by their steps."""
-    steps = [one.cost.steps if one.cost else 1 for one in (loose, tight)]
-    order = float(tight.method.facts.order) if tight.method.facts else 1.0
-    return float((steps[0] / steps[1]) ** order)
 
 
 def _two_digits(rtol: float) -> float:

@@ -69,8 +69,8 @@ def _contact_point(point: ContactPoint) -> dict[str, Any]:
         "peer": point.peer,
         "steps": point.steps,
         "passes": point.passes,
-        "error": _finite(point.error),
-        "worst": _finite(point.worst),
+        "error": _errors(point.error),
+        "worst": _errors(point.worst),
         "statistics": _statistics(point.statistics),
         "seconds": None if point.seconds is None else asdict(point.seconds),
         "failure": point.failure,
@@ -84,13 +84,6 @@ def _statistics(found: dict[str, tuple[float, float]] | None) -> dict[str, Any] 
         name: {"mean": _number(mean), "half_width": _number(half)}
         for name, (mean, half) in found.items()
     }
-
-
-def _finite(errors: ContactErrors | None) -> dict[str, Any] | None:
-    if errors is None:
-        return None
-    values = asdict(errors) | {"quality": errors.quality}
-    return {name: _number(value) for name, value in values.items()}
 
 
 def _number(value: float | None) -> float | None:
@@ -110,8 +103,9 @@ def _point(point: Point) -> dict[str, Any]:
     }
 
 
-def _errors(errors: Errors | None) -> dict[str, Any] | None:
+def _errors(errors: Errors | ContactErrors | None) -> dict[str, Any] | None:
     if errors is None:
         return None
-    values = asdict(errors) | {"size": errors.size}
+    own = {"size": errors.size} if isinstance(errors, Errors) else {"quality": errors.quality}
+    values = asdict(errors) | own
     return {name: _number(value) for name, value in values.items()}

@@ -19,9 +19,9 @@ from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve.located import are_many
 from tamias2d.study.candidates import Candidate, candidates
-from tamias2d.study.event_errors import NAMES, Errors, errors
+from tamias2d.study.event_errors import Errors, errors
 from tamias2d.study.front import front
-from tamias2d.study.phases import LEAST, phases
+from tamias2d.study.phases import LEAST, over_phases, phases
 from tamias2d.study.sampled import sampled
 from tamias2d.study.schedule import DEAREST, Schedule
 from tamias2d.study.truth import Truth, affordable_phases, common_times, floor_of, truth_of
@@ -230,8 +230,8 @@ def point_of(
     found = [errors for errors, _ in looked]
     return replace(
         bare,
-        error=_over(found, median),
-        worst=_over(found, max),
+        error=over_phases(found, median),
+        worst=over_phases(found, max),
         cost=looked[0][1],
         seconds=seconds,
     )
@@ -254,15 +254,6 @@ def _timed(candidate: Candidate, scene: Scene, duration: float) -> Seconds:
         candidate.run(scene, duration, [duration])
         times.append(thread_time() - began)
     return Seconds(median(times), min(times), len(times))
-
-
-def _over(found: Sequence[Errors], what: Callable[[list[float]], float]) -> Errors:
-    """Return each measure over the phases; None where it applies in none."""
-    values = {}
-    for name in NAMES:
-        known = [value for one in found if (value := getattr(one, name)) is not None]
-        values[name] = what(known) if known else None
-    return Errors(**values)  # type: ignore[arg-type]
 
 
 def _size(point: Point) -> float:

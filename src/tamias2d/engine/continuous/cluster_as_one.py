@@ -7,16 +7,20 @@ what is too much is taken from the motion about the centre of mass (DD36).
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.continuous.two_as_one import ROUNDED, place_at_end
+from tamias2d.engine.continuous.motion_sums import (
+    MotionSums,
+    no_motion,
+    place_at_end,
+    with_motion_of,
+)
+from tamias2d.engine.continuous.two_as_one import ROUNDED
 from tamias2d.engine.solver.angular_momentum import as_one, can_turn, return_motion, suffices
 from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.tables import Bodies, Integers
-from tamias2d.generated.definitions import angular_momentum, kinetic_energy, momentum
+from tamias2d.generated.definitions import angular_momentum, kinetic_energy
 from tamias2d.generated.island_energy import (
     angular_velocity_damped,
     damped_share,
-    inertia_origin,
-    mass_moment,
     velocity_damped,
     velocity_island,
 )
@@ -56,11 +60,10 @@ def return_cluster_turning(
     if rounded or not is_pushed_as_one(i, bodies, together):
         return
     for turned in (False, True):
-        mass, moment, along, about, turning, energy = cluster_sums(
-            i, turned, origin, bodies, together
-        )
-        one = as_one(mass, moment, along, about, turning)
-        if can_turn(one, about) and suffices(one, given, energy, 0.0):
+        sums = cluster_sums(i, turned, origin, bodies, together)
+        energy = sums.energy
+        one = as_one(sums.mass, sums.moment, sums.along, sums.about, sums.turning)
+        if can_turn(one, sums.about) and suffices(one, given, energy, 0.0):
             k, begun = i, False
             while k != i or not begun:
                 begun = True
@@ -76,9 +79,9 @@ def take_energy_of_cluster_back(i: int, surplus: float, bodies: Bodies, together
     if not surplus > 0.0:
         return
     origin = (bodies.pose[i, tb.X], bodies.pose[i, tb.Y])
-    mass, _, along, _, _, energy = cluster_sums(i, True, origin, bodies, together)
-    velocity = velocity_island(along, mass)
-    least = kinetic_energy(mass, velocity, 0.0, 0.0)
+    sums = cluster_sums(i, True, origin, bodies, together)
+    energy, velocity = sums.energy, velocity_island(sums.along, sums.mass)
+    least = kinetic_energy(sums.mass, velocity, 0.0, 0.0)
     if not energy > least:
         return
     share = damped_share(energy, max(energy - surplus, least), least)
@@ -104,25 +107,12 @@ def is_pushed_as_one(i: int, bodies: Bodies, together: Integers) -> bool:
 
 def cluster_sums(
     i: int, turned: bool, origin: Vector, bodies: Bodies, together: Integers
-) -> tuple[float, Vector, Vector, float, float, float]:
-    """Return sums over a cluster, with or without the spins of its bodies, about a place, m.
-
-    These are its mass, kg, moment, kg m, momentum, kg m/s, inertia, kg m^2, angular momentum,
-    kg m^2/s, and energy, J.
-    """
-    mass = about = turning = energy = x = y = by_x = by_y = 0.0
-    k, begun = i, False
-    while k != i or not begun:
-        begun = True
-        own, inertia = mass_and_inertia(k, bodies.properties)
-        inertia = inertia if turned else 0.0
-        now, place = bodies.motion[k], place_at_end(k, origin, bodies)
-        velocity = (now[tb.VX], now[tb.VY])
-        along, moment = momentum(own, velocity), mass_moment(own, place)
-        mass, x, y = mass + own, x + moment[0], y + moment[1]
-        by_x, by_y = by_x + along[0], by_y + along[1]
-        about += inertia_origin(own, place, inertia)
-        turning += angular_momentum(own, place, velocity, inertia, now[tb.SPIN])
-        energy += kinetic_energy(own, velocity, inertia, now[tb.SPIN])
+) -> MotionSums:
+    """Return sums over a cluster, with or without the spins of its bodies, about a place, m."""
+    sums = no_motion()
+    sums = with_motion_of(i, turned, origin, sums, bodies)
+    k = together[i]
+    while k != i:
+        sums = with_motion_of(k, turned, origin, sums, bodies)
         k = together[k]
-    return mass, (x, y), (by_x, by_y), about, turning, energy
+    return sums

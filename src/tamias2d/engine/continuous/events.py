@@ -14,12 +14,13 @@ from tamias2d.engine.continuous.impact import normal_line
 from tamias2d.engine.continuous.impulse import path_speed_along
 from tamias2d.engine.continuous.trajectory import relative_path, relative_place
 from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.narrow_phase.approach import opening
 from tamias2d.engine.narrow_phase.chain import is_piece
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.narrow_phase.half_plane import is_above
+from tamias2d.engine.narrow_phase.margins import BULLET
 from tamias2d.engine.narrow_phase.material import BOUNCY, mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
-from tamias2d.engine.narrow_phase.touching import BULLET, opening
 from tamias2d.engine.tables import Bodies, BroadPhase, Contacts, Control, Events, Shapes
 from tamias2d.generated.continuous_collision import closing_bound, fraction_closest, motion_bound
 from tamias2d.kernels.assembled import inlined

@@ -17,13 +17,9 @@ from tamias2d.engine.continuous.impulse import (
     path_speed_along,
     speed_along,
 )
+from tamias2d.engine.continuous.motion_sums import place_at_end
 from tamias2d.engine.continuous.trajectory import relative_place
-from tamias2d.engine.continuous.two_as_one import (
-    keeps_turning,
-    place_at_end,
-    return_turning,
-    turning_of,
-)
+from tamias2d.engine.continuous.two_as_one import keeps_turning, return_turning, turning_of
 from tamias2d.engine.continuous.work import (
     energy_seen,
     support_velocity,

@@ -16,6 +16,8 @@ from tamias2d.engine.narrow_phase.chain import BESIDE, is_piece, judge
 from tamias2d.engine.narrow_phase.chain_sides import note_located_sides
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
+from tamias2d.engine.narrow_phase.manifold import smallest_gap
+from tamias2d.engine.narrow_phase.margins import CLOSE
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.reuse import NEVER
 from tamias2d.engine.narrow_phase.seams import (
@@ -25,7 +27,6 @@ from tamias2d.engine.narrow_phase.seams import (
     level_contact,
     some_lean,
 )
-from tamias2d.engine.narrow_phase.touching import CLOSE, smallest_gap
 from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes, Touching, World
 
 

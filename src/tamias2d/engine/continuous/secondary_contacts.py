@@ -10,16 +10,12 @@ body approaches another one faster than gravity lets it.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.events import bounces, smaller_radius
 from tamias2d.engine.islands import both_sleep
+from tamias2d.engine.narrow_phase.approach import opening_speed
 from tamias2d.engine.narrow_phase.boxes import stays_far
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.collide import collide
+from tamias2d.engine.narrow_phase.margins import BULLET, relative_speeds, speculative_margins
 from tamias2d.engine.narrow_phase.seams import joins_ground, level_contact
-from tamias2d.engine.narrow_phase.touching import (
-    BULLET,
-    opening_speed,
-    relative_speeds,
-    speculative_margins,
-)
 from tamias2d.engine.tables import Bodies, Contacts, Islands, Shapes, Touching, World
 
 WIDE = 2.0  # bounding radii, within which points of contact are

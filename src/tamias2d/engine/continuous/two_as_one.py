@@ -7,11 +7,11 @@ path is not quite one of the velocities. What it gives both is taken from their 
 from typing import NamedTuple
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.continuous.motion_sums import no_motion, place_at_end, with_motion_of
 from tamias2d.engine.solver.angular_momentum import as_one, can_turn, return_motion, suffices
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.tables import Bodies
-from tamias2d.generated.definitions import angular_momentum, kinetic_energy, momentum
-from tamias2d.generated.island_energy import inertia_origin, mass_moment
+from tamias2d.generated.definitions import angular_momentum, kinetic_energy
 from tamias2d.state import Vector
 
 ROUNDED = 1e-15  # of what an angular momentum is the sum of
@@ -37,12 +37,6 @@ def keeps_turning(i: int, j: int, bodies: Bodies) -> bool:
     return bool((pushed == 0.0) & (turns > 0.0))
 
 
-def place_at_end(i: int, origin: Vector, bodies: Bodies) -> Vector:
-    """Return where a body is at the end of the step from some place, m."""
-    pose, now = bodies.pose[i], bodies.motion[i]
-    return (pose[tb.X] - origin[0]) + now[tb.DX], (pose[tb.Y] - origin[1]) + now[tb.DY]
-
-
 def turning_of(i: int, j: int, origin: Vector, bodies: Bodies) -> Turning:
     """Return the angular momentum of two bodies about some place, m."""
     whole = size = energy = 0.0
@@ -66,23 +60,15 @@ def return_turning(i: int, j: int, before: Turning, bodies: Bodies) -> None:
     given = after.whole - before.whole
     if abs(given) <= ROUNDED * max(before.size, after.size):
         return
-    mass = about = turning = energy = x = y = by_x = by_y = 0.0
-    for k in (i, j):
-        own, inertia = mass_and_inertia(k, bodies.properties)
-        inertia = inertia if is_turned(k, i, before, bodies) else 0.0
-        now, place = bodies.motion[k], place_at_end(k, origin, bodies)
-        velocity = (now[tb.VX], now[tb.VY])
-        along, moment = momentum(own, velocity), mass_moment(own, place)
-        mass, x, y = mass + own, x + moment[0], y + moment[1]
-        by_x, by_y = by_x + along[0], by_y + along[1]
-        about += inertia_origin(own, place, inertia)
-        turning += angular_momentum(own, place, velocity, inertia, now[tb.SPIN])
-        energy += kinetic_energy(own, velocity, inertia, now[tb.SPIN])
-    one = as_one(mass, (x, y), (by_x, by_y), about, turning)
-    room = before.energy - after.energy
-    if not (can_turn(one, about) and suffices(one, given, energy, room)):
-        return
     turned_i, turned_j = is_turned(i, i, before, bodies), is_turned(j, i, before, bodies)
+    sums = no_motion()
+    sums = with_motion_of(i, turned_i, origin, sums, bodies)
+    sums = with_motion_of(j, turned_j, origin, sums, bodies)
+    energy = sums.energy
+    one = as_one(sums.mass, sums.moment, sums.along, sums.about, sums.turning)
+    room = before.energy - after.energy
+    if not (can_turn(one, sums.about) and suffices(one, given, energy, room)):
+        return
     for k in (i, j):
         turned = turned_i if k == i else turned_j
         place = place_at_end(k, origin, bodies)

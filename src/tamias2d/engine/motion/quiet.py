@@ -15,7 +15,8 @@ from tamias2d.engine.motion.free import look_ahead
 from tamias2d.engine.narrow_phase.chain_sides import has_chains
 from tamias2d.engine.narrow_phase.collide import match_impulses
 from tamias2d.engine.narrow_phase.half_plane import is_above
-from tamias2d.engine.narrow_phase.touching import CLOSE, age_flags
+from tamias2d.engine.narrow_phase.margins import CLOSE
+from tamias2d.engine.narrow_phase.touching import age_flags
 from tamias2d.engine.state import is_valid_state
 from tamias2d.engine.tables import Bodies, BodyState, Contacts, Control, Shapes, World
 from tamias2d.kernels.assembled import inlined

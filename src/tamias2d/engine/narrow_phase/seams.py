@@ -10,8 +10,8 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.chain import SAME, STRAIGHT
 from tamias2d.engine.narrow_phase.clip import PARALLEL
 from tamias2d.engine.narrow_phase.core import core_of
+from tamias2d.engine.narrow_phase.manifold import smallest_gap
 from tamias2d.engine.narrow_phase.separation import INFINITE
-from tamias2d.engine.narrow_phase.touching import smallest_gap
 from tamias2d.engine.tables import Bodies, Contacts, Events, Shapes, Touching
 from tamias2d.state import Array, Vector
 

@@ -10,7 +10,7 @@ ROOT = _links()  # the body of its island that touches first
 SLOW_STEPS = _links()  # steps for which the body has been slow; 1 if it is not dynamic and known
 SLEEP_ID = _links()  # under which its island sleeps, 0 if it is awake
 AWAKE = _links()  # 1 if the body may wake others
-SUPPORT_KIND = _links()  # what it touches, one of those in `sleep`
+SUPPORT_KIND = _links()  # what it touches, one of those in `waking`
 ISLAND_SLOW_STEPS = _links()  # of a root: steps for which all of the island have been slow
 FIRST_CONTACT = _links()  # place of its first contact among those that touch
 
@@ -30,7 +30,7 @@ ENERGY_OWN = _energy()  # J, of each body: what it had and got by forces, which 
 TIED = _energy()  # 1 of a body that joints have pushed in this part
 REFERENCE = _energy(3)  # m/s, m/s, rad/s, of a root, as all below: the rigid motion, at the root,
 # from which the island is seen, and towards which its motion is damped
-SUPPORT = _energy()  # how many motions support it, one of those in `solver.energy`
+SUPPORT = _energy()  # how many motions support it, one of those in `solver.support`
 SUPPORTS_DIFFER = _energy()  # 1 if contacts with things that move against each other support it
 ENERGY_START = _energy()  # J, kinetic, as the step began
 WORK = _energy()  # J, of gravity and forces

@@ -1,4 +1,4 @@
-"""What leaves the list of contacts between steps: pairs of bodies that go, or may not touch."""
+"""Contacts on the list between two steps: those of pairs that go, or may not touch, leave it."""
 
 from collections.abc import Callable
 
@@ -10,7 +10,7 @@ from tamias2d.engine.store import Store
 from tamias2d.state import IntArray
 
 
-class ContactList:
+class ListedContacts:
     """The contacts that the next step finds on the list."""
 
     def __init__(self, store: Store, wake: Callable[[IntArray], None]) -> None:
