@@ -1,4 +1,4 @@
-"""What contacts lift out of overlaps is paid for by bodies that rise (DD87)."""
+"""What contacts lift out of overlaps is taken from the energy of bodies that rise (DD87)."""
 
 from typing import Any
 

@@ -73,7 +73,7 @@ def test_what_a_joint_guides_bounces_to_its_height(shape: Any, joint: Any) -> No
 
 @pytest.mark.parametrize("drag", [0.4, 4.0])
 def test_drag_takes_neither_spin_nor_way_in_a_bounce(drag: float) -> None:
-    """A surplus of the bounce is paid along the impulse; the disc has no other impulse."""
+    """A surplus of the bounce is dissipated along the impulse; the disc has no other impulse."""
     scene = ground()
     disc = scene.add_body(
         t2.Disc(radius=0.3),

@@ -2,18 +2,19 @@
 
 The kinetic energy of an island may be no more than when the step began and what gravity and forces
 have given it since. Where they have taken some, as overlaps are pushed apart against them, the
-bodies that rise pay for it (`lifting`). Each contact is solved by itself; where many hold the
+bodies that rise lose as much (`lifting`). Each contact is solved by itself; where many hold the
 same bodies, together they may give more than there was.
 
-Of restitution an island keeps the largest share that the bound allows; what is still too much is
-paid from what contacts gave, or its motion is damped. The bound is tested where there is
-restitution, or where there is more energy in all than there may be. Cost: some visits to each body.
+Of restitution an island keeps the largest share that the bound allows; what is still too much
+is dissipated in the bodies that got it, or the motion of all is damped. The bound is tested where
+there is restitution, or where there is more energy in all than there may be. Cost: some visits to
+each body.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.island_charge import charge_joined, support_joined
+from tamias2d.engine.dissipation import dissipate_excess
+from tamias2d.engine.joints.island_bound import bound_joined, support_joined
 from tamias2d.engine.joints.reserve import note_reserves
-from tamias2d.engine.payment import charge_supported
 from tamias2d.engine.solver.angular_momentum import keep_angular_momentum
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
@@ -22,7 +23,7 @@ from tamias2d.engine.solver.island_damping import (
     sum_island_motions,
 )
 from tamias2d.engine.solver.joined_gains import note_gains
-from tamias2d.engine.solver.lifting import charge_rising
+from tamias2d.engine.solver.lifting import dissipate_rising
 from tamias2d.engine.solver.support import (
     SUPPORTED_BY_MORE,
     find_references,
@@ -73,7 +74,7 @@ def bound_energy(
     find_references(bodies, touching, constraints, islands)
     support_joined(bodies, islands, joints)
     sum_island_energies(control, bodies, touching, constraints, islands)
-    charge_joined(control, bodies, touching, constraints, islands, joints)
+    bound_joined(control, bodies, touching, constraints, islands, joints)
     if choose_kept_shares(constraints, islands):
         keep_shares(bodies, touching, constraints, islands)
         keep_impulse_shares(bodies, constraints, islands)
@@ -82,9 +83,9 @@ def bound_energy(
     if choose_islands_to_damp(islands):
         sum_island_motions(bodies, touching, constraints, islands)
         damp_islands(bodies, touching, constraints, islands)
-        charge_supported(control, bodies, touching, constraints, islands, joints)
+        dissipate_excess(control, bodies, touching, constraints, islands, joints)
         note_gains(control, islands, joints)
-    charge_rising(control, bodies, touching, constraints, islands)
+    dissipate_rising(control, bodies, touching, constraints, islands)
     note_reserves(control, bodies, touching, constraints, islands, joints)
 
 

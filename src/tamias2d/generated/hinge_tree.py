@@ -407,55 +407,55 @@ def law_impulse(turning_firmness: Scalar, turning_error: Scalar) -> Scalar:
     return turning_firmness * turning_error
 
 
-def turn_owed(
-    angular_momentum_owed: Scalar, momentum_owed: Vector, hinge_arm: Vector, law_impulse: Scalar
+def turn_bias(
+    angular_momentum_bias: Scalar, momentum_bias: Vector, hinge_arm: Vector, law_impulse: Scalar
 ) -> Scalar:
-    """Angular momentum that a node owes about its hinge, with its laws (kg*m^2/s).
+    """Bias angular impulse of a node about its hinge, with its laws (kg*m^2/s).
 
-    turn_owed = angular_momentum_owed - cross(hinge_arm, momentum_owed) + law_impulse
+    turn_bias = angular_momentum_bias - cross(hinge_arm, momentum_bias) + law_impulse
 
     Args:
-        angular_momentum_owed: Angular momentum that a node owes, about its centre of mass,
+        angular_momentum_bias: Bias angular impulse of a node, about its centre of mass,
             kg*m^2/s
-        momentum_owed: Momentum that a node owes, kg*m/s
+        momentum_bias: Bias impulse of a node, kg*m/s
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
         law_impulse: Angular impulse that laws of a hinge ask for, kg*m^2/s
 
     Source: DD71, srs/models/hinge_tree.md:99.
     """
-    momentum_owed_x, momentum_owed_y = momentum_owed
+    momentum_bias_x, momentum_bias_y = momentum_bias
     hinge_arm_x, hinge_arm_y = hinge_arm
     return (
-        angular_momentum_owed
-        - (hinge_arm_x * momentum_owed_y - hinge_arm_y * momentum_owed_x)
+        angular_momentum_bias
+        - (hinge_arm_x * momentum_bias_y - hinge_arm_y * momentum_bias_x)
         + law_impulse
     )
 
 
-def momentum_hung(momentum_owed: Vector, turn_owed: Scalar, hinge_lever: Vector) -> Vector:
+def momentum_hung(momentum_bias: Vector, turn_bias: Scalar, hinge_lever: Vector) -> Vector:
     """Impulse through a hinge whose point does not change its velocity (kg*m/s).
 
-    momentum_hung = momentum_owed - turn_owed*hinge_lever
+    momentum_hung = momentum_bias - turn_bias*hinge_lever
 
     Args:
-        momentum_owed: Momentum that a node owes, kg*m/s
-        turn_owed: Angular momentum that a node owes about its hinge, with its laws, kg*m^2/s
+        momentum_bias: Bias impulse of a node, kg*m/s
+        turn_bias: Bias angular impulse of a node about its hinge, with its laws, kg*m^2/s
         hinge_lever: Turning of a node for the velocity of its hinge, with the other sign, 1/m
 
     Source: DD71, srs/models/hinge_tree.md:101.
     """
-    momentum_owed_x, momentum_owed_y = momentum_owed
+    momentum_bias_x, momentum_bias_y = momentum_bias
     hinge_lever_x, hinge_lever_y = hinge_lever
     return (
-        momentum_owed_x - turn_owed * hinge_lever_x,
-        momentum_owed_y - turn_owed * hinge_lever_y,
+        momentum_bias_x - turn_bias * hinge_lever_x,
+        momentum_bias_y - turn_bias * hinge_lever_y,
     )
 
 
 def momentum_passed(
     momentum_hung: Vector, hinge_error: Vector, hung_mass_x: Vector, hung_mass_y: Vector
 ) -> Vector:
-    """Momentum that the body above owes for a node (kg*m/s).
+    """Bias impulse that a node passes to the body above (kg*m/s).
 
     momentum_passed = momentum_hung - x(hinge_error)*hung_mass_x - y(hinge_error)*hung_mass_y
 
@@ -479,21 +479,21 @@ def momentum_passed(
 
 def angular_momentum_passed(
     momentum_passed: Vector,
-    turn_owed: Scalar,
+    turn_bias: Scalar,
     hinge_error: Vector,
     hinge_moment: Vector,
     turned_share: Scalar,
     arm_above: Vector,
     law_impulse: Scalar,
 ) -> Scalar:
-    """Angular momentum that the body above owes for a node (kg*m^2/s).
+    """Bias angular impulse that a node passes to the body above (kg*m^2/s).
 
-    angular_momentum_passed = cross(arm_above, momentum_passed) + turned_share*(turn_owed -
+    angular_momentum_passed = cross(arm_above, momentum_passed) + turned_share*(turn_bias -
     dot(hinge_moment, hinge_error)) - law_impulse
 
     Args:
-        momentum_passed: Momentum that the body above owes for a node, kg*m/s
-        turn_owed: Angular momentum that a node owes about its hinge, with its laws, kg*m^2/s
+        momentum_passed: Bias impulse that a node passes to the body above, kg*m/s
+        turn_bias: Bias angular impulse of a node about its hinge, with its laws, kg*m^2/s
         hinge_error: Rate at which a hinge parts, beyond the one wanted, m/s
         hinge_moment: Momentum of a node for its turning about its hinge, kg*m
         turned_share: Share of the turning of the body above that laws pass on to a node, 1
@@ -510,7 +510,7 @@ def angular_momentum_passed(
         arm_above_x * momentum_passed_y
         - arm_above_y * momentum_passed_x
         + turned_share
-        * (turn_owed - (hinge_moment_x * hinge_error_x + hinge_moment_y * hinge_error_y))
+        * (turn_bias - (hinge_moment_x * hinge_error_x + hinge_moment_y * hinge_error_y))
         - law_impulse
     )
 
@@ -567,20 +567,20 @@ def spin_change(
     turned_share: Scalar,
     hinge_change: Vector,
     hinge_lever: Vector,
-    turn_owed: Scalar,
+    turn_bias: Scalar,
     turning_yield: Scalar,
 ) -> Scalar:
     """Change of the rate of turning of a body by its hinges (rad/s).
 
     spin_change = turned_share*spin_change_above - dot(hinge_lever, hinge_change) -
-    turning_yield*turn_owed
+    turning_yield*turn_bias
 
     Args:
         spin_change_above: Change of the rate of turning of the body above, rad/s
         turned_share: Share of the turning of the body above that laws pass on to a node, 1
         hinge_change: Change of the velocity of a node at its hinge, m/s
         hinge_lever: Turning of a node for the velocity of its hinge, with the other sign, 1/m
-        turn_owed: Angular momentum that a node owes about its hinge, with its laws, kg*m^2/s
+        turn_bias: Bias angular impulse of a node about its hinge, with its laws, kg*m^2/s
         turning_yield: Change of the rate of turning for one unit of angular momentum at a
             hinge, 1/(kg*m^2)
 
@@ -591,7 +591,7 @@ def spin_change(
     return (
         turned_share * spin_change_above
         - (hinge_lever_x * hinge_change_x + hinge_lever_y * hinge_change_y)
-        - turning_yield * turn_owed
+        - turning_yield * turn_bias
     )
 
 

@@ -1,6 +1,6 @@
 """Island energy: Work in a step; Motion seen from a support; Motion of an island as one body;
-Share of a bounce; Bound on the energy of an island; Payment from what contacts gave; Energy for
-a lift; Lift beyond motion; Work of a support; Angular momentum that contacts give; Angular
+Share of a bounce; Bound on the energy of an island; Dissipation of excess energy; Energy for a
+lift; Lift beyond motion; Work of a support; Angular momentum that contacts give; Angular
 momentum of a free island.
 
 Generated from srs/models/island_energy.md
@@ -467,7 +467,7 @@ def given_product(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD88, srs/models/island_energy.md:334.
+    Source: DD88, srs/models/island_energy.md:335.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -488,20 +488,20 @@ def energy_along_given(given_product: Scalar, change_energy: Scalar) -> Scalar:
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:337.
+    Source: DD88, srs/models/island_energy.md:338.
     """
     return given_product * given_product / (4 * change_energy)
 
 
-def energy_along_given_charged(
+def energy_along_given_left(
     energy_along_given: Scalar,
     energy_surplus: Scalar,
     energy_given: Scalar,
     energy_given_all: Scalar,
 ) -> Scalar:
-    """Energy of that motion after the bodies have paid for their island (J).
+    """Energy of that motion less what is dissipated for the island (J).
 
-    energy_along_given_charged = max(energy_along_given -
+    energy_along_given_left = max(energy_along_given -
     energy_surplus*energy_given/energy_given_all, 0[J])
 
     Args:
@@ -513,21 +513,21 @@ def energy_along_given_charged(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD88, srs/models/island_energy.md:338.
+    Source: DD88, srs/models/island_energy.md:339.
     """
     return largest(energy_along_given - energy_surplus * energy_given / energy_given_all, 0.0)
 
 
-def velocity_repaid(
+def velocity_reduced(
     velocity: Vector,
     velocity_given: Vector,
     damped_share: Scalar,
     given_product: Scalar,
     change_energy: Scalar,
 ) -> Vector:
-    """Velocity of a body that has paid for its island (m/s).
+    """Velocity of a body less what is dissipated for its island (m/s).
 
-    velocity_repaid = velocity - (1 -
+    velocity_reduced = velocity - (1 -
     damped_share)*given_product/(2*change_energy)*velocity_given
 
     Args:
@@ -541,7 +541,7 @@ def velocity_repaid(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:340.
+    Source: DD88, srs/models/island_energy.md:341.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -551,16 +551,16 @@ def velocity_repaid(
     )
 
 
-def angular_velocity_repaid(
+def angular_velocity_reduced(
     angular_velocity: Scalar,
     angular_velocity_given: Scalar,
     damped_share: Scalar,
     given_product: Scalar,
     change_energy: Scalar,
 ) -> Scalar:
-    """Angular velocity of a body that has paid for its island (rad/s).
+    """Angular velocity of a body less what is dissipated for its island (rad/s).
 
-    angular_velocity_repaid = angular_velocity - (1 -
+    angular_velocity_reduced = angular_velocity - (1 -
     damped_share)*given_product/(2*change_energy)*angular_velocity_given
 
     Args:
@@ -574,7 +574,7 @@ def angular_velocity_repaid(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:342.
+    Source: DD88, srs/models/island_energy.md:343.
     """
     return (
         angular_velocity
@@ -592,7 +592,7 @@ def energy_given(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Sca
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD87, srs/models/island_energy.md:392.
+    Source: DD87, srs/models/island_energy.md:393.
     """
     return kinetic_energy - kinetic_energy_start - work
 
@@ -607,7 +607,7 @@ def rising_energy(mass: Scalar, velocity: Vector, acceleration: Vector) -> Scala
         velocity: Velocity of the centre of mass, m/s
         acceleration: Acceleration of the centre of mass, m/s^2
 
-    Source: DD87, srs/models/island_energy.md:393.
+    Source: DD87, srs/models/island_energy.md:394.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -618,12 +618,12 @@ def rising_energy(mass: Scalar, velocity: Vector, acceleration: Vector) -> Scala
     )
 
 
-def rising_energy_charged(
+def rising_energy_left(
     rising_energy: Scalar, energy_surplus: Scalar, energy_given: Scalar, energy_given_all: Scalar
 ) -> Scalar:
-    """Energy of that motion after the body has paid for what is lifted (J).
+    """Energy of that motion less what is dissipated for what is lifted (J).
 
-    rising_energy_charged = max(rising_energy - energy_surplus*energy_given/energy_given_all,
+    rising_energy_left = max(rising_energy - energy_surplus*energy_given/energy_given_all,
     0[J])
 
     Args:
@@ -636,15 +636,15 @@ def rising_energy_charged(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD87, srs/models/island_energy.md:395.
+    Source: DD87, srs/models/island_energy.md:396.
     """
     return largest(rising_energy - energy_surplus * energy_given / energy_given_all, 0.0)
 
 
-def velocity_charged(velocity: Vector, acceleration: Vector, damped_share: Scalar) -> Vector:
-    """Velocity of a body that has paid for what is lifted (m/s).
+def velocity_rising_reduced(velocity: Vector, acceleration: Vector, damped_share: Scalar) -> Vector:
+    """Velocity of a body less what is dissipated for what is lifted (m/s).
 
-    velocity_charged = velocity - (1 - damped_share)*dot(velocity,
+    velocity_rising_reduced = velocity - (1 - damped_share)*dot(velocity,
     acceleration)/dot(acceleration, acceleration)*acceleration
 
     Args:
@@ -653,7 +653,7 @@ def velocity_charged(velocity: Vector, acceleration: Vector, damped_share: Scala
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: DD87, srs/models/island_energy.md:397.
+    Source: DD87, srs/models/island_energy.md:398.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -681,7 +681,7 @@ def lift_beyond_motion(energy_given: Scalar, kinetic_energy: Scalar) -> Scalar:
             it, J
         kinetic_energy: Energy of motion, turning included, J
 
-    Source: DD89, srs/models/island_energy.md:428.
+    Source: DD89, srs/models/island_energy.md:429.
     """
     return largest(energy_given - kinetic_energy, 0.0)
 
@@ -700,7 +700,7 @@ def support_work(
         support_rate: Normal velocity of a contact by the motion of its support alone, m/s
         support_slip: Tangential velocity of a contact by the motion of its support alone, m/s
 
-    Source: DD90, srs/models/island_energy.md:459.
+    Source: DD90, srs/models/island_energy.md:460.
     """
     return total_impulse * (largest(-support_rate, 0.0) + friction * abs(support_slip))
 
@@ -720,7 +720,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:517.
+    Source: DD66, srs/models/island_energy.md:518.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -741,7 +741,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:518.
+    Source: DD66, srs/models/island_energy.md:519.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -772,7 +772,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:519.
+    Source: DD66, srs/models/island_energy.md:520.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -799,7 +799,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:586.
+    Source: IM17, srs/models/island_energy.md:587.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -823,7 +823,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:588.
+    Source: IM17, srs/models/island_energy.md:589.
     """
     return least(
         sqrt(
@@ -852,7 +852,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:591.
+    Source: IM17, srs/models/island_energy.md:592.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -884,7 +884,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:593.
+    Source: IM17, srs/models/island_energy.md:594.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

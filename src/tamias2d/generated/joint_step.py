@@ -764,8 +764,8 @@ def mechanism_energy_balance(
         work: Energy that gravity, forces and torques have given a body in a step, J
         row_energy_start: Energy of a spring at a joint; at the start, J
         row_energy: Energy of a spring at a joint, J
-        energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
-            negative, J
+        energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
+            is negative, J
 
     Source: DD79, srs/models/joint_step.md:531.
     """
@@ -797,8 +797,8 @@ def energy_reserve_later(
     energy_scale: Scalar,
     reserve_ratio: Scalar,
 ) -> Scalar:
-    """What a mechanism may gain of what it has lost, or owes where it is negative; after the
-    bodies have moved (J).
+    """What a mechanism may gain of what it has lost, or has too much where it is negative; after
+    the bodies have moved (J).
 
     energy_reserve_later = min(mechanism_energy_balance - kinetic_energy,
     reserve_ratio*energy_scale)
@@ -838,8 +838,8 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
     Args:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
-        energy_reserve: What a mechanism may gain of what it has lost, or owes where it is
-            negative, J
+        energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
+            is negative, J
 
     Source: DD79, srs/models/joint_step.md:538.
     """

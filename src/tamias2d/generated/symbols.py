@@ -2094,19 +2094,19 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1298,
     ),
-    "rising_energy_charged": Symbol(
-        "rising_energy_charged",
+    "rising_energy_left": Symbol(
+        "rising_energy_left",
         "J",
-        "energy of that motion after the body has paid for what is lifted",
+        "energy of that motion less what is dissipated for what is lifted",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
         line=1303,
     ),
-    "velocity_charged": Symbol(
-        "velocity_charged",
+    "velocity_rising_reduced": Symbol(
+        "velocity_rising_reduced",
         "m/s",
-        "velocity of a body that has paid for what is lifted",
+        "velocity of a body less what is dissipated for what is lifted",
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
@@ -2129,28 +2129,28 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1319,
     ),
-    "energy_along_given_charged": Symbol(
-        "energy_along_given_charged",
+    "energy_along_given_left": Symbol(
+        "energy_along_given_left",
         "J",
-        "energy of that motion after the bodies have paid for their island",
+        "energy of that motion less what is dissipated for the island",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
         line=1324,
     ),
-    "velocity_repaid": Symbol(
-        "velocity_repaid",
+    "velocity_reduced": Symbol(
+        "velocity_reduced",
         "m/s",
-        "velocity of a body that has paid for its island",
+        "velocity of a body less what is dissipated for its island",
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
         line=1329,
     ),
-    "angular_velocity_repaid": Symbol(
-        "angular_velocity_repaid",
+    "angular_velocity_reduced": Symbol(
+        "angular_velocity_reduced",
         "rad/s",
-        "angular velocity of a body that has paid for its island",
+        "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
         line=1334,
@@ -2837,7 +2837,7 @@ SYMBOLS: dict[str, Symbol] = {
     "energy_reserve": Symbol(
         "energy_reserve",
         "J",
-        "what a mechanism may gain of what it has lost, or owes where it is negative",
+        "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
         line=1724,
@@ -3359,27 +3359,27 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=2005,
     ),
-    "momentum_owed": Symbol(
-        "momentum_owed",
+    "momentum_bias": Symbol(
+        "momentum_bias",
         "kg*m/s",
-        "momentum that a node owes",
+        "bias impulse of a node",
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
         line=2009,
     ),
-    "angular_momentum_owed": Symbol(
-        "angular_momentum_owed",
+    "angular_momentum_bias": Symbol(
+        "angular_momentum_bias",
         "kg*m^2/s",
-        "angular momentum that a node owes, about its centre of mass",
+        "bias angular impulse of a node, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
         line=2014,
     ),
-    "turn_owed": Symbol(
-        "turn_owed",
+    "turn_bias": Symbol(
+        "turn_bias",
         "kg*m^2/s",
-        "angular momentum that a node owes about its hinge, with its laws",
+        "bias angular impulse of a node about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
         line=2018,
@@ -3405,7 +3405,7 @@ SYMBOLS: dict[str, Symbol] = {
     "momentum_passed": Symbol(
         "momentum_passed",
         "kg*m/s",
-        "momentum that the body above owes for a node",
+        "bias impulse that a node passes to the body above",
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
@@ -3414,7 +3414,7 @@ SYMBOLS: dict[str, Symbol] = {
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
         "kg*m^2/s",
-        "angular momentum that the body above owes for a node",
+        "bias angular impulse that a node passes to the body above",
         tex="Q'",
         file="srs/symbols.md",
         line=2037,

@@ -9,8 +9,8 @@ is seen from the other body, which may move.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.trajectory import relative_place
 from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
-from tamias2d.engine.solver.repayment import product_with_motion, repay_along
 from tamias2d.engine.solver.support import share_left
+from tamias2d.engine.solver.velocity_change import product_with_motion, reduce_along
 from tamias2d.engine.tables import Bodies, Control
 from tamias2d.generated.definitions import kinetic_energy, point_velocity
 from tamias2d.generated.island_energy import (
@@ -63,7 +63,7 @@ def take_impulse_back(
 ) -> float:
     """Take a surplus from what an impact gave a body; return what of it is left (DD88), J.
 
-    The impact changed its velocity, m/s, and its spin, rad/s. Nothing else pays: what a smooth
+    The impact changed its velocity, m/s, and its spin, rad/s. Nothing else is taken: what a smooth
     surface does not push keeps its velocity along it.
     """
     mass, inertia = mass_and_inertia(i, properties)
@@ -73,7 +73,7 @@ def take_impulse_back(
         return surplus
     along = energy_along_given(product, change)
     share = share_left(along, max(along - surplus, 0.0))
-    repay_along(given, turned, share, product, change, motion[i])
+    reduce_along(given, turned, share, product, change, motion[i])
     return max(surplus - along, 0.0)
 
 

@@ -1,6 +1,6 @@
 """Which mechanisms act in a part of a step: slack ropes, and limits that are not reached, do not.
 
-A mechanism that gives no impulse ties nothing: its bodies get and pay energy as any others do.
+A mechanism that gives no impulse ties nothing: its bodies get and lose energy as any others do.
 """
 
 from tamias2d.engine import tables as tb

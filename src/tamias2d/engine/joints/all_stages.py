@@ -14,8 +14,8 @@ from tamias2d.engine.joints.activity import (
     note_mechanisms,
 )
 from tamias2d.engine.joints.at_rest import note_joined_support, wake_tied
-from tamias2d.engine.joints.island_charge import charge_joined, support_joined
-from tamias2d.engine.joints.payment import pay_together, repay_as_one
+from tamias2d.engine.joints.island_bound import bound_joined, support_joined
+from tamias2d.engine.joints.joined_dissipation import reduce_motion_as_one, reduce_together
 from tamias2d.engine.joints.placement import note_places
 from tamias2d.engine.joints.rebound import fit_rebound
 from tamias2d.engine.joints.reserve import note_reserves
@@ -56,9 +56,9 @@ JOINT_STAGES = (
     past_untouched,
     relax_joints,
     solve_joints,
-    charge_joined,
-    pay_together,
-    repay_as_one,
+    bound_joined,
+    reduce_together,
+    reduce_motion_as_one,
     support_joined,
     joints_disagree,
     or_joined,

@@ -95,7 +95,7 @@ def rate_of_law(j: int, bodies: Bodies, joints: Joints) -> float:
     return rate
 
 
-def owe_law(j: int, joints: Joints) -> None:
+def add_law_bias(j: int, joints: Joints) -> None:
     """Note what the error of a law asks for about the hinge whose angle it governs."""
     m, turning = hung_by_law(j, joints)
     numbers = joints.numbers[j]

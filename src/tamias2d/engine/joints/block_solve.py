@@ -10,25 +10,25 @@ from tamias2d.engine.joints.solve import (
     SOLVED_RATE,
 )
 from tamias2d.engine.joints.spring_lanes import (
+    add_spring_bias,
     add_turns,
     begin_springs_of_lanes,
-    owe_springs,
     spring_errors_of_lanes,
     spring_impulses_of_lanes,
     turn_lanes_by_springs,
 )
 from tamias2d.engine.joints.tree_blocks import first_hinge, first_sprung, hang_block, turn_block
 from tamias2d.engine.joints.tree_lanes import (
-    add_owed,
+    add_biases,
     add_pushed,
     aim_lanes,
     all_lanes,
+    bias_lanes,
+    clear_biases,
     end_slight_lanes,
     gap_errors_of_lanes,
     let_lanes_go,
     load_node,
-    owe_lanes,
-    owe_nothing,
     pass_impulses,
     pass_lanes,
     pass_lanes_down,
@@ -148,14 +148,14 @@ def solve_block(b: int, bodies: Bodies, joints: Joints) -> None:
     first, last = joints.tree_blocks[b, tb.T_FIRST], joints.tree_blocks[b + 1, tb.T_FIRST]
     rows, lanes, hinge = joints.tree_lanes, joints.block_lanes[b], first_hinge(b, joints)
     for r in range(first, last):
-        owe_nothing(rows[r])
+        clear_biases(rows[r])
     for r in range(first_sprung(b, joints), last):
-        owe_springs(rows[r])
+        add_spring_bias(rows[r])
     for r in range(last - 1, first + 1, -1):
-        owe_lanes(rows[r])
+        bias_lanes(rows[r])
         pass_lanes(rows[r])
-        add_owed(rows[r], rows[joints.tree_above[r]])
-    owe_lanes(rows[first + 1])
+        add_biases(rows[r], rows[joints.tree_above[r]])
+    bias_lanes(rows[first + 1])
     if hinge > first + 1:
         let_lanes_go(rows[first + 1])
     all_lanes(tb.T_LARGEST, 0.0, lanes)

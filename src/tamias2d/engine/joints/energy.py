@@ -12,7 +12,7 @@ Cost: a visit to each body and spring, and two more where there is too much.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.island_charge import (
+from tamias2d.engine.joints.island_bound import (
     energy_of_springs,
     may_get_any,
     support_mechanism,
@@ -206,7 +206,7 @@ def note_energy_of_springs(n: int, joints: Joints) -> None:
 
 
 def note_balance(start: float, now: float, sprung: float, balance: float, numbers: Array) -> None:
-    """Note what of its balance, J, a mechanism has not as a part ends: that it may gain, or owes.
+    """Note what of its balance, J, a mechanism lacks as a part ends: to gain, or to lose.
 
     Where it began with other motion than the last part ended with, joints may take of that what
     does not fit them: none may be gained for it.

@@ -9,10 +9,10 @@ from math import inf
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.acceptance import is_rejected, note_most_motion
 from tamias2d.engine.joints.angle_laws import (
+    add_law_bias,
     error_of_law,
     impulse_of_law,
     is_law,
-    owe_law,
     turn_by_law,
 )
 from tamias2d.engine.joints.hinge_tree import (
@@ -52,7 +52,7 @@ from tamias2d.generated.hinge_tree import (
     momentum_passed,
     root_change,
     spin_change,
-    turn_owed,
+    turn_bias,
     velocity_hinged,
 )
 from tamias2d.generated.joint_rows import ROW
@@ -236,9 +236,9 @@ def firm_errors(j: int, joints: Joints) -> float:
 
 @inlined
 def begin_errors(row: Array, error_x: float, error_y: float) -> None:
-    """Write the error of a hinge; its node owes nothing yet."""
+    """Write the error of a hinge; its node has no bias yet."""
     row[tb.H_ERROR], row[tb.H_ERROR + 1] = error_x, error_y
-    row[tb.H_OWED] = row[tb.H_OWED + 1] = row[tb.H_OWED + 2] = row[tb.H_LAW] = 0.0
+    row[tb.H_BIAS] = row[tb.H_BIAS + 1] = row[tb.H_BIAS + 2] = row[tb.H_LAW] = 0.0
 
 
 def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
@@ -254,14 +254,14 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
             if joints.numbers[j, tb.J_FIRMNESS + r] == 0.0:  # it does not hold
                 continue
             if is_law(j, joints):
-                owe_law(j, joints)
+                add_law_bias(j, joints)
             else:
-                owe_tie(j, r, joints)
+                add_tie_bias(j, r, joints)
     hinges, members = joints.hinges, joints.members
     for m in range(last - 1, first, -1):
-        owe_at_hinge(hinges[m])
+        bias_at_hinge(hinges[m])
         pass_up(hinges[m], hinges[members[m, tb.JOINED_ABOVE]])
-    owe_at_hinge(hinges[first])
+    bias_at_hinge(hinges[first])
     if members[first, tb.JOINED_HINGE] < 0:
         let_go(hinges[first])
     largest = 0.0
@@ -287,18 +287,18 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
 
 
 @inlined
-def owe_at_hinge(row: Array) -> None:
-    """Find what a node owes at its hinge."""
-    owed, arm = (row[tb.H_OWED], row[tb.H_OWED + 1]), (row[tb.H_ARM], row[tb.H_ARM + 1])
-    turning = turn_owed(row[tb.H_OWED + 2], owed, arm, row[tb.H_LAW])
-    hung = momentum_hung(owed, turning, (row[tb.H_LEVER], row[tb.H_LEVER + 1]))
-    row[tb.H_OWED], row[tb.H_OWED + 1], row[tb.H_OWED + 2] = hung[0], hung[1], turning
+def bias_at_hinge(row: Array) -> None:
+    """Find the bias of a node at its hinge."""
+    bias, arm = (row[tb.H_BIAS], row[tb.H_BIAS + 1]), (row[tb.H_ARM], row[tb.H_ARM + 1])
+    turning = turn_bias(row[tb.H_BIAS + 2], bias, arm, row[tb.H_LAW])
+    hung = momentum_hung(bias, turning, (row[tb.H_LEVER], row[tb.H_LEVER + 1]))
+    row[tb.H_BIAS], row[tb.H_BIAS + 1], row[tb.H_BIAS + 2] = hung[0], hung[1], turning
 
 
 @inlined
 def pass_up(row: Array, above: Array) -> None:
-    """Let the node above owe what a node does, and what the error of its hinge asks for."""
-    hung, error = (row[tb.H_OWED], row[tb.H_OWED + 1]), (row[tb.H_ERROR], row[tb.H_ERROR + 1])
+    """Add the bias of a node, and what the error of its hinge asks for, to the node above."""
+    hung, error = (row[tb.H_BIAS], row[tb.H_BIAS + 1]), (row[tb.H_ERROR], row[tb.H_ERROR + 1])
     far, turned = (
         (row[tb.H_FAR_ARM], row[tb.H_FAR_ARM + 1]),
         (row[tb.H_MOMENT], row[tb.H_MOMENT + 1]),
@@ -306,18 +306,18 @@ def pass_up(row: Array, above: Array) -> None:
     mass_x, mass_y = (row[tb.H_MASS], row[tb.H_MASS + 1]), (row[tb.H_MASS + 1], row[tb.H_MASS + 2])
     passed = momentum_passed(hung, error, mass_x, mass_y)
     turning = angular_momentum_passed(
-        passed, row[tb.H_OWED + 2], error, turned, row[tb.H_SHARE], far, row[tb.H_LAW]
+        passed, row[tb.H_BIAS + 2], error, turned, row[tb.H_SHARE], far, row[tb.H_LAW]
     )
-    above[tb.H_OWED] += passed[0]
-    above[tb.H_OWED + 1] += passed[1]
-    above[tb.H_OWED + 2] += turning
+    above[tb.H_BIAS] += passed[0]
+    above[tb.H_BIAS + 1] += passed[1]
+    above[tb.H_BIAS + 2] += turning
 
 
 @inlined
 def let_go(row: Array) -> None:
     """Let the root of a tree that nothing ties move so that no impulse goes through its hinge."""
     mass_x, mass_y = (row[tb.H_MASS], row[tb.H_MASS + 1]), (row[tb.H_MASS + 1], row[tb.H_MASS + 2])
-    by_x, by_y = root_change((row[tb.H_OWED], row[tb.H_OWED + 1]), mass_x, mass_y)
+    by_x, by_y = root_change((row[tb.H_BIAS], row[tb.H_BIAS + 1]), mass_x, mass_y)
     row[tb.H_ERROR], row[tb.H_ERROR + 1] = -by_x, -by_y
 
 
@@ -330,11 +330,11 @@ def pass_down(m: int, above: Array, joints: Joints) -> Vector:
     at_hinge = hinge_change(by, spin_above, far, error)
     lever, arm = (row[tb.H_LEVER], row[tb.H_LEVER + 1]), (row[tb.H_ARM], row[tb.H_ARM + 1])
     share = row[tb.H_SHARE]
-    turn = spin_change(spin_above, share, at_hinge, lever, row[tb.H_OWED + 2], row[tb.H_YIELD])
+    turn = spin_change(spin_above, share, at_hinge, lever, row[tb.H_BIAS + 2], row[tb.H_YIELD])
     own = change(at_hinge, turn, arm)
     row[tb.H_CHANGE], row[tb.H_CHANGE + 1], row[tb.H_CHANGE + 2] = own[0], own[1], turn
     mass_x, mass_y = (row[tb.H_MASS], row[tb.H_MASS + 1]), (row[tb.H_MASS + 1], row[tb.H_MASS + 2])
-    hung, turned = (row[tb.H_OWED], row[tb.H_OWED + 1]), (row[tb.H_MOMENT], row[tb.H_MOMENT + 1])
+    hung, turned = (row[tb.H_BIAS], row[tb.H_BIAS + 1]), (row[tb.H_MOMENT], row[tb.H_MOMENT + 1])
     return hinge_impulse(at_hinge, spin_above, mass_x, mass_y, turned, share, hung)
 
 
@@ -365,16 +365,16 @@ def push_hinged(m: int, arm: Vector, impulse: Vector, bodies: Bodies, joints: Jo
     state[tb.SUBSTEP_START + 2] += turn
 
 
-def owe_tie(j: int, r: int, joints: Joints) -> None:
-    """Let the node of a tied body owe what the error of a firm row asks for."""
+def add_tie_bias(j: int, r: int, joints: Joints) -> None:
+    """Add what the error of a firm row asks for to the bias of the node of a tied body."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     asked = -row_impulse(numbers[tb.J_ERROR + r], numbers[tb.J_FIRMNESS + r])
     for end in range(tb.ENDS_OF_JOINT):
         if ends[tb.J_NODE + end] >= 0:
             row, at = joints.hinges[ends[tb.J_NODE + end] + 1], tb.J_ROW + ROW * r + 1 + 3 * end
-            slope, owed = (numbers[at], numbers[at + 1]), (row[tb.H_OWED], row[tb.H_OWED + 1])
-            row[tb.H_OWED], row[tb.H_OWED + 1] = momentum_later(owed, asked, slope)
-            row[tb.H_OWED + 2] = angular_momentum_later(row[tb.H_OWED + 2], asked, numbers[at + 2])
+            slope, bias = (numbers[at], numbers[at + 1]), (row[tb.H_BIAS], row[tb.H_BIAS + 1])
+            row[tb.H_BIAS], row[tb.H_BIAS + 1] = momentum_later(bias, asked, slope)
+            row[tb.H_BIAS + 2] = angular_momentum_later(row[tb.H_BIAS + 2], asked, numbers[at + 2])
 
 
 def impulse_of_tie(j: int, r: int, joints: Joints) -> float:

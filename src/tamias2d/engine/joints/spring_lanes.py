@@ -90,7 +90,7 @@ def spring_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Arra
 
 
 @separate
-def owe_springs(row: Array) -> None:
+def add_spring_bias(row: Array) -> None:
     """Note what the springs of a row ask for about their hinges."""
     for m in range(LANES):
         turned = row[tb.T_TURNING + m] * row[tb.T_LAW_ERROR + m]

@@ -28,7 +28,7 @@ from tamias2d.generated.hinge_tree import (
     momentum_passed,
     root_change,
     spin_change,
-    turn_owed,
+    turn_bias,
     turned_share,
     turning_yield,
     velocity_hinged,
@@ -209,31 +209,31 @@ def rates_of_lanes(row: Array, above: Array) -> None:
         row[tb.T_ERROR_X + m], row[tb.T_ERROR_Y + m] = here[0] - there[0], here[1] - there[1]
 
 
-def owe_nothing(row: Array) -> None:
-    """Let the nodes of a row owe nothing yet."""
+def clear_biases(row: Array) -> None:
+    """Let the nodes of a row have no bias yet."""
     for m in range(3 * LANES):
-        row[tb.T_OWED_X + m] = 0.0
+        row[tb.T_BIAS_X + m] = 0.0
 
 
 @separate
-def owe_lanes(row: Array) -> None:
-    """Find what the nodes of a row owe at their hinges."""
+def bias_lanes(row: Array) -> None:
+    """Find the biases of the nodes of a row at their hinges."""
     for m in range(LANES):
-        owed, arm = (
-            (row[tb.T_OWED_X + m], row[tb.T_OWED_Y + m]),
+        bias, arm = (
+            (row[tb.T_BIAS_X + m], row[tb.T_BIAS_Y + m]),
             (row[tb.T_ARM_X + m], row[tb.T_ARM_Y + m]),
         )
-        turning = turn_owed(row[tb.T_OWED_TURN + m], owed, arm, row[tb.T_LAW + m])
-        hung = momentum_hung(owed, turning, (row[tb.T_LEVER_X + m], row[tb.T_LEVER_Y + m]))
-        row[tb.T_OWED_X + m], row[tb.T_OWED_Y + m] = hung
-        row[tb.T_OWED_TURN + m] = turning
+        turning = turn_bias(row[tb.T_BIAS_TURN + m], bias, arm, row[tb.T_LAW + m])
+        hung = momentum_hung(bias, turning, (row[tb.T_LEVER_X + m], row[tb.T_LEVER_Y + m]))
+        row[tb.T_BIAS_X + m], row[tb.T_BIAS_Y + m] = hung
+        row[tb.T_BIAS_TURN + m] = turning
 
 
 @separate
 def pass_lanes(row: Array) -> None:
-    """Find what the nodes above are to owe for those of a row, and for the errors of hinges."""
+    """Find what the nodes of a row, and the errors of hinges, add to the biases above."""
     for m in range(LANES):
-        hung = (row[tb.T_OWED_X + m], row[tb.T_OWED_Y + m])
+        hung = (row[tb.T_BIAS_X + m], row[tb.T_BIAS_Y + m])
         error = (row[tb.T_ERROR_X + m], row[tb.T_ERROR_Y + m])
         far = (row[tb.T_FAR_ARM_X + m], row[tb.T_FAR_ARM_Y + m])
         turned = (row[tb.T_MOMENT_X + m], row[tb.T_MOMENT_Y + m])
@@ -243,7 +243,7 @@ def pass_lanes(row: Array) -> None:
         row[tb.T_PASSED_X + m], row[tb.T_PASSED_Y + m] = passed
         row[tb.T_PASSED_TURN + m] = angular_momentum_passed(
             passed,
-            row[tb.T_OWED_TURN + m],
+            row[tb.T_BIAS_TURN + m],
             error,
             turned,
             row[tb.T_SHARE + m],
@@ -253,10 +253,10 @@ def pass_lanes(row: Array) -> None:
 
 
 @separate
-def add_owed(row: Array, above: Array) -> None:
-    """Let the nodes above owe what those of a row pass on."""
+def add_biases(row: Array, above: Array) -> None:
+    """Add what the nodes of a row pass on to the biases above."""
     for m in range(3 * LANES):
-        above[tb.T_OWED_X + m] += row[tb.T_PASSED_X + m]
+        above[tb.T_BIAS_X + m] += row[tb.T_PASSED_X + m]
 
 
 @separate
@@ -265,7 +265,7 @@ def let_lanes_go(row: Array) -> None:
     for m in range(LANES):
         mass_x = (row[tb.T_HUNG_XX + m], row[tb.T_HUNG_XY + m])
         mass_y = (row[tb.T_HUNG_XY + m], row[tb.T_HUNG_YY + m])
-        by_x, by_y = root_change((row[tb.T_OWED_X + m], row[tb.T_OWED_Y + m]), mass_x, mass_y)
+        by_x, by_y = root_change((row[tb.T_BIAS_X + m], row[tb.T_BIAS_Y + m]), mass_x, mass_y)
         row[tb.T_ERROR_X + m], row[tb.T_ERROR_Y + m] = -by_x, -by_y
 
 
@@ -284,14 +284,14 @@ def pass_lanes_down(lanes: Array, row: Array, above: Array) -> None:
             (row[tb.T_LEVER_X + m], row[tb.T_LEVER_Y + m]),
             (row[tb.T_ARM_X + m], row[tb.T_ARM_Y + m]),
         )
-        turning, share = row[tb.T_OWED_TURN + m], row[tb.T_SHARE + m]
+        turning, share = row[tb.T_BIAS_TURN + m], row[tb.T_SHARE + m]
         turn = spin_change(spin_above, share, at_hinge, lever, turning, row[tb.T_YIELD + m])
         own = change(at_hinge, turn, arm)
         row[tb.T_CHANGE_X + m], row[tb.T_CHANGE_Y + m] = own
         row[tb.T_CHANGE_SPIN + m] = turn
         mass_x = (row[tb.T_HUNG_XX + m], row[tb.T_HUNG_XY + m])
         mass_y = (row[tb.T_HUNG_XY + m], row[tb.T_HUNG_YY + m])
-        hung = (row[tb.T_OWED_X + m], row[tb.T_OWED_Y + m])
+        hung = (row[tb.T_BIAS_X + m], row[tb.T_BIAS_Y + m])
         turned = (row[tb.T_MOMENT_X + m], row[tb.T_MOMENT_Y + m])
         impulse = hinge_impulse(at_hinge, spin_above, mass_x, mass_y, turned, share, hung)
         row[tb.T_IMPULSE_X + m], row[tb.T_IMPULSE_Y + m] = impulse

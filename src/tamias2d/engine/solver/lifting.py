@@ -1,4 +1,4 @@
-"""Bodies that rise pay for what contacts lift (DD87).
+"""Bodies that rise lose the energy of what contacts lift (DD87).
 
 Contacts push overlaps apart, also against gravity and forces. What that takes is missing from the
 motion against these of the bodies to which contacts have given energy: otherwise a heap would swing
@@ -15,14 +15,14 @@ from tamias2d.generated.island_energy import (
     damped_share,
     energy_given,
     rising_energy,
-    rising_energy_charged,
-    velocity_charged,
+    rising_energy_left,
+    velocity_rising_reduced,
     velocity_seen,
 )
 from tamias2d.state import Array
 
 
-def charge_rising(
+def dissipate_rising(
     control: Control,
     bodies: Bodies,
     touching: Touching,
@@ -40,7 +40,7 @@ def charge_rising(
         if bodies.kind[i] == tb.DYNAMIC and islands.given[i] > 0.0:
             row = islands.energy[islands.links[i, tb.ROOT]]
             if row[tb.ENERGY_SURPLUS] > 0.0:
-                charge(i, row, control, bodies, islands)
+                dissipate_lift(i, row, control, bodies, islands)
 
 
 def surplus_of_lift(row: Array) -> float:
@@ -53,8 +53,8 @@ def surplus_of_lift(row: Array) -> float:
     return float(surplus) if surplus > GRACE * kept else 0.0
 
 
-def charge(i: int, row: Array, control: Control, bodies: Bodies, islands: Islands) -> None:
-    """Take from the motion of a body against the forces on it what it has to pay."""
+def dissipate_lift(i: int, row: Array, control: Control, bodies: Bodies, islands: Islands) -> None:
+    """Take from the motion of a body against the forces on it its part of the surplus."""
     inverse_mass, load = bodies.properties[i, tb.INVERSE_MASS], bodies.load[i]
     gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     x, y = acceleration(gravity, (load[0], load[1]), inverse_mass)
@@ -65,7 +65,7 @@ def charge(i: int, row: Array, control: Control, bodies: Bodies, islands: Island
         return
     energy = rising_energy(1.0 / inverse_mass, seen, (x, y))
     whole = row[tb.ENERGY_GIVEN_ALL]
-    left = rising_energy_charged(energy, row[tb.ENERGY_SURPLUS], islands.given[i], whole)
+    left = rising_energy_left(energy, row[tb.ENERGY_SURPLUS], islands.given[i], whole)
     if energy > left:
-        kept = velocity_charged(seen, (x, y), damped_share(energy, left, 0.0))
+        kept = velocity_rising_reduced(seen, (x, y), damped_share(energy, left, 0.0))
         now[tb.VX], now[tb.VY] = by_x + kept[0], by_y + kept[1]

@@ -22,7 +22,7 @@ H_YIELD = hinge_columns()  # 1/(kg m^2), of turning; 0 if the body does not turn
 H_FIRM = hinge_columns()  # kg m^2, of laws that govern its angle
 H_SHARE = hinge_columns()  # of the turning of the body above that these pass on
 H_LAW = hinge_columns()  # N m s, that these ask for
-H_OWED = hinge_columns(3)  # N s, N s, N m s
+H_BIAS = hinge_columns(3)  # N s, N s, N m s
 H_OFFSET = hinge_columns(
     2
 )  # m, to which a substep leads it, less the way of the rate at which it parts

@@ -1,28 +1,28 @@
-"""The bodies of a mechanism pay as one for energy that their island has too much (DD88).
+"""The bodies of a mechanism lose as one the energy that their island has too much (DD88).
 
 So their joints hold: what is taken is a share of one change, or of one motion.
 """
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.acting import acts
-from tamias2d.engine.joints.island_charge import root_of_mechanism
+from tamias2d.engine.joints.island_bound import root_of_mechanism
 from tamias2d.engine.solver.support import damp_to_support, energy_from_support, share_left
 from tamias2d.engine.tables import Bodies, Islands, Joints
-from tamias2d.generated.island_energy import energy_along_given_charged
+from tamias2d.generated.island_energy import energy_along_given_left
 
 
-def pay_together(islands: Islands, joints: Joints) -> None:
-    """Let the bodies of a mechanism that contacts touch pay as one, so that its joints hold."""
+def reduce_together(islands: Islands, joints: Joints) -> None:
+    """Let the bodies of a touched mechanism lose energy as one, so that its joints hold."""
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
         acted = joints.mechanisms[n, tb.M_STATUS] == tb.IN_CONTACT and acts(n, joints)
         if acted and row[tb.ENERGY_SURPLUS] > 0.0:
-            sum_payment(
+            sum_changes(
                 joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE], islands, joints
             )
 
 
-def sum_payment(first: int, last: int, islands: Islands, joints: Joints) -> None:
+def sum_changes(first: int, last: int, islands: Islands, joints: Joints) -> None:
     """Give each of some nodes what all of them got, and its product with their motion."""
     given = product = change = got = 0.0
     for node in range(first, last):
@@ -40,8 +40,8 @@ def sum_payment(first: int, last: int, islands: Islands, joints: Joints) -> None
     islands.energy[root, tb.ENERGY_GIVEN_ALL] += max(given, 0.0) - got
 
 
-def repay_as_one(bodies: Bodies, islands: Islands, joints: Joints) -> None:
-    """Take from all of the motion of mechanisms what they have to pay beyond what they got."""
+def reduce_motion_as_one(bodies: Bodies, islands: Islands, joints: Joints) -> None:
+    """Take from all of the motion of mechanisms what their island still has too much."""
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
         first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
@@ -53,7 +53,7 @@ def repay_as_one(bodies: Bodies, islands: Islands, joints: Joints) -> None:
                 i = joints.sparse[node, tb.N_BODY]
                 if bodies.moved[i] == tb.MOVED:
                     energy += energy_from_support(i, bodies, islands)
-            left = energy_along_given_charged(
+            left = energy_along_given_left(
                 energy, row[tb.ENERGY_SURPLUS], given, row[tb.ENERGY_GIVEN_ALL]
             )
             share = share_left(energy, left)

@@ -3,10 +3,10 @@
 from tamias2d.engine import tables as tb
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.generated.island_energy import (
-    angular_velocity_repaid,
+    angular_velocity_reduced,
     angular_velocity_seen,
     given_product,
-    velocity_repaid,
+    velocity_reduced,
     velocity_seen,
 )
 from tamias2d.state import Array, Vector
@@ -36,11 +36,11 @@ def product_with_motion(
     )
 
 
-def repay_along(
+def reduce_along(
     given: Vector, turned: float, share: float, product: float, change: float, now: Array
 ) -> None:
     """Leave the motion of a body a share along a change, of this product and energy, J."""
-    now[tb.VX], now[tb.VY] = velocity_repaid(
+    now[tb.VX], now[tb.VY] = velocity_reduced(
         (now[tb.VX], now[tb.VY]), given, share, product, change
     )
-    now[tb.SPIN] = angular_velocity_repaid(now[tb.SPIN], turned, share, product, change)
+    now[tb.SPIN] = angular_velocity_reduced(now[tb.SPIN], turned, share, product, change)

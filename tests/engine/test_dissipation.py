@@ -1,4 +1,4 @@
-"""What an island has too much is paid by what got it: nobody else is slowed down (IM11, DD88)."""
+"""What an island has too much is taken from what got it, and nothing else (IM11, DD88)."""
 
 from itertools import pairwise
 from typing import Any
@@ -50,7 +50,7 @@ def test_a_flier_that_is_tied_slackly_to_what_lands_falls_freely(tie: str) -> No
 
 
 def test_a_smooth_slider_goes_on_while_a_chain_lands_on_the_same_plank() -> None:
-    """It lost up to 2 m/s when all bodies of the island paid alike, and 0.05 when it paid last."""
+    """It lost up to 2 m/s when all of the island was damped alike, and 0.05 when it was last."""
     surface: Any = {"friction": 0.0, "restitution": 0.0}
     for seed in range(25):
         sim = t2.Simulator(t2.Scene(gravity=(0.0, -PULL)))

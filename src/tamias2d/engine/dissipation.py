@@ -1,15 +1,14 @@
-"""What an island on a support has too much is paid from what contacts gave its bodies (DD88).
+"""What an island on a support has too much is dissipated in the bodies that got it (DD88).
 
-A body that got nothing pays nothing: one slides on the same plank, or flies on a slack rope. It
+A body that got nothing loses nothing: one slides on the same plank, or flies on a slack rope. It
 keeps what it had as the step began, and what forces gave it, unless joints have pushed it.
 Cost: some visits to each body, where some island has too much.
 """
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.acting import unless_tied
-from tamias2d.engine.joints.payment import pay_together, repay_as_one
+from tamias2d.engine.joints.joined_dissipation import reduce_motion_as_one, reduce_together
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
-from tamias2d.engine.solver.repayment import product_with_motion, repay_along
 from tamias2d.engine.solver.support import (
     FREE,
     damp_to_support,
@@ -17,17 +16,18 @@ from tamias2d.engine.solver.support import (
     reference_at,
     share_left,
 )
+from tamias2d.engine.solver.velocity_change import product_with_motion, reduce_along
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import coordinate_velocity_later, kinetic_energy
 from tamias2d.generated.island_energy import (
     energy_along_given,
-    energy_along_given_charged,
+    energy_along_given_left,
     lift_work,
 )
 from tamias2d.kernels.assembled import inlined
 
 
-def charge_supported(
+def dissipate_excess(
     control: Control,
     bodies: Bodies,
     touching: Touching,
@@ -37,34 +37,35 @@ def charge_supported(
 ) -> None:
     """Take what chosen islands have too much from their bodies.
 
-    Bodies at rest pay first. Where they cannot, those pay that got energy: from what they got, then
-    from all of their motion. What is left is taken from all that contacts push, as far as it goes.
+    Bodies at rest lose it first. Where they have not enough, those do that got energy: of what
+    they got, then of all of their motion. What is left is taken from all that contacts push, as far
+    as it goes.
     """
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
         chosen = row[tb.DAMPED_SHARE] != 1.0 and row[tb.SUPPORT] != FREE
         row[tb.ENERGY_SURPLUS] = row[tb.ENERGY_KEPT] - row[tb.ENERGY_BOUND] if chosen else 0.0
-    damp_payers(False, control, bodies, touching, constraints, islands)
+    damp_chosen(False, control, bodies, touching, constraints, islands)
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if is_charged(i, bodies, islands):
+        if has_excess(i, bodies, islands):
             note_given(i, control, bodies, islands)
-    pay_together(islands, joints)
+    reduce_together(islands, joints)
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if is_charged(i, bodies, islands) and islands.given[i] > 0.0:
-            repay(i, bodies, islands)
+        if has_excess(i, bodies, islands) and islands.given[i] > 0.0:
+            reduce_change(i, bodies, islands)
     find_surplus(False, control, bodies, touching, constraints, islands)
-    repay_as_one(bodies, islands, joints)
+    reduce_motion_as_one(bodies, islands, joints)
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if is_charged(i, bodies, islands) and islands.given[i] > 0.0:
-            repay_from_all(i, bodies, islands)
-    damp_payers(True, control, bodies, touching, constraints, islands)
+        if has_excess(i, bodies, islands) and islands.given[i] > 0.0:
+            reduce_motion(i, bodies, islands)
+    damp_chosen(True, control, bodies, touching, constraints, islands)
 
 
-def is_charged(i: int, bodies: Bodies, islands: Islands) -> bool:
-    """Return whether a body is of an island that pays."""
+def has_excess(i: int, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether a body is of an island that has too much."""
     surplus = islands.energy[islands.links[i, tb.ROOT], tb.ENERGY_SURPLUS]
     return bool(bodies.kind[i] == tb.DYNAMIC and surplus > 0.0)
 
@@ -87,59 +88,59 @@ def note_given(i: int, control: Control, bodies: Bodies, islands: Islands) -> No
     )
 
 
-def repay(i: int, bodies: Bodies, islands: Islands) -> None:
-    """Take from a body, along what it was given, what it has to pay."""
+def reduce_change(i: int, bodies: Bodies, islands: Islands) -> None:
+    """Take from a body, along what it was given, its part of the surplus."""
     row = islands.energy[i]
     product, change = row[tb.GIVEN_PRODUCT], row[tb.CHANGE_ENERGY]
     island = islands.energy[islands.links[i, tb.ROOT]]
     if not (product > 0.0 and change > 0.0):
         return
     energy = energy_along_given(product, change)
-    left = energy_along_given_charged(
+    left = energy_along_given_left(
         energy, island[tb.ENERGY_SURPLUS], islands.given[i], island[tb.ENERGY_GIVEN_ALL]
     )
     share = share_left(energy, max(left, least_left(energy, i, bodies, islands)))
     given = (row[tb.VELOCITY_GIVEN], row[tb.VELOCITY_GIVEN + 1])
-    repay_along(given, row[tb.ANGULAR_VELOCITY_GIVEN], share, product, change, bodies.motion[i])
+    reduce_along(given, row[tb.ANGULAR_VELOCITY_GIVEN], share, product, change, bodies.motion[i])
 
 
-def repay_from_all(i: int, bodies: Bodies, islands: Islands) -> None:
-    """Take from all of the motion of a body what it has to pay, unless it has paid with others.
+def reduce_motion(i: int, bodies: Bodies, islands: Islands) -> None:
+    """Take from all of the motion of a body its part of the surplus, unless it lost it with others.
 
-    No body pays with more than it got.
+    No body loses more than it got.
     """
     row, energy = islands.energy[islands.links[i, tb.ROOT]], energy_from_support(i, bodies, islands)
-    pays = energy > 0.0
-    pays = unless_tied(pays, i, islands)
-    if pays:
-        left = energy_along_given_charged(
+    alone = energy > 0.0
+    alone = unless_tied(alone, i, islands)
+    if alone:
+        left = energy_along_given_left(
             energy, row[tb.ENERGY_SURPLUS], islands.given[i], row[tb.ENERGY_GIVEN_ALL]
         )
-        share = share_left(energy, max(left, energy - payable(False, i, bodies, islands)))
+        share = share_left(energy, max(left, energy - dissipable(False, i, bodies, islands)))
         damp_to_support(i, share, bodies, islands)
 
 
-def payable(whole: bool, i: int, bodies: Bodies, islands: Islands) -> float:
-    """Return what a body can pay: the whole of its energy, or what is not its own, J."""
+def dissipable(whole: bool, i: int, bodies: Bodies, islands: Islands) -> float:
+    """Return what a body can lose: the whole of its energy, or what is not its own, J."""
     own = 0.0 if whole else islands.energy[i, tb.ENERGY_OWN]
     return max(energy_from_support(i, bodies, islands) - own, 0.0)
 
 
 @inlined
 def least_left(energy: float, i: int, bodies: Bodies, islands: Islands) -> float:
-    """Return what a body keeps at least of an energy, J: bodies that are tied pay together."""
+    """Return what a body keeps at least of an energy, J: bodies that are tied lose it together."""
     alone = True
     alone = unless_tied(alone, i, islands)
-    return energy - payable(False, i, bodies, islands) if alone else 0.0
+    return energy - dissipable(False, i, bodies, islands) if alone else 0.0
 
 
-def pays_whole(last: bool, i: int, islands: Islands) -> bool:
-    """Return whether a body that pays keeps nothing: one at rest, unless others there are tied."""
+def loses_all(last: bool, i: int, islands: Islands) -> bool:
+    """Return whether a chosen body keeps nothing: one at rest, unless others there are tied."""
     row = islands.energy[islands.links[i, tb.ROOT]]
     return bool(not last and row[tb.ACTING] == 0.0)
 
 
-def damp_payers(
+def damp_chosen(
     last: bool,
     control: Control,
     bodies: Bodies,
@@ -147,26 +148,26 @@ def damp_payers(
     constraints: Constraints,
     islands: Islands,
 ) -> None:
-    """Damp bodies that pay with what they can, if that suffices, or nothing else is left.
+    """Damp chosen bodies by what they can lose, if that suffices, or nothing else is left.
 
     At first these are bodies at rest, in the end all that contacts push.
     """
     find_surplus(last, control, bodies, touching, constraints, islands)
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
-        surplus, theirs = row[tb.ENERGY_SURPLUS], row[tb.ENERGY_OF_PAYERS]
-        row[tb.PAID_SHARE] = 0.0
+        surplus, theirs = row[tb.ENERGY_SURPLUS], row[tb.DISSIPABLE_ENERGY]
+        row[tb.DISSIPATED_SHARE] = 0.0
         if surplus > 0.0 and theirs > 0.0 and (theirs >= surplus or last):
-            row[tb.PAID_SHARE] = min(surplus / theirs, 1.0)
+            row[tb.DISSIPATED_SHARE] = min(surplus / theirs, 1.0)
             row[tb.ENERGY_SURPLUS] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        share = islands.energy[islands.links[i, tb.ROOT], tb.PAID_SHARE]
-        pays = is_payer(last, i, control, bodies, islands)
-        if bodies.kind[i] == tb.DYNAMIC and share > 0.0 and pays:
+        share = islands.energy[islands.links[i, tb.ROOT], tb.DISSIPATED_SHARE]
+        chosen = is_chosen(last, i, control, bodies, islands)
+        if bodies.kind[i] == tb.DYNAMIC and share > 0.0 and chosen:
             energy = energy_from_support(i, bodies, islands)
-            paid = payable(pays_whole(last, i, islands), i, bodies, islands)
-            damp_to_support(i, share_left(energy, energy - share * paid), bodies, islands)
+            lost = dissipable(loses_all(last, i, islands), i, bodies, islands)
+            damp_to_support(i, share_left(energy, energy - share * lost), bodies, islands)
 
 
 def find_surplus(
@@ -177,21 +178,21 @@ def find_surplus(
     constraints: Constraints,
     islands: Islands,
 ) -> None:
-    """Find what islands that pay still have too much, and the energy of their payers, J."""
+    """Find what islands still have too much, and what their chosen bodies can lose, J."""
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
-        row[tb.ENERGY_AFTER] = row[tb.ENERGY_OF_PAYERS] = 0.0
+        row[tb.ENERGY_AFTER] = row[tb.DISSIPABLE_ENERGY] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
-        if is_charged(i, bodies, islands):
+        if has_excess(i, bodies, islands):
             row, energy = (
                 islands.energy[islands.links[i, tb.ROOT]],
                 energy_from_support(i, bodies, islands),
             )
             row[tb.ENERGY_AFTER] += energy
-            if is_payer(last, i, control, bodies, islands):
-                whole = pays_whole(last, i, islands)
-                row[tb.ENERGY_OF_PAYERS] += payable(whole, i, bodies, islands)
+            if is_chosen(last, i, control, bodies, islands):
+                whole = loses_all(last, i, islands)
+                row[tb.DISSIPABLE_ENERGY] += dissipable(whole, i, bodies, islands)
     for n in range(islands.counts[tb.ROOTS]):
         row = islands.energy[islands.roots[n]]
         if row[tb.ENERGY_SURPLUS] > 0.0:
@@ -199,8 +200,8 @@ def find_surplus(
             row[tb.ENERGY_SURPLUS] = surplus if surplus > GRACE * row[tb.ENERGY_AFTER] else 0.0
 
 
-def is_payer(last: bool, i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
-    """Return whether a body that contacts push is at rest, or pays as one of the last."""
+def is_chosen(last: bool, i: int, control: Control, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether a body that contacts push is at rest, or all are chosen as the last."""
     rests = is_at_rest(i, control, bodies, islands)
     rests = unless_tied(rests, i, islands)
     return bool(bodies.moved[i] == tb.MOVED and (rests or last))

@@ -1,7 +1,7 @@
 """What joints may give and take of the energy of islands: what ties a mechanism, and its weight.
 
 The energy of an island is seen from what supports it, joints included. One that goes against the
-forces on it pays for that (IM15); one that is driven may give any, or what is likely (DD86).
+forces on it loses as much (IM15); one that is driven may give any, or what is likely (DD86).
 """
 
 from tamias2d.engine import tables as tb
@@ -92,7 +92,7 @@ def work_of_springs(n: int, joints: Joints) -> float:
     return float(numbers[tb.J_ENERGY] - energy_of_springs(n, joints) + numbers[tb.J_RESERVE])
 
 
-def charge_joined(
+def bound_joined(
     control: Control,
     bodies: Bodies,
     touching: Touching,
@@ -100,7 +100,7 @@ def charge_joined(
     islands: Islands,
     joints: Joints,
 ) -> None:
-    """Charge the islands of mechanisms for what they do against gravity and forces (IM15).
+    """Bound the energy of islands of mechanisms by what they do against gravity and forces (IM15).
 
     Joints and contacts that are solved in turns would otherwise lift them for nothing, again and
     again. One that has not the energy for its way, with what overlaps may give back, keeps a part
@@ -121,7 +121,7 @@ def charge_joined(
         row[tb.WORK] += work_of_motors(n, joints) + work_of_springs(n, joints)
     for n in range(joints.counts[tb.MECHANISMS]):
         if acts(n, joints):
-            charge_for_mechanism(n, islands.energy[root_of_mechanism(n, islands, joints)], joints)
+            bound_for_mechanism(n, islands.energy[root_of_mechanism(n, islands, joints)], joints)
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
         if row[tb.DRIVEN_ENERGY] > 0.0 and row[tb.SUPPORT] == SUPPORTED_BY_MORE:
@@ -140,8 +140,8 @@ def root_of_mechanism(n: int, islands: Islands, joints: Joints) -> int:
     return int(islands.links[i, tb.ROOT])
 
 
-def charge_for_mechanism(n: int, row: Array, joints: Joints) -> None:
-    """Note what the island of a mechanism may have for it, and pays: in whatever order they come.
+def bound_for_mechanism(n: int, row: Array, joints: Joints) -> None:
+    """Note what the island of a mechanism may have for it, and loses: in whatever order they come.
 
     What is likely for one of its mechanisms is so for all of the island, unless another gives any.
     """
