@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:  # the same names as below, for readers, editors and type checkers
     from tamias2d.certificate import Certificate as Certificate
     from tamias2d.cost import Cost as Cost
-    from tamias2d.engine.contact_report import Contacts as Contacts
+    from tamias2d.engine.reports.contact_report import Contacts as Contacts
     from tamias2d.ensemble import (
         Grid as Grid,
         Mean as Mean,
@@ -101,7 +101,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
 _HOMES = {
     "certificate": "Certificate",
     "cost": "Cost",
-    "engine.contact_report": "Contacts",
+    "engine.reports.contact_report": "Contacts",
     "ensemble": "Grid Mean Simulators WorldContacts ensemble ensemble_mean random_stream "
     "sensitivities world_scene",
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.world import named_arrays
+from tamias2d.engine.arrays.world import named_arrays
 from tamias2d.simulator import Simulator
 from tests.engine.scenes import mixed, plain
 

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from tamias2d.engine.arrays.world import Capacities, allocated
 from tamias2d.engine.continuous import conservative_advancement
 from tamias2d.engine.continuous.conservative_advancement import MISSED, NEAR, time_of_impact
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.clip import PARALLEL
 from tamias2d.engine.tables import Events, Shapes
-from tamias2d.engine.world import Capacities, allocated
 from tamias2d.kernels import Library
 from tamias2d.kernels.arrays import FloatRows, Floats, IndexRows
 from tamias2d.kernels.groups import addresses

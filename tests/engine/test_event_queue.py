@@ -5,6 +5,7 @@ from hypothesis import given, strategies as st
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.arrays.world import Capacities, allocated
 from tamias2d.engine.continuous.event_queue import (
     NO_EVENT,
     build_queue,
@@ -13,7 +14,6 @@ from tamias2d.engine.continuous.event_queue import (
     update_event,
 )
 from tamias2d.engine.tables import Contacts
-from tamias2d.engine.world import Capacities, allocated
 
 TIMES = st.sampled_from([0.0, 0.25, 0.5, 1.0, 2.0])
 

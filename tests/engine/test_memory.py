@@ -3,8 +3,8 @@
 import pickle
 
 from tamias2d import Simulator
-from tamias2d.engine.memory import LINE
-from tamias2d.engine.world import named_arrays
+from tamias2d.engine.arrays.memory import LINE
+from tamias2d.engine.arrays.world import named_arrays
 from tamias2d.scene import catalogue
 
 

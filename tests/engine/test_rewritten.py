@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.world import gathered, named_arrays
+from tamias2d.engine.arrays.world import gathered, named_arrays
 from tamias2d.simulator import Simulator
 
 SHAPES = (t2.Disc(radius=0.2), t2.Box(width=0.4, height=0.3), t2.Capsule(length=0.4, radius=0.1))

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import tamias2d as t2
-from tamias2d.engine.world import named_arrays
+from tamias2d.engine.arrays.world import named_arrays
 from tests.simulator.crowd import SHAPES
 
 _FORMS: dict[str, Any] = {

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.saved_checks import UnfitError, check_saved
-from tamias2d.engine.saved_state import saved_arrays
+from tamias2d.engine.arrays.world import saved_fields
+from tamias2d.engine.saving.saved_checks import UnfitError, check_saved
+from tamias2d.engine.saving.saved_state import saved_arrays
 from tamias2d.engine.tables import CONTACTS
-from tamias2d.engine.world import saved_fields
 from tamias2d.simulator import saving
 from tamias2d.simulator.simulator import _restored
 from tests.simulator.crowd import crowd

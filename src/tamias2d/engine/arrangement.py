@@ -6,8 +6,8 @@ It stays from step to step while the same contacts touch.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.contact_tree import number_trees
 from tamias2d.engine.direct.elimination import plan_elimination
+from tamias2d.engine.energy.angular_momentum import count_free_islands, mark_held_islands
 from tamias2d.engine.joints.activity import activate_joined, hold_tied, join_slabs
-from tamias2d.engine.solver.angular_momentum import count_free_islands, mark_held_islands
 from tamias2d.engine.solver.blocks import assign_lanes, count_lanes
 from tamias2d.engine.solver.colouring import colour_contacts
 from tamias2d.engine.solver.slabs import divide_into_slabs

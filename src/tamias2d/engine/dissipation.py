@@ -6,17 +6,17 @@ Cost: some visits to each body, where some island has too much.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.acting import unless_tied
-from tamias2d.engine.joints.joined_dissipation import reduce_motion_as_one, reduce_together
-from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
-from tamias2d.engine.solver.support import (
+from tamias2d.engine.energy.step_energy import GRACE, mass_and_inertia
+from tamias2d.engine.energy.support import (
     FREE,
     damp_to_support,
     energy_from_support,
     reference_at,
     share_left,
 )
-from tamias2d.engine.solver.velocity_change import product_with_motion, reduce_along
+from tamias2d.engine.energy.velocity_change import product_with_motion, reduce_along
+from tamias2d.engine.joints.acting import unless_tied
+from tamias2d.engine.joints.joined_dissipation import reduce_motion_as_one, reduce_together
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import coordinate_velocity_later, kinetic_energy
 from tamias2d.generated.island_energy import (

@@ -13,23 +13,23 @@ each body.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.dissipation import dissipate_excess
-from tamias2d.engine.joints.island_bound import bound_joined, support_joined
-from tamias2d.engine.joints.reserve import note_reserves
-from tamias2d.engine.solver.angular_momentum import keep_angular_momentum
-from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
-from tamias2d.engine.solver.island_damping import (
+from tamias2d.engine.energy.angular_momentum import keep_angular_momentum
+from tamias2d.engine.energy.island_damping import (
     choose_islands_to_damp,
     damp_islands,
     sum_island_motions,
 )
-from tamias2d.engine.solver.joined_gains import note_gains
-from tamias2d.engine.solver.lifting import dissipate_rising
-from tamias2d.engine.solver.support import (
+from tamias2d.engine.energy.joined_gains import note_gains
+from tamias2d.engine.energy.lifting import dissipate_rising
+from tamias2d.engine.energy.step_energy import GRACE, mass_and_inertia
+from tamias2d.engine.energy.support import (
     SUPPORTED_BY_MORE,
     find_references,
     reference_at,
 )
-from tamias2d.engine.solver.support_work import add_support_work
+from tamias2d.engine.energy.support_work import add_support_work
+from tamias2d.engine.joints.island_bound import bound_joined, support_joined
+from tamias2d.engine.joints.reserve import note_reserves
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.definitions import kinetic_energy
 from tamias2d.generated.island_energy import (

@@ -6,16 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.batch import Batch
-from tamias2d.engine.body_pool import BodyPool
-from tamias2d.engine.contact_report import Contacts, contact_report
+from tamias2d.engine.arrays.world import Capacities
+from tamias2d.engine.bodies.batch import Batch
+from tamias2d.engine.bodies.body_pool import BodyPool
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.rows import kept_apart, set_joints
-from tamias2d.engine.open_corners import OpenCorners
 from tamias2d.engine.query_tree import QueryTree
+from tamias2d.engine.reports.contact_report import Contacts, contact_report
+from tamias2d.engine.reports.open_corners import OpenCorners
 from tamias2d.engine.springs.rows import SpringRow, set_springs
 from tamias2d.engine.step_calls import StepCalls
-from tamias2d.engine.world import Capacities
 from tamias2d.scene.compound import Shape
 from tamias2d.state import Array
 

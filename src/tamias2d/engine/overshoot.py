@@ -13,10 +13,10 @@ from tamias2d.engine.continuous.events import (
     smaller_radius,
     turn_shape_to,
 )
+from tamias2d.engine.energy.joined_gains import joints_disagree
 from tamias2d.engine.narrow_phase.manifold import smallest_gap
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.parts import OF_ALL
-from tamias2d.engine.solver.joined_gains import joints_disagree
 from tamias2d.engine.tables import Bodies, Contacts, Shapes, World
 
 TURNED_FAR = 0.05  # rad, that bodies in contact turn in a part

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.arrays.store import Store
 from tamias2d.engine.menu import QUERY, functions
-from tamias2d.engine.store import Store
 from tamias2d.engine.tables import World
 from tamias2d.kernels.groups import addresses
 from tamias2d.state import Array, IntArray

@@ -19,7 +19,6 @@ from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.broad_phase.fat_bounds import left_by_frame, mark_out_of_bounds
 from tamias2d.engine.broad_phase.pairs import list_stays, rebuild_pairs, update_pairs
 from tamias2d.engine.broad_phase.vertices import turn_vertices
-from tamias2d.engine.contact_log import log_events
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_continuous
 from tamias2d.engine.continuous.prediction import foresee
@@ -42,6 +41,7 @@ from tamias2d.engine.parts import (
     set_level,
     shorten_part,
 )
+from tamias2d.engine.reports.contact_log import log_events
 from tamias2d.engine.sleep import (
     fall_asleep,
     hold_sleeping,

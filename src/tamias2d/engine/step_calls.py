@@ -13,14 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.contact_events import ContactEvents
+from tamias2d.engine.arrays.store import Store
+from tamias2d.engine.arrays.world import Capacities
 from tamias2d.engine.interruption import end_if_asked
 from tamias2d.engine.menu import JOINTED, chosen, functions
+from tamias2d.engine.reports.contact_events import ContactEvents
 from tamias2d.engine.steps_per_call import StepsPerCall
-from tamias2d.engine.store import Store
 from tamias2d.engine.tables import World
 from tamias2d.engine.validity import Invalid, first_invalid, overflowed
-from tamias2d.engine.world import Capacities
 from tamias2d.state import Array
 
 # what gets longer, and how many rows more than half as many again as are needed

@@ -6,6 +6,8 @@ step once more as it begins. Source: Macklin et al. (2019), substeps; Catto (202
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.solve import prepare_trees, solve_trees
+from tamias2d.engine.energy.angular_momentum import add_moments, add_moments_before, begin_moments
+from tamias2d.engine.energy.step_energy import makes_energy, sum_step_energy
 from tamias2d.engine.energy_bound import bound_energy, note_before_restitution
 from tamias2d.engine.islands import update_islands
 from tamias2d.engine.joints.rebound import fit_rebound
@@ -17,9 +19,7 @@ from tamias2d.engine.joints.stages import (
     solve_joints,
 )
 from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
-from tamias2d.engine.solver.angular_momentum import add_moments, add_moments_before, begin_moments
 from tamias2d.engine.solver.blocks import clear_lanes, fill_lanes
-from tamias2d.engine.solver.energy import makes_energy, sum_step_energy
 from tamias2d.engine.solver.impulses import store_impulses
 from tamias2d.engine.solver.integration import apply_forces, begin_step, integrate_positions
 from tamias2d.engine.solver.lanes import (

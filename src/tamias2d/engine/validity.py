@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.arrays.store import Store
 from tamias2d.engine.state import LARGEST, RESOLVED
-from tamias2d.engine.store import Store
 from tamias2d.state import Array
 
 NOT_FINITE, TOO_LARGE, TOO_FAR, MOVES, OVERFLOWED, PUSHED, NO_BODY, SPINS = range(8)

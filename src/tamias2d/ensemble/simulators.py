@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.arrays.memory import aligned_zeros
 from tamias2d.engine.interruption import end_if_asked
-from tamias2d.engine.memory import aligned_zeros
 from tamias2d.engine.tables import GRAVITY_X, GRAVITY_Y
 from tamias2d.ensemble.controls import Controls
 from tamias2d.ensemble.execution import cores

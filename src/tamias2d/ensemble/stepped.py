@@ -14,9 +14,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.engine.batch import UNSTATED
-from tamias2d.engine.canonical_order import strips
-from tamias2d.engine.shape_rows import shape_rows
+from tamias2d.engine.bodies.batch import UNSTATED
+from tamias2d.engine.bodies.canonical_order import strips
+from tamias2d.engine.shapes.shape_rows import shape_rows
 from tamias2d.engine.world_batch import (
     GRAVITY,
     START,

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.engine.contact_report import Contacts
+from tamias2d.engine.reports.contact_report import Contacts
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.read_only import read_only
 from tamias2d.simulator import Simulator

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tamias2d.engine.batch import Batch
+from tamias2d.engine.bodies.batch import Batch
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.tables import DYNAMIC
 from tamias2d.errors import InputError

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from tamias2d.engine.batch import Batch
+from tamias2d.engine.bodies.batch import Batch
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.scene.checks import SHAPES, fault_of_turning, refuse_shape
 from tamias2d.scene.compound import Shape

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tamias2d.engine.contact_report import Contacts
+from tamias2d.engine.reports.contact_report import Contacts
 from tamias2d.scene import Body
 from tamias2d.scene.compound import Shape
 from tamias2d.simulator.body_contacts import bodies_inside, contacts_of_body

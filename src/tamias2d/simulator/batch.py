@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tamias2d.engine.batch import UNSTATED, Batch
+from tamias2d.engine.bodies.batch import UNSTATED, Batch
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.generated import drag
 from tamias2d.scene import Body, Scene

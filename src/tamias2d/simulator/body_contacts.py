@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.contact_report import NO_CONTACTS, Contacts, contacts_of, sensed_by
 from tamias2d.engine.engine import Engine
+from tamias2d.engine.reports.contact_report import NO_CONTACTS, Contacts, contacts_of, sensed_by
 from tamias2d.scene.filters import checked_mask
 from tamias2d.scene.rules import RuleError
 from tamias2d.state import IntArray

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from tamias2d.engine.batch import Batch
+from tamias2d.engine.bodies.batch import Batch
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.simulator.acting_scene import with_steady_loads
 from tamias2d.simulator.adding import Shapes, added_batch, count_of

@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NoReturn
 
-from tamias2d.engine.contact_events import TouchReport
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.state_copy import StateCopy
+from tamias2d.engine.reports.contact_events import TouchReport
+from tamias2d.engine.saving.state_copy import StateCopy
 from tamias2d.errors import RecordingError
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene.rules import RuleError, shown

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.engine.batch import UNSTATED, Batch
+from tamias2d.engine.bodies.batch import UNSTATED, Batch
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.tables import DYNAMIC, SENSOR
 from tamias2d.errors import SceneError

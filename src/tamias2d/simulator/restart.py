@@ -6,8 +6,8 @@ engine lie in one piece of memory then, and what becomes of those that had to gr
 
 import numpy as np
 
+from tamias2d.engine.arrays.world import gathered
 from tamias2d.engine.steps_per_call import StepsPerCall
-from tamias2d.engine.world import gathered
 from tamias2d.simulator.simulator import Simulator
 from tamias2d.state import Array, IntArray
 

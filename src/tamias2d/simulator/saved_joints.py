@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.saved_checks import require
+from tamias2d.engine.saving.saved_checks import require
 from tamias2d.generated.joint_rows import KINDS
 from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor
 from tamias2d.scene.joints import Joint

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d import archive
-from tamias2d.engine.contact_events import TouchReport, pairs_of
-from tamias2d.engine.contact_report import Contacts, contacts_of
-from tamias2d.engine.saved_checks import UnfitError, require
+from tamias2d.engine.reports.contact_events import TouchReport, pairs_of
+from tamias2d.engine.reports.contact_report import Contacts, contacts_of
+from tamias2d.engine.saving.saved_checks import UnfitError, require
 from tamias2d.errors import RecordingError, TamiasError, path_text
 from tamias2d.recording_file import aside, refuse_missing
 from tamias2d.scene import Scene

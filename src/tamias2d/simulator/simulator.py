@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from tamias2d.attribute_suggestions import suggests_attributes
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.saved_checks import UnfitError
-from tamias2d.engine.saved_state import restored_engine, rewind, saved_arrays
-from tamias2d.engine.state_copy import copy_state, restore_state
+from tamias2d.engine.saving.saved_checks import UnfitError
+from tamias2d.engine.saving.saved_state import restored_engine, rewind, saved_arrays
+from tamias2d.engine.saving.state_copy import copy_state, restore_state
 from tamias2d.engine.tables import ABSENT, DYNAMIC, STATIC
 from tamias2d.errors import RecordingError
 from tamias2d.recording_file import checked_path

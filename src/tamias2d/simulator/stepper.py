@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.engine.contact_report import Contacts
+from tamias2d.engine.reports.contact_report import Contacts
 from tamias2d.generated import impact
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene import Scene

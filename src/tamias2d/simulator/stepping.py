@@ -5,9 +5,9 @@ from typing import TypeGuard
 
 import numpy as np
 
-from tamias2d.engine.contact_events import ContactEvents, TouchReport
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.interruption import end_if_asked
+from tamias2d.engine.reports.contact_events import ContactEvents, TouchReport
 from tamias2d.engine.tables import ABSENT
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene import Scene

@@ -14,8 +14,8 @@ from tamias2d.engine.continuous.motion_sums import (
     with_motion_of,
 )
 from tamias2d.engine.continuous.two_as_one import ROUNDED
-from tamias2d.engine.solver.angular_momentum import as_one, can_turn, return_motion, suffices
-from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
+from tamias2d.engine.energy.angular_momentum import as_one, can_turn, return_motion, suffices
+from tamias2d.engine.energy.step_energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.tables import Bodies, Integers
 from tamias2d.generated.definitions import angular_momentum, kinetic_energy
 from tamias2d.generated.island_energy import (

@@ -13,7 +13,7 @@ from tamias2d.engine.continuous.cluster_as_one import (
 )
 from tamias2d.engine.continuous.trajectory import redirect_path, relative_place
 from tamias2d.engine.continuous.work import take_energy_back, work_ahead
-from tamias2d.engine.solver.energy import can_be_turned
+from tamias2d.engine.energy.step_energy import can_be_turned
 from tamias2d.engine.tables import Bodies, Control, Integers
 from tamias2d.generated.continuous_collision import inward_share, shift_carried, shift_shared
 from tamias2d.state import Array, Vector

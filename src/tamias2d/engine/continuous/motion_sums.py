@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.energy.step_energy import mass_and_inertia
 from tamias2d.engine.tables import Bodies
 from tamias2d.generated.definitions import angular_momentum, kinetic_energy, momentum
 from tamias2d.generated.island_energy import inertia_origin, mass_moment

@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.motion_sums import no_motion, place_at_end, with_motion_of
-from tamias2d.engine.solver.angular_momentum import as_one, can_turn, return_motion, suffices
-from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.energy.angular_momentum import as_one, can_turn, return_motion, suffices
+from tamias2d.engine.energy.step_energy import mass_and_inertia
 from tamias2d.engine.tables import Bodies
 from tamias2d.generated.definitions import angular_momentum, kinetic_energy
 from tamias2d.state import Vector

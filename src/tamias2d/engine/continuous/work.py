@@ -8,9 +8,9 @@ is seen from the other body, which may move.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.trajectory import relative_place
-from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
-from tamias2d.engine.solver.support import share_left
-from tamias2d.engine.solver.velocity_change import product_with_motion, reduce_along
+from tamias2d.engine.energy.step_energy import can_be_turned, mass_and_inertia
+from tamias2d.engine.energy.support import share_left
+from tamias2d.engine.energy.velocity_change import product_with_motion, reduce_along
 from tamias2d.engine.tables import Bodies, Control
 from tamias2d.generated.definitions import kinetic_energy, point_velocity
 from tamias2d.generated.island_energy import (

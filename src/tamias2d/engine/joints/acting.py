@@ -4,7 +4,7 @@ A mechanism that gives no impulse ties nothing: its bodies get and lose energy a
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.support import energy_from_support
+from tamias2d.engine.energy.support import energy_from_support
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Joints, Touching
 from tamias2d.generated.island_energy import lift_beyond_motion
 from tamias2d.kernels.assembled import inlined

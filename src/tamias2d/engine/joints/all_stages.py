@@ -2,6 +2,8 @@
 
 from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.early import note_early_joined
+from tamias2d.engine.energy.angular_momentum import add_given_by_joints
+from tamias2d.engine.energy.joined_gains import joints_disagree, note_gains, noted_if_free
 from tamias2d.engine.islands import join_islands
 from tamias2d.engine.joined import mark_joined, or_joined, unless_joined
 from tamias2d.engine.joined_approach import joined_approach
@@ -28,8 +30,6 @@ from tamias2d.engine.joints.stages import (
 )
 from tamias2d.engine.joints.step_impulses import keep_joint_impulses
 from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
-from tamias2d.engine.solver.angular_momentum import add_given_by_joints
-from tamias2d.engine.solver.joined_gains import joints_disagree, note_gains, noted_if_free
 
 JOINT_STAGES = (
     activate_joined,

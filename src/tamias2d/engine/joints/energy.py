@@ -12,6 +12,14 @@ Cost: a visit to each body and spring, and two more where there is too much.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.energy.island_damping import (
+    add_to_island,
+    begin_motion,
+    find_rigid_motion,
+    place_from,
+)
+from tamias2d.engine.energy.step_energy import can_be_turned, mass_and_inertia
+from tamias2d.engine.energy.support import FREE, SUPPORTED_BY_ONE
 from tamias2d.engine.joints.island_bound import (
     energy_of_springs,
     may_get_any,
@@ -20,14 +28,6 @@ from tamias2d.engine.joints.island_bound import (
 )
 from tamias2d.engine.joints.opening import note_drive
 from tamias2d.engine.joints.yielding import energy_driven, mass_of_mechanism, yields
-from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
-from tamias2d.engine.solver.island_damping import (
-    add_to_island,
-    begin_motion,
-    find_rigid_motion,
-    place_from,
-)
-from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_ONE
 from tamias2d.engine.tables import Bodies, Control, Islands, Joints
 from tamias2d.generated.definitions import (
     kinetic_energy,

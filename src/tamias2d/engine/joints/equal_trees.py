@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.arrays.store import Store
 from tamias2d.engine.joints.angle_laws import hung_by_law
 from tamias2d.engine.joints.hinge_tree import first_besides
 from tamias2d.engine.joints.hinges import HingeTree
 from tamias2d.engine.joints.joint_row import JointRow
-from tamias2d.engine.store import Store
 from tamias2d.kernels.lanes import LANES
 
 FEWEST_TREES = 8  # of a block: fewer take no longer by themselves

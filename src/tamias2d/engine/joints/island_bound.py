@@ -5,10 +5,10 @@ forces on it loses as much (IM15); one that is driven may give any, or what is l
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.energy.step_energy import UNLIMITED
+from tamias2d.engine.energy.support import SUPPORTED_BY_MORE, SUPPORTED_BY_ONE, support_island
 from tamias2d.engine.joints.acting import acts, note_tied
 from tamias2d.engine.joints.yielding import energy_driven, yields
-from tamias2d.engine.solver.energy import UNLIMITED
-from tamias2d.engine.solver.support import SUPPORTED_BY_MORE, SUPPORTED_BY_ONE, support_island
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.island_energy import kinetic_energy_most, lift_work
 from tamias2d.generated.joint_step import drive_work, kept_way, row_energy

@@ -4,9 +4,9 @@ So their joints hold: what is taken is a share of one change, or of one motion.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.energy.support import damp_to_support, energy_from_support, share_left
 from tamias2d.engine.joints.acting import acts
 from tamias2d.engine.joints.island_bound import root_of_mechanism
-from tamias2d.engine.solver.support import damp_to_support, energy_from_support, share_left
 from tamias2d.engine.tables import Bodies, Islands, Joints
 from tamias2d.generated.island_energy import energy_along_given_left
 

@@ -7,8 +7,8 @@ Cost: where islands are free, a visit to each body of their mechanisms before jo
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.energy import mass_and_inertia
-from tamias2d.engine.solver.island_damping import place_from
+from tamias2d.engine.energy.island_damping import place_from
+from tamias2d.engine.energy.step_energy import mass_and_inertia
 from tamias2d.engine.tables import Bodies, Islands, Joints, World
 from tamias2d.generated.definitions import angular_momentum
 

@@ -6,9 +6,9 @@ to each body of all islands.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.energy.support import FREE, energy_from_support
 from tamias2d.engine.joints.energy import energies_of_part, note_balance, see_from_support
 from tamias2d.engine.joints.island_bound import energy_of_springs, root_of_mechanism
-from tamias2d.engine.solver.support import FREE, energy_from_support
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.island_energy import kinetic_energy_most
 

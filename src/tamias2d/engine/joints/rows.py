@@ -7,13 +7,13 @@ from itertools import chain, combinations
 import numpy as np
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.arrays.store import Store
 from tamias2d.engine.joints.elimination import Elimination, eliminated
 from tamias2d.engine.joints.equal_trees import equal_trees, rows_of, write_blocks_of
 from tamias2d.engine.joints.hinges import HingeTree, by_level, hinge_tree, is_net
 from tamias2d.engine.joints.joint_row import JointRow, LawNumbers
 from tamias2d.engine.joints.linearise import TURNED_TOGETHER
 from tamias2d.engine.joints.program_tables import lengths_of_programs, write_programs
-from tamias2d.engine.store import Store
 from tamias2d.engine.tables import Joints
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.symbols import SYMBOLS

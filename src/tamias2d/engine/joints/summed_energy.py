@@ -1,7 +1,7 @@
 """Which energies are summed and looked at where there are mechanisms."""
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.energy import UNLIMITED
+from tamias2d.engine.energy.step_energy import UNLIMITED
 from tamias2d.engine.tables import World
 
 

@@ -5,7 +5,7 @@ A body is moved at the end of the step only, once it is known what it meets.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.bounds import goes_far
-from tamias2d.engine.solver.energy import unchanged_by_contacts
+from tamias2d.engine.energy.step_energy import unchanged_by_contacts
 from tamias2d.engine.tables import Bodies, Control
 from tamias2d.generated.definitions import (
     acceleration,

@@ -11,7 +11,6 @@ does is a pass over bodies; an impact looks at the pairs of both bodies.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.contact_list import current_contacts
-from tamias2d.engine.contact_log import log_events
 from tamias2d.engine.continuous.impact import record_impact
 from tamias2d.engine.hard_scene import are_hard_discs
 from tamias2d.engine.motion.hard_impacts import list_partners, pass_impacts
@@ -20,6 +19,7 @@ from tamias2d.engine.motion.hard_paths import begin_paths, disc_and_other, fly_o
 from tamias2d.engine.motion.hard_rest import begin_rest, footing, push_of_rest
 from tamias2d.engine.motion.quiet import age, is_known, note_quiet, show_moved
 from tamias2d.engine.narrow_phase.touching import forget_arrangement
+from tamias2d.engine.reports.contact_log import log_events
 from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes, World
 from tamias2d.kernels.assembled import inlined
 

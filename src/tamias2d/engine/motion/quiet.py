@@ -9,7 +9,6 @@ Cost: a pass over bodies, and one over pairs until one is near.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.all_pairs import list_holds_for_good
 from tamias2d.engine.broad_phase.contact_list import current_contacts
-from tamias2d.engine.contact_log import log_events
 from tamias2d.engine.joints.activity import clear_of_joints
 from tamias2d.engine.motion.free import look_ahead
 from tamias2d.engine.narrow_phase.chain_sides import has_chains
@@ -17,6 +16,7 @@ from tamias2d.engine.narrow_phase.collide import match_impulses
 from tamias2d.engine.narrow_phase.half_plane import is_above
 from tamias2d.engine.narrow_phase.margins import CLOSE
 from tamias2d.engine.narrow_phase.touching import age_flags
+from tamias2d.engine.reports.contact_log import log_events
 from tamias2d.engine.state import is_valid_state
 from tamias2d.engine.tables import Bodies, BodyState, Contacts, Control, Shapes, World
 from tamias2d.kernels.assembled import inlined

@@ -2,8 +2,8 @@
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.narrow_phase.thickness import contact_extent
 from tamias2d.engine.tables import Bodies, Integers, Shapes
-from tamias2d.engine.thickness import contact_extent
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Vector
 

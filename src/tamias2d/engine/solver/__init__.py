@@ -1,1 +1,1 @@
-"""The contact solver: soft constraints in blocks of lanes, substep by substep, with less energy."""
+"""The contact solver: soft constraints in blocks of lanes, solved in substeps."""

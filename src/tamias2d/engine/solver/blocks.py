@@ -6,8 +6,8 @@ What stays while the arrangement does is written here, once.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.narrow_phase.material import mixed_material, mixed_surface_speed
+from tamias2d.engine.narrow_phase.thickness import contact_extent
 from tamias2d.engine.tables import Bodies, Constraints, Contacts, Integers, Shapes, Touching
-from tamias2d.engine.thickness import contact_extent
 from tamias2d.kernels.lanes import LANES
 from tamias2d.state import Array
 

@@ -7,13 +7,13 @@ back, some visits to each member and spring.
 from math import sqrt
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
-from tamias2d.engine.solver.island_damping import (
+from tamias2d.engine.energy.island_damping import (
     add_to_island,
     begin_motion,
     motion_of_all,
     place_from,
 )
+from tamias2d.engine.energy.step_energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.springs.held import turned
 from tamias2d.engine.tables import Bodies, Islands, Springs, World
 from tamias2d.generated.definitions import kinetic_energy, point_velocity

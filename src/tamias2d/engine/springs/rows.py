@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.store import Store
+from tamias2d.engine.arrays.store import Store
 from tamias2d.state import Vector
 
 

@@ -13,15 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.batch import UNSTATED, Batch
-from tamias2d.engine.canonical_order import in_order
-from tamias2d.engine.carried_touch import CarriedTouch
-from tamias2d.engine.listed_contacts import ListedContacts
-from tamias2d.engine.propagators import Propagators
-from tamias2d.engine.rows import index_of
-from tamias2d.engine.shape_form import Form, form_of
-from tamias2d.engine.shape_pool import ShapePool, by_shapes
-from tamias2d.engine.store import Store
+from tamias2d.engine.arrays.row_index import index_of
+from tamias2d.engine.arrays.store import Store
+from tamias2d.engine.bodies.batch import UNSTATED, Batch
+from tamias2d.engine.bodies.canonical_order import in_order
+from tamias2d.engine.bodies.carried_touch import CarriedTouch
+from tamias2d.engine.bodies.listed_contacts import ListedContacts
+from tamias2d.engine.motion.propagators import Propagators
+from tamias2d.engine.shapes.shape_form import Form, form_of
+from tamias2d.engine.shapes.shape_pool import ShapePool, by_shapes
 from tamias2d.scene.compound import Shape
 from tamias2d.state import Array, IntArray
 

@@ -11,10 +11,10 @@ those that touch change.
 from typing import NamedTuple
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.energy.island_damping import add_to_island, place_from, spin_is_changed
+from tamias2d.engine.energy.step_energy import mass_and_inertia
+from tamias2d.engine.energy.support import is_root
 from tamias2d.engine.islands import update_islands
-from tamias2d.engine.solver.energy import mass_and_inertia
-from tamias2d.engine.solver.island_damping import add_to_island, place_from, spin_is_changed
-from tamias2d.engine.solver.support import is_root
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Joints, Touching
 from tamias2d.generated.definitions import kinetic_energy, point_velocity
 from tamias2d.generated.island_energy import (

@@ -7,8 +7,8 @@ moved when the step began: there, gravity does no work that contacts could take 
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.energy.step_energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.solver.blocks import lane_of, points_of
-from tamias2d.engine.solver.energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
 from tamias2d.generated.definitions import kinetic_energy, momentum, point_velocity
 from tamias2d.generated.island_energy import (

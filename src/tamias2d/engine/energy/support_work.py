@@ -5,8 +5,8 @@ block, where some island leans on such.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.energy.support import SUPPORTED_BY_ONE
 from tamias2d.engine.solver.lane import Velocities, normal_speed, slip_at
-from tamias2d.engine.solver.support import SUPPORTED_BY_ONE
 from tamias2d.engine.tables import Bodies, Constraints, Islands
 from tamias2d.generated.island_energy import support_work
 

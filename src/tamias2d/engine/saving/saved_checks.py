@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.arrays.world import Capacities, SavedField, saved_fields
 from tamias2d.engine.narrow_phase.axis_cache import SIDES, STATES, TURNS
 from tamias2d.engine.tables import Saved
-from tamias2d.engine.world import Capacities, SavedField, saved_fields
 from tamias2d.state import IntArray
 
 Arrays = Mapping[str, NDArray[Any]]

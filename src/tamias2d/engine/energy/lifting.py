@@ -7,8 +7,8 @@ nothing is taken. Cost: a visit to each body, where something is lifted.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.energy import GRACE
-from tamias2d.engine.solver.support import SUPPORTED_BY_ONE, reference_at
+from tamias2d.engine.energy.step_energy import GRACE
+from tamias2d.engine.energy.support import SUPPORTED_BY_ONE, reference_at
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Touching
 from tamias2d.generated.definitions import acceleration
 from tamias2d.generated.island_energy import (

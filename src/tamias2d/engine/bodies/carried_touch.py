@@ -8,7 +8,7 @@ that they ceased to, if they did.
 import numpy as np
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.store import Store
+from tamias2d.engine.arrays.store import Store
 from tamias2d.state import IntArray
 
 

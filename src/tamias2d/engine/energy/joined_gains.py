@@ -9,7 +9,7 @@ Cost: where the motion of an island is damped, a visit to each mechanism.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.support import FREE
+from tamias2d.engine.energy.support import FREE
 from tamias2d.engine.tables import Control, Islands, Joints, World
 from tamias2d.generated.definitions import kinetic_energy
 from tamias2d.state import Array

@@ -6,8 +6,8 @@ from itertools import count
 import numpy as np
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.arrays.store import Store
 from tamias2d.engine.parts import part_substeps
-from tamias2d.engine.store import Store
 from tamias2d.generated import drag
 from tamias2d.state import Array, IntArray
 

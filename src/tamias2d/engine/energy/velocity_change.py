@@ -1,7 +1,7 @@
 """What is taken from a body along a change of its velocities that gave it energy (DD88)."""
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.energy.step_energy import mass_and_inertia
 from tamias2d.generated.island_energy import (
     angular_velocity_reduced,
     angular_velocity_seen,

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.arrays.memory import LINE, aligned_zeros
 from tamias2d.engine.broad_phase.bvh import first_leaf_node
-from tamias2d.engine.memory import LINE, aligned_zeros
 from tamias2d.engine.tables import BodyState, Contacts, Rewritten, Saved, Sized, World
 from tamias2d.kernels.groups import array_type, fields_of, is_group
 

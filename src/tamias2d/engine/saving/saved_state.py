@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.arrays.world import named_arrays, saved_fields
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.saved_checks import check_saved, leaves_of
+from tamias2d.engine.saving.saved_checks import check_saved, leaves_of
 from tamias2d.engine.tables import Contacts, World
-from tamias2d.engine.world import named_arrays, saved_fields
 
 Arrays = Mapping[str, NDArray[Any]]
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.store import Store
+from tamias2d.engine.arrays.store import Store
 from tamias2d.read_only import read_only
 from tamias2d.state import Array, IntArray
 

@@ -12,8 +12,8 @@ from typing import Any
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.arrays.world import Capacities, lasting_arrays
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.world import Capacities, lasting_arrays
 from tamias2d.state import IntArray
 
 

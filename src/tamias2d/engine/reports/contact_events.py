@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.contact_report import (
+from tamias2d.engine.arrays.store import Store
+from tamias2d.engine.reports.contact_report import (
     NO_CONTACTS,
     REMEDY,
     Contacts,
@@ -22,7 +23,6 @@ from tamias2d.engine.contact_report import (
     told_pairs,
     touches_of,
 )
-from tamias2d.engine.store import Store
 from tamias2d.read_only import read_only
 from tamias2d.state import Array, IntArray
 

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.rows import index_of
-from tamias2d.engine.shape_form import Form, Pieces, joined
-from tamias2d.engine.store import Store
+from tamias2d.engine.arrays.row_index import index_of
+from tamias2d.engine.arrays.store import Store
+from tamias2d.engine.shapes.shape_form import Form, Pieces, joined
 from tamias2d.state import Array, IntArray
 
 

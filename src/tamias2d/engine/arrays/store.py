@@ -7,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.rows import index_of
-from tamias2d.engine.tables import Integers
-from tamias2d.engine.world import (
+from tamias2d.engine.arrays.row_index import index_of
+from tamias2d.engine.arrays.world import (
     Capacities,
     allocated,
     arrays_by_slot,
@@ -18,6 +17,7 @@ from tamias2d.engine.world import (
     shortened_rows,
     with_arrays,
 )
+from tamias2d.engine.tables import Integers
 from tamias2d.kernels.groups import Addresses
 from tamias2d.state import Array, IntArray
 

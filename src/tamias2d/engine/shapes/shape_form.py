@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.engine.shape_rows import ShapeRow, shape_rows
+from tamias2d.engine.shapes.shape_rows import ShapeRow, shape_rows
 from tamias2d.scene.compound import Shape
 from tamias2d.state import Array, IntArray
 

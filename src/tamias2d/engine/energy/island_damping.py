@@ -5,9 +5,9 @@ does a mechanism to the motion of what ties it. Cost: some visits to each body.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.energy.step_energy import GRACE, can_be_turned, mass_and_inertia
+from tamias2d.engine.energy.support import FREE, LEAST_SHARE, SUPPORTED_BY_MORE
 from tamias2d.engine.joined import or_joined
-from tamias2d.engine.solver.energy import GRACE, can_be_turned, mass_and_inertia
-from tamias2d.engine.solver.support import FREE, LEAST_SHARE, SUPPORTED_BY_MORE
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
 from tamias2d.generated.definitions import (
     angular_momentum,

@@ -1,0 +1,1 @@
+"""The arrays of a world: allocated, named, and enlarged when bodies are added."""

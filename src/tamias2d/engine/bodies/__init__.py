@@ -1,0 +1,1 @@
+"""Bodies that come, go and change: their rows, their order, and their contacts."""

@@ -1,0 +1,1 @@
+"""The energy of islands: measured from what bears them, and taken where it is too much."""

@@ -1,0 +1,1 @@
+"""What steps tell: contacts, their beginning and end, and walls that leave a gap."""

@@ -1,0 +1,1 @@
+"""An engine saved, checked as it is read, and copied in memory."""

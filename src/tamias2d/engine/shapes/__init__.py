@@ -1,0 +1,1 @@
+"""Shapes: which rows hold them, and how rows and shapes are made of each other."""
