@@ -684,7 +684,7 @@ def explicit_euler(
 
     Position and velocity both move along the slopes of the step's beginning.
 
-    Source: srs/schemes/euler.md:29; hairer1993.
+    Source: srs/schemes/euler.md:30; hairer1993.
     """
     rate_1 = acceleration(time, position, velocity)
     position_end = position + time_step * velocity
@@ -699,7 +699,7 @@ def semi_implicit_euler(
 
     The velocity takes a full kick, then the position drifts with the velocity that results.
 
-    Source: srs/schemes/euler.md:55; hairer2006.
+    Source: srs/schemes/euler.md:57; hairer2006.
     """
     velocity = velocity + time_step * acceleration(time, position, velocity)
     position = position + time_step * velocity

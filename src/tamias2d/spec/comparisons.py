@@ -61,10 +61,11 @@ COMPARISONS = {
     ),
     "values": _comparison("module", "calls", module=TEXT, calls=_LIST),
     "refuses": _comparison("scenes", scenes=_MAPPING),
+    "notes": _comparison("scenes", scenes=_MAPPING),
     "pace": _comparison(),
     "survey": mapping(
         ("questions", "answers"), task=TEXT, questions=_LIST, answers=WHOLE, limit=TEXT
     ),
 }
-WITHOUT_RUN = ("reference", "values", "refuses", "survey")
+WITHOUT_RUN = ("reference", "values", "refuses", "notes", "survey")
 """Comparisons that ask for no run of the case's scene; all others do, and for how long."""

@@ -39,6 +39,7 @@ COMPARISONS: dict[str, Comparison] = {
     "worlds": worlds.compare,
     "values": values.compare,
     "refuses": refuses.compare,
+    "notes": refuses.compare_notes,
     "pace": pace.compare,
     "survey": people.compare,
 }
