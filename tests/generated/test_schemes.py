@@ -56,7 +56,7 @@ def test_legacy_2018_translation_has_order_0() -> None:
 
 
 def test_legacy_2018_rotation_has_order_1() -> None:
-    """srs/schemes/legacy.md:35."""
+    """srs/schemes/legacy.md:38."""
     found = observed_order_of_levels(schemes.legacy_2018_rotation)
     assert found == pytest.approx(1, abs=0.1)
 

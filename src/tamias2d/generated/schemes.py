@@ -733,7 +733,7 @@ def legacy_2018_translation(
     """Translation in the program of 2018, of order 0.
 
     The position moves with half the velocity and with the acceleration of the step before; the
-    velocity with the mean of the accelerations before and now.
+    velocity with the mean of that and of the one of now, at the beginning of the step.
 
     Source: srs/schemes/legacy.md:19; tamias2018.
     """
@@ -749,9 +749,9 @@ def legacy_2018_rotation(
     """Rotation in the program of 2018, of order 1.
 
     The orientation moves with the full angular velocity and with the angular acceleration of
-    the step before; the angular velocity with the one of now.
+    the step before; the angular velocity with the one of now, at the beginning of the step.
 
-    Source: srs/schemes/legacy.md:35; tamias2018.
+    Source: srs/schemes/legacy.md:38; tamias2018.
     """
     return (
         position + time_step * velocity + time_step * time_step / 2 * previous,
