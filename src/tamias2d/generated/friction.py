@@ -568,6 +568,6 @@ def friction_force_most(contact_force: Scalar, pair_friction: Scalar) -> Scalar:
         contact_force: Size of the force of a resting contact along its normal, N
         pair_friction: The coefficient of friction that holds between two bodies, 1
 
-    Source: IM18, srs/models/friction.md:643.
+    Source: IM18, srs/models/friction.md:644.
     """
     return pair_friction * contact_force

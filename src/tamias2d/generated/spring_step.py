@@ -266,7 +266,7 @@ def early_share(early_share_a: Scalar, early_share_b: Scalar) -> Scalar:
         early_share_b: Share of half a step by which a force acts before the middle of the step,
             on the mean; of body B, 1
 
-    Source: DD53, srs/models/spring_step.md:237.
+    Source: DD53, srs/models/spring_step.md:240.
     """
     return (early_share_a + early_share_b) / 2
 
@@ -293,7 +293,7 @@ def velocity_later(
         early_share: Share of half a step by which a force acts before the middle of the step,
             on the mean, 1
 
-    Source: DD53, srs/models/spring_step.md:238.
+    Source: DD53, srs/models/spring_step.md:241.
     """
     velocity_x, velocity_y = velocity
     force_x, force_y = force
@@ -327,7 +327,7 @@ def angular_velocity_later(
         early_share: Share of half a step by which a force acts before the middle of the step,
             on the mean, 1
 
-    Source: DD53, srs/models/spring_step.md:241.
+    Source: DD53, srs/models/spring_step.md:244.
     """
     return angular_velocity + (1 - early_share) * time_step / 2 * inverse_inertia * (
         torque_later - torque
@@ -348,7 +348,7 @@ def critical_step(
         force_later: Applied force on a body, without its weight; after the bodies have moved, N
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD54, srs/models/spring_step.md:345.
+    Source: DD54, srs/models/spring_step.md:348.
     """
     force_x, force_y = force
     force_later_x, force_later_y = force_later
@@ -381,6 +381,6 @@ def critical_step_turning(
             the bodies have moved, N*m
         turn: How far a body has turned since the step began, rad
 
-    Source: DD54, srs/models/spring_step.md:348.
+    Source: DD54, srs/models/spring_step.md:351.
     """
     return 2 * sqrt(abs(turn) / largest(inverse_inertia * abs(torque_later - torque), 1e-150))
