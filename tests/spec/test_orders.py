@@ -13,7 +13,7 @@ def two_level(position: tuple[Fraction, ...], velocity: tuple[Fraction, ...]) ->
 
 
 def test_extrapolation_from_the_step_before_has_order_two() -> None:
-    """Adams and Bashforth's: three halves of the acceleration of now, less half of the one before."""
+    """Adams and Bashforth's: three halves of the acceleration of now, less half of the last."""
     assert order(two_level((ALL, HALF, Fraction(0)), (-HALF, 3 * HALF)), 3) == 2
 
 

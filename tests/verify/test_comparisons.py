@@ -66,7 +66,8 @@ WRONG: list[tuple[str, str, Change]] = [
     ("OC1", "refuses", put("refuses", "scenes", "negative mass", "says", "charge")),
     ("OC1", "refuses", put("refuses", "scenes", "negative mass", "scene", "bodies", "body",
                            "mass", "1 kg")),
-    ("OA9k", "notes", put("notes", "scenes", "Verlet with steps of 0.2002 s", "time_step", "0.2 s")),
+    ("OA9k", "notes", put("notes", "scenes", "Verlet with steps of 0.2002 s", "time_step",
+                          "0.2 s")),
 ]  # fmt: skip
 
 

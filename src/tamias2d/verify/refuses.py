@@ -1,4 +1,4 @@
-"""Check that inputs which break a rule are refused, by name, and that runs note what they survive."""
+"""Check that inputs which break a rule are refused, by name, and that runs note what they say."""
 
 import math
 from collections.abc import Iterator, Mapping
