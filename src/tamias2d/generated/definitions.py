@@ -19,7 +19,7 @@ def point_velocity(velocity: Vector, angular_velocity: Scalar, arm: Vector) -> V
     Args:
         velocity: Velocity of the centre of mass, m/s
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
-        arm: Lever arm, from the centre of mass to the contact point, m
+        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
 
     Source: DD9, srs/definitions.md:71.
     """
@@ -34,7 +34,7 @@ def torque(arm: Vector, force: Vector) -> Scalar:
     torque = cross(arm, force)
 
     Args:
-        arm: Lever arm, from the centre of mass to the contact point, m
+        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
         force: Applied force on a body, without its weight, N
 
     Source: DD13, srs/definitions.md:88.
@@ -258,8 +258,8 @@ def inertia_compound(inertia_i: Scalar, mass_i: Scalar, arm_i: Vector) -> Scalar
         inertia_i: Moment of inertia about the centre of mass; of each particle, body or vertex
             in turn, kg*m^2
         mass_i: Mass of a body; of each particle, body or vertex in turn, kg
-        arm_i: Lever arm, from the centre of mass to the contact point; of each particle, body
-            or vertex in turn, m
+        arm_i: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of each particle, body or vertex in turn, m
 
     Source: DD25, srs/definitions.md:195.
     """
@@ -489,7 +489,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:529.
+    Source: DD22, srs/definitions.md:528.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -506,7 +506,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:542.
+    Source: DD23, srs/definitions.md:541.
     """
     return sqrt(friction_a * friction_b)
 
@@ -524,7 +524,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:560.
+    Source: DD15, srs/definitions.md:559.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -543,7 +543,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:574.
+    Source: DD16, srs/definitions.md:573.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -562,7 +562,7 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:591.
+    Source: DD60, srs/definitions.md:590.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
 

@@ -827,7 +827,7 @@ SYMBOLS: dict[str, Symbol] = {
     "arm": Symbol(
         "arm",
         "m",
-        "lever arm, from the centre of mass to the contact point",
+        "lever arm, from the centre of mass to where a contact, a force or a joint acts",
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
@@ -839,7 +839,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=545,
+        line=546,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -847,7 +847,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=549,
+        line=550,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -855,7 +855,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=555,
+        line=556,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -863,7 +863,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=561,
+        line=562,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -871,7 +871,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=565,
+        line=566,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -880,7 +880,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=569,
+        line=570,
     ),
     "coupling": Symbol(
         "coupling",
@@ -888,7 +888,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=574,
+        line=575,
     ),
     "impulse": Symbol(
         "impulse",
@@ -897,7 +897,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=580,
+        line=581,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -905,7 +905,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=585,
+        line=586,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -913,7 +913,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=589,
+        line=590,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -922,7 +922,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=595,
+        line=596,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -931,7 +931,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=600,
+        line=601,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -939,7 +939,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=607,
+        line=608,
     ),
     "inverse_rolling_mass": Symbol(
         "inverse_rolling_mass",
@@ -948,7 +948,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_r",
         file="srs/symbols.md",
-        line=613,
+        line=614,
     ),
     "disc_force": Symbol(
         "disc_force",
@@ -956,7 +956,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force along the normal that holds a disc up",
         tex="F_d",
         file="srs/symbols.md",
-        line=620,
+        line=621,
     ),
     "rolling_friction": Symbol(
         "rolling_friction",
@@ -964,7 +964,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force along the tangent with which a disc does not begin to slide",
         tex="F_r",
         file="srs/symbols.md",
-        line=624,
+        line=625,
     ),
     "settling_impulse": Symbol(
         "settling_impulse",
@@ -973,7 +973,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="j_r",
         file="srs/symbols.md",
-        line=628,
+        line=629,
     ),
     "bounced_impulse": Symbol(
         "bounced_impulse",
@@ -982,7 +982,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_b",
         file="srs/symbols.md",
-        line=635,
+        line=636,
     ),
     "creep": Symbol(
         "creep",
@@ -990,7 +990,7 @@ SYMBOLS: dict[str, Symbol] = {
         "way along the tangent in the bounces that are left, at each of which a contact sticks",
         tex="s_b",
         file="srs/symbols.md",
-        line=640,
+        line=641,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -998,7 +998,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=646,
+        line=647,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -1006,7 +1006,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=650,
+        line=651,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -1015,7 +1015,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=654,
+        line=655,
     ),
     "share": Symbol(
         "share",
@@ -1024,7 +1024,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma",
         file="srs/symbols.md",
-        line=659,
+        line=660,
     ),
     "sense": Symbol(
         "sense",
@@ -1033,7 +1033,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=666,
+        line=667,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -1042,7 +1042,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=673,
+        line=674,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -1051,7 +1051,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=678,
+        line=679,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -1059,7 +1059,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=683,
+        line=684,
     ),
     "overlap": Symbol(
         "overlap",
@@ -1067,7 +1067,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=687,
+        line=688,
     ),
     "line": Symbol(
         "line",
@@ -1076,7 +1076,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=699,
+        line=700,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -1084,7 +1084,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=704,
+        line=705,
     ),
     "bend": Symbol(
         "bend",
@@ -1092,7 +1092,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=709,
+        line=710,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -1100,7 +1100,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=714,
+        line=715,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -1109,7 +1109,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=718,
+        line=719,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -1117,7 +1117,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=723,
+        line=724,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -1126,7 +1126,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=727,
+        line=728,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -1135,7 +1135,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=732,
+        line=733,
     ),
     "substeps": Symbol(
         "substeps",
@@ -1144,7 +1144,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="n_h",
         file="srs/symbols.md",
-        line=737,
+        line=738,
     ),
     "slowest_impact": Symbol(
         "slowest_impact",
@@ -1153,7 +1153,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_{\\min}",
         file="srs/symbols.md",
-        line=742,
+        line=743,
     ),
     "surface_speed": Symbol(
         "surface_speed",
@@ -1161,7 +1161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed at which the surface of a body runs along itself, counter-clockwise around the body",
         tex="w_s",
         file="srs/symbols.md",
-        line=747,
+        line=748,
     ),
     "surface_speed_both": Symbol(
         "surface_speed_both",
@@ -1169,7 +1169,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed at which the surfaces of two bodies run along the tangent of their contact, in sum",
         tex="w_{AB}",
         file="srs/symbols.md",
-        line=751,
+        line=752,
     ),
     "surface_slip": Symbol(
         "surface_slip",
@@ -1177,7 +1177,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's surface seen from A's at a contact, along the tangent",
         tex="v_w",
         file="srs/symbols.md",
-        line=755,
+        line=756,
     ),
     "row_velocity_driven": Symbol(
         "row_velocity_driven",
@@ -1185,7 +1185,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of a row after a substep in which forces act and contacts do not",
         tex="u_F",
         file="srs/symbols.md",
-        line=759,
+        line=760,
     ),
     "row_acceleration": Symbol(
         "row_acceleration",
@@ -1193,10 +1193,10 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration of a row by forces",
         tex="a_u",
         file="srs/symbols.md",
-        line=763,
+        line=764,
     ),
     "row_shift": Symbol(
-        "row_shift", "m", "way of a row along its line", tex="s_u", file="srs/symbols.md", line=767
+        "row_shift", "m", "way of a row along its line", tex="s_u", file="srs/symbols.md", line=768
     ),
     "impact_velocity": Symbol(
         "impact_velocity",
@@ -1204,7 +1204,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along the normal with which a gap closes",
         tex="u_{\\mathrm{hit}}",
         file="srs/symbols.md",
-        line=771,
+        line=772,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -1213,7 +1213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=775,
+        line=776,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -1221,7 +1221,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=780,
+        line=781,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -1229,7 +1229,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=784,
+        line=785,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -1238,7 +1238,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=788,
+        line=789,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -1247,7 +1247,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=793,
+        line=794,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -1255,7 +1255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=798,
+        line=799,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -1264,7 +1264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=802,
+        line=803,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -1273,7 +1273,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=807,
+        line=808,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -1282,7 +1282,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=812,
+        line=813,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -1291,7 +1291,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=819,
+        line=820,
     ),
     "extent": Symbol(
         "extent",
@@ -1300,7 +1300,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=826,
+        line=827,
     ),
     "firmest": Symbol(
         "firmest",
@@ -1309,7 +1309,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=833,
+        line=834,
     ),
     "preload": Symbol(
         "preload",
@@ -1318,7 +1318,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=838,
+        line=839,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -1327,7 +1327,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=843,
+        line=844,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1336,7 +1336,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=848,
+        line=849,
     ),
     "gap_share": Symbol(
         "gap_share",
@@ -1345,7 +1345,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=853,
+        line=854,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1354,7 +1354,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=858,
+        line=859,
     ),
     "half_width": Symbol(
         "half_width",
@@ -1363,7 +1363,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\bar{w}",
         file="srs/symbols.md",
-        line=863,
+        line=864,
     ),
     "corner_fall": Symbol(
         "corner_fall",
@@ -1372,7 +1372,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_f",
         file="srs/symbols.md",
-        line=868,
+        line=869,
     ),
     "extent_thin": Symbol(
         "extent_thin",
@@ -1381,7 +1381,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=874,
+        line=875,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1390,7 +1390,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=879,
+        line=880,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1399,7 +1399,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=884,
+        line=885,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1408,7 +1408,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=889,
+        line=890,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1416,7 +1416,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=894,
+        line=895,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1424,7 +1424,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=898,
+        line=899,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1432,7 +1432,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=902,
+        line=903,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1440,7 +1440,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=906,
+        line=907,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1448,7 +1448,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=910,
+        line=911,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1457,7 +1457,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=914,
+        line=915,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1466,7 +1466,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=919,
+        line=920,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1475,7 +1475,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=924,
+        line=925,
     ),
     "shift": Symbol(
         "shift",
@@ -1484,7 +1484,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=929,
+        line=930,
     ),
     "turn": Symbol(
         "turn",
@@ -1492,7 +1492,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\Theta",
         file="srs/symbols.md",
-        line=934,
+        line=935,
     ),
     "early_share": Symbol(
         "early_share",
@@ -1501,7 +1501,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon_h",
         file="srs/symbols.md",
-        line=938,
+        line=939,
     ),
     "step_share": Symbol(
         "step_share",
@@ -1509,7 +1509,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of a step that is over",
         tex="\\sigma_h",
         file="srs/symbols.md",
-        line=945,
+        line=946,
     ),
     "impulse_late": Symbol(
         "impulse_late",
@@ -1517,7 +1517,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sum of the impulses of a contact in a step, each times the share of the step that was over",
         tex="j_{\\mathrm{late}}",
         file="srs/symbols.md",
-        line=949,
+        line=950,
     ),
     "impulse_turned": Symbol(
         "impulse_turned",
@@ -1526,7 +1526,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{j}",
         file="srs/symbols.md",
-        line=955,
+        line=956,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1535,7 +1535,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=960,
+        line=961,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1544,7 +1544,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=967,
+        line=968,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1553,7 +1553,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=972,
+        line=973,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1562,7 +1562,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=979,
+        line=980,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1571,7 +1571,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=986,
+        line=987,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1580,7 +1580,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=992,
+        line=993,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1588,7 +1588,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=999,
+        line=1000,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1597,7 +1597,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=1012,
+        line=1013,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1605,7 +1605,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=1017,
+        line=1018,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1613,7 +1613,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=1021,
+        line=1022,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1622,7 +1622,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=1027,
+        line=1028,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1630,7 +1630,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=1032,
+        line=1033,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1639,7 +1639,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=1036,
+        line=1037,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1647,7 +1647,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=1041,
+        line=1042,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1656,7 +1656,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=1045,
+        line=1046,
     ),
     "advance": Symbol(
         "advance",
@@ -1665,7 +1665,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=1050,
+        line=1051,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1673,7 +1673,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=1055,
+        line=1056,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1682,7 +1682,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=1059,
+        line=1060,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1690,7 +1690,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=1064,
+        line=1065,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1698,7 +1698,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=1068,
+        line=1069,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1707,7 +1707,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=1072,
+        line=1073,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1715,7 +1715,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=1077,
+        line=1078,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1723,7 +1723,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=1081,
+        line=1082,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1731,7 +1731,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1086,
+        line=1087,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1739,7 +1739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1092,
+        line=1093,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1748,7 +1748,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_c",
         file="srs/symbols.md",
-        line=1096,
+        line=1097,
     ),
     "slip": Symbol(
         "slip",
@@ -1756,7 +1756,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1103,
+        line=1104,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1764,7 +1764,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="\\mathcal{D}",
         file="srs/symbols.md",
-        line=1109,
+        line=1110,
     ),
     "circling": Symbol(
         "circling",
@@ -1773,7 +1773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\chi_\\omega",
         file="srs/symbols.md",
-        line=1113,
+        line=1114,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1781,7 +1781,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1120,
+        line=1121,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1790,7 +1790,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1124,
+        line=1125,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1799,7 +1799,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1129,
+        line=1130,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1808,7 +1808,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1134,
+        line=1135,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1816,7 +1816,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1139,
+        line=1140,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1825,7 +1825,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1143,
+        line=1144,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1833,7 +1833,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1148,
+        line=1149,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1841,7 +1841,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1152,
+        line=1153,
     ),
     "arc": Symbol(
         "arc",
@@ -1850,7 +1850,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Theta_{\\max}",
         file="srs/symbols.md",
-        line=1158,
+        line=1159,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1859,7 +1859,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1163,
+        line=1164,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1867,7 +1867,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1173,
+        line=1174,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1875,7 +1875,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1177,
+        line=1178,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1884,7 +1884,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1181,
+        line=1182,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1893,7 +1893,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1186,
+        line=1187,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1902,7 +1902,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1191,
+        line=1192,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1911,7 +1911,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1196,
+        line=1197,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1920,7 +1920,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1201,
+        line=1202,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1928,7 +1928,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1206,
+        line=1207,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1937,7 +1937,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1215,
+        line=1216,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1945,7 +1945,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1220,
+        line=1221,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1954,7 +1954,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1224,
+        line=1225,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1962,7 +1962,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1229,
+        line=1230,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1970,7 +1970,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1233,
+        line=1234,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1979,7 +1979,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1237,
+        line=1238,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1988,7 +1988,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1242,
+        line=1243,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1997,7 +1997,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1247,
+        line=1248,
     ),
     "work": Symbol(
         "work",
@@ -2005,7 +2005,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1252,
+        line=1253,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -2014,7 +2014,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1256,
+        line=1257,
     ),
     "support_work": Symbol(
         "support_work",
@@ -2023,7 +2023,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1261,
+        line=1262,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -2032,7 +2032,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1266,
+        line=1267,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2040,7 +2040,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1271,
+        line=1272,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2048,7 +2048,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_{\\mathrm{sup}}",
         file="srs/symbols.md",
-        line=1275,
+        line=1276,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2057,7 +2057,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1279,
+        line=1280,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2065,7 +2065,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1285,
+        line=1286,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2074,7 +2074,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1289,
+        line=1290,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2083,7 +2083,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1294,
+        line=1295,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2092,7 +2092,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1299,
+        line=1300,
     ),
     "rising_energy_left": Symbol(
         "rising_energy_left",
@@ -2101,7 +2101,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1304,
+        line=1305,
     ),
     "velocity_rising_reduced": Symbol(
         "velocity_rising_reduced",
@@ -2110,7 +2110,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1309,
+        line=1310,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2118,7 +2118,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1314,
+        line=1315,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2127,7 +2127,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1320,
+        line=1321,
     ),
     "energy_along_given_left": Symbol(
         "energy_along_given_left",
@@ -2136,7 +2136,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1325,
+        line=1326,
     ),
     "velocity_reduced": Symbol(
         "velocity_reduced",
@@ -2145,7 +2145,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1330,
+        line=1331,
     ),
     "angular_velocity_reduced": Symbol(
         "angular_velocity_reduced",
@@ -2153,7 +2153,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1335,
+        line=1336,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2162,7 +2162,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1339,
+        line=1340,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2170,7 +2170,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1344,
+        line=1345,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2179,7 +2179,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1348,
+        line=1349,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2187,7 +2187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1353,
+        line=1354,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2196,7 +2196,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1358,
+        line=1359,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2205,7 +2205,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1363,
+        line=1364,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2214,7 +2214,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1368,
+        line=1369,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2222,7 +2222,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1373,
+        line=1374,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2230,7 +2230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1377,
+        line=1378,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2238,15 +2238,15 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1381,
+        line=1382,
     ),
-    "energy_unpaid": Symbol(
-        "energy_unpaid",
+    "energy_defect": Symbol(
+        "energy_defect",
         "J",
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1385,
+        line=1386,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2255,7 +2255,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1391,
+        line=1392,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2264,7 +2264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1396,
+        line=1397,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2273,7 +2273,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1403,
+        line=1404,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2282,7 +2282,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1408,
+        line=1409,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2290,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1413,
+        line=1414,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2298,7 +2298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\ell_v",
         file="srs/symbols.md",
-        line=1418,
+        line=1419,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2306,7 +2306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1424,
+        line=1425,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2315,7 +2315,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_L",
         file="srs/symbols.md",
-        line=1428,
+        line=1429,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2324,7 +2324,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1435,
+        line=1436,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2333,7 +2333,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1440,
+        line=1441,
     ),
     "energy": Symbol(
         "energy",
@@ -2341,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1445,
+        line=1446,
     ),
     "radius": Symbol(
         "radius",
@@ -2350,7 +2350,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1454,
+        line=1455,
     ),
     "length": Symbol(
         "length",
@@ -2359,7 +2359,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1459,
+        line=1460,
     ),
     "width": Symbol(
         "width",
@@ -2368,7 +2368,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1466,
+        line=1467,
     ),
     "height": Symbol(
         "height",
@@ -2377,7 +2377,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1471,
+        line=1472,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2386,7 +2386,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1476,
+        line=1477,
     ),
     "center": Symbol(
         "center",
@@ -2395,7 +2395,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1481,
+        line=1482,
     ),
     "offset": Symbol(
         "offset",
@@ -2403,7 +2403,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1486,
+        line=1487,
     ),
     "area": Symbol(
         "area",
@@ -2412,7 +2412,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1490,
+        line=1491,
     ),
     "way": Symbol(
         "way",
@@ -2421,7 +2421,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_c",
         file="srs/symbols.md",
-        line=1495,
+        line=1496,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2429,7 +2429,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha_c",
         file="srs/symbols.md",
-        line=1500,
+        line=1501,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2438,7 +2438,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1504,
+        line=1505,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2447,7 +2447,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1509,
+        line=1510,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2455,7 +2455,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta_e",
         file="srs/symbols.md",
-        line=1514,
+        line=1515,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2463,7 +2463,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1518,
+        line=1519,
     ),
     "lean": Symbol(
         "lean",
@@ -2471,7 +2471,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1522,
+        line=1523,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2479,7 +2479,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho_c",
         file="srs/symbols.md",
-        line=1526,
+        line=1527,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2487,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1530,
+        line=1531,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2496,7 +2496,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1536,
+        line=1537,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2504,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1549,
+        line=1550,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2512,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1553,
+        line=1554,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2520,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1557,
+        line=1558,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2528,7 +2528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1561,
+        line=1562,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2537,7 +2537,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta_C",
         file="srs/symbols.md",
-        line=1565,
+        line=1566,
     ),
     "slope": Symbol(
         "slope",
@@ -2546,7 +2546,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}",
         file="srs/symbols.md",
-        line=1570,
+        line=1571,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2555,7 +2555,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}_0",
         file="srs/symbols.md",
-        line=1575,
+        line=1576,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2564,7 +2564,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta G^2",
         file="srs/symbols.md",
-        line=1580,
+        line=1581,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2573,7 +2573,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="G^2",
         file="srs/symbols.md",
-        line=1585,
+        line=1586,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2581,7 +2581,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="G_\\varphi",
         file="srs/symbols.md",
-        line=1590,
+        line=1591,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2589,7 +2589,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1594,
+        line=1595,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2597,7 +2597,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e_G",
         file="srs/symbols.md",
-        line=1598,
+        line=1599,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2606,7 +2606,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_G",
         file="srs/symbols.md",
-        line=1602,
+        line=1603,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2614,7 +2614,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="G_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1607,
+        line=1608,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2622,7 +2622,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_G",
         file="srs/symbols.md",
-        line=1611,
+        line=1612,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2630,7 +2630,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1615,
+        line=1616,
     ),
     "inertia_factor_most": Symbol(
         "inertia_factor_most",
@@ -2638,7 +2638,7 @@ SYMBOLS: dict[str, Symbol] = {
         "most times its own inertia with which a body counts in joints",
         tex="\\kappa_{\\max}",
         file="srs/symbols.md",
-        line=1619,
+        line=1620,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2646,7 +2646,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1623,
+        line=1624,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2654,7 +2654,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1627,
+        line=1628,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2662,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1631,
+        line=1632,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2670,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1635,
+        line=1636,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2678,7 +2678,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1639,
+        line=1640,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2686,7 +2686,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1643,
+        line=1644,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2695,7 +2695,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1647,
+        line=1648,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2703,7 +2703,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda_l",
         file="srs/symbols.md",
-        line=1652,
+        line=1653,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2712,7 +2712,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1656,
+        line=1657,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2720,7 +2720,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1661,
+        line=1662,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2729,7 +2729,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1665,
+        line=1666,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2738,7 +2738,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1670,
+        line=1671,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2747,7 +2747,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1675,
+        line=1676,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2756,7 +2756,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1680,
+        line=1681,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2764,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1685,
+        line=1686,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2773,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1689,
+        line=1690,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2781,7 +2781,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1694,
+        line=1695,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2789,7 +2789,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1698,
+        line=1699,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2798,7 +2798,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1702,
+        line=1703,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2807,7 +2807,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1707,
+        line=1708,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2815,7 +2815,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1712,
+        line=1713,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2824,7 +2824,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1716,
+        line=1717,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2832,7 +2832,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1721,
+        line=1722,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2840,7 +2840,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1725,
+        line=1726,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2849,7 +2849,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1729,
+        line=1730,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2858,7 +2858,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1734,
+        line=1735,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2867,7 +2867,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1739,
+        line=1740,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2876,7 +2876,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1744,
+        line=1745,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2885,7 +2885,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1749,
+        line=1750,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2894,7 +2894,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1754,
+        line=1755,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2903,7 +2903,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=1759,
+        line=1760,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2912,7 +2912,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=1764,
+        line=1765,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -2921,7 +2921,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=1769,
+        line=1770,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -2930,7 +2930,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1774,
+        line=1775,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2939,7 +2939,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1779,
+        line=1780,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2947,7 +2947,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1784,
+        line=1785,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2956,7 +2956,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1788,
+        line=1789,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2965,7 +2965,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1793,
+        line=1794,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2974,7 +2974,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1798,
+        line=1799,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2982,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1803,
+        line=1804,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2991,7 +2991,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=1807,
+        line=1808,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2999,7 +2999,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1812,
+        line=1813,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3007,7 +3007,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=1816,
+        line=1817,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3016,7 +3016,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1820,
+        line=1821,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3025,7 +3025,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1825,
+        line=1826,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3034,7 +3034,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1830,
+        line=1831,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3042,7 +3042,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1835,
+        line=1836,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3050,7 +3050,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1839,
+        line=1840,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3058,7 +3058,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1843,
+        line=1844,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3067,7 +3067,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=1847,
+        line=1848,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3076,7 +3076,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=1852,
+        line=1853,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3085,7 +3085,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1857,
+        line=1858,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3094,7 +3094,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1862,
+        line=1863,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3103,7 +3103,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=1867,
+        line=1868,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3112,7 +3112,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=1872,
+        line=1873,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3121,7 +3121,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=1877,
+        line=1878,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3130,7 +3130,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=1882,
+        line=1883,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3138,7 +3138,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1887,
+        line=1888,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3147,7 +3147,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1891,
+        line=1892,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3155,7 +3155,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1896,
+        line=1897,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3164,7 +3164,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1900,
+        line=1901,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3173,7 +3173,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1905,
+        line=1906,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3182,7 +3182,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1910,
+        line=1911,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3191,7 +3191,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1915,
+        line=1916,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3200,7 +3200,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=1920,
+        line=1921,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3208,7 +3208,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1925,
+        line=1926,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3217,7 +3217,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1929,
+        line=1930,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3226,7 +3226,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1934,
+        line=1935,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3235,7 +3235,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1939,
+        line=1940,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3244,7 +3244,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1944,
+        line=1945,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3252,7 +3252,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1949,
+        line=1950,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3260,7 +3260,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1953,
+        line=1954,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3269,7 +3269,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1957,
+        line=1958,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3278,7 +3278,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1962,
+        line=1963,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3287,7 +3287,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1967,
+        line=1968,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3296,7 +3296,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1972,
+        line=1973,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3305,7 +3305,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1977,
+        line=1978,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3314,7 +3314,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1982,
+        line=1983,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3323,7 +3323,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1987,
+        line=1988,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3332,7 +3332,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1992,
+        line=1993,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3341,7 +3341,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1997,
+        line=1998,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3349,7 +3349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2002,
+        line=2003,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3357,7 +3357,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2006,
+        line=2007,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3366,7 +3366,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2010,
+        line=2011,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3374,7 +3374,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2015,
+        line=2016,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3382,7 +3382,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2019,
+        line=2020,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3391,7 +3391,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2023,
+        line=2024,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3400,7 +3400,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2028,
+        line=2029,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3409,7 +3409,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2033,
+        line=2034,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3417,7 +3417,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2038,
+        line=2039,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3426,7 +3426,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2042,
+        line=2043,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3434,7 +3434,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2047,
+        line=2048,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3443,7 +3443,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2051,
+        line=2052,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3451,7 +3451,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2056,
+        line=2057,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3460,7 +3460,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2060,
+        line=2061,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3468,7 +3468,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2065,
+        line=2066,
     ),
     "change": Symbol(
         "change",
@@ -3477,7 +3477,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2069,
+        line=2070,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3486,7 +3486,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2074,
+        line=2075,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3495,7 +3495,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2079,
+        line=2080,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3503,7 +3503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2084,
+        line=2085,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3512,7 +3512,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2088,
+        line=2089,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3520,7 +3520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2093,
+        line=2094,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3528,7 +3528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2097,
+        line=2098,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3536,7 +3536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2101,
+        line=2102,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3545,7 +3545,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2105,
+        line=2106,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3553,7 +3553,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2110,
+        line=2111,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3562,6 +3562,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2114,
+        line=2115,
     ),
 }
