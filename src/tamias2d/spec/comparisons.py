@@ -46,6 +46,15 @@ COMPARISONS = {
     "conserves": _comparison(
         momentum=_TREND, angular_momentum=_TREND, energy=_TREND, schemes=_MAPPING
     ),
+    "stepped": _comparison(
+        "time_step",
+        time_step=TEXT,
+        bodies=_MAPPING,
+        momentum=_TREND,
+        angular_momentum=_TREND,
+        energy=_TREND,
+        centre_of_mass={"enum": ["uniform"]},
+    ),
     "reference": _comparison("scenes", scenes=_MAPPING),
     "worlds": _comparison(
         "vary",
