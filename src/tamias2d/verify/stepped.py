@@ -1,4 +1,4 @@
-"""Compare a run in steps through contacts: where it ends, what it keeps, and its bits (R12, R16)."""
+"""Compare a run in steps through contacts: where it ends, what it keeps, its bits (R12, R16)."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -19,7 +19,7 @@ from tamias2d.verify.outcome import Outcome
 
 
 def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
-    """The states at the end and what stays the same, as stated; the bits of a second run, and of its recording."""
+    """The end, and what stays the same, as stated; the bits of a second run, and read back."""
     step = float(measure(given["time_step"], "time_step"))
     run, again = (
         simulate(case.scene, duration=case.duration, method=Stepped(), time_step=step)
