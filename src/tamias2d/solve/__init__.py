@@ -5,7 +5,7 @@ a run.
 """
 
 from tamias2d.solve.assembly import work_limit_of
-from tamias2d.solve.following import Interrupted
+from tamias2d.solve.following import Interrupted, interruptible
 from tamias2d.solve.plan import FRAMES, planned
 from tamias2d.solve.sampling import sampler
 from tamias2d.solve.solution import StoppedError, solve, solve_halved, solve_with_error
@@ -14,6 +14,7 @@ __all__ = [
     "FRAMES",
     "Interrupted",
     "StoppedError",
+    "interruptible",
     "planned",
     "sampler",
     "solve",

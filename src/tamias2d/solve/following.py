@@ -1,10 +1,16 @@
 """A run followed up to its end, with a progress bar, and stopped by Ctrl-C without being lost."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import cached_property
 from typing import Protocol
 
+import numpy as np
+
+from tamias2d.motion import Tally
 from tamias2d.run import Run
+from tamias2d.solve.assembly import NO_IMPACTS, run_of, start_of
+from tamias2d.solve.plan import Plan
 
 
 class Interrupted(KeyboardInterrupt):
@@ -21,6 +27,34 @@ class Interrupted(KeyboardInterrupt):
 
     def __str__(self) -> str:
         return f"Run of {self.run.duration:g} s: interrupted at {self.run.times[-1]:.6g} s."
+
+
+@contextmanager
+def interruptible(plan: Plan) -> Iterator[None]:
+    """Let whatever is done for a plan end by `Interrupted`, and by no bare `KeyboardInterrupt`.
+
+    Its `run` is the history that was being made for the plan, or the start alone: pilots and
+    companions, which go another way or have other samples, are none.
+    """
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        raise _interrupted(stop, plan) from None
+
+
+def _interrupted(stop: KeyboardInterrupt, plan: Plan) -> Interrupted:
+    def reached() -> Run:
+        if isinstance(stop, Interrupted) and _is_of(stop.run, plan):
+            return stop.run
+        start = plan._replace(times=np.zeros(1))
+        return run_of(start, start_of(plan), NO_IMPACTS, (), Tally())
+
+    return Interrupted(reached)
+
+
+def _is_of(run: Run, plan: Plan) -> bool:
+    """Return whether a run is of the scene and at the first of the times of a plan."""
+    return run.scene is plan.scene and np.array_equal(run.times, plan.times[: len(run.times)])
 
 
 class Solver(Protocol):

@@ -10,7 +10,6 @@ from tamias2d.motion import Dop853
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
-from tamias2d.solve import Interrupted
 from tamias2d.state import Array
 from tamias2d.study.asked import Asked
 from tamias2d.study.certify import certify_by_companion, certify_steps
@@ -55,8 +54,6 @@ def _within(asked: Asked) -> Run:
     if reason is None:
         try:
             return _located(asked)
-        except Interrupted:
-            raise
         except ToleranceError as refused:
             if refused.reachable is not None:
                 raise
