@@ -377,3 +377,14 @@ def test_a_loose_tolerance_is_met_where_a_tight_one_is(
     run = t2.simulate(scene, duration=duration, tolerance=tolerance)
     assert run.certificate is not None
     assert run.certificate.meets(tolerance)
+
+
+def test_fast_spin_is_no_long_way() -> None:
+    scene = t2.Scene(gravity=(0, 0))
+    scene.add_body(t2.Disc(radius=0.1), mass=1, position=(1, 0), angular_velocity=1e5)
+    scene.add_field(force=("-1[N/m]*x(position)-1[N/m^3]*x(position)**3", "0[N]"))
+    run = t2.simulate(scene, duration=20.0, tolerance=1e-4)
+    exact = t2.simulate(scene, duration=20.0, method=t2.Dop853(rtol=1e-13))
+    assert run.certificate is not None
+    assert "the 2.2 m that the farthest one goes" in run.certificate.measure
+    assert np.abs(run.position - exact.position).max() < 1e-4 * 2.2

@@ -12,6 +12,7 @@ from tamias2d.state import Array
 MEASURE = "distance of any point of any body from its exact place, at any time of the history"
 
 
+_ACROSS = 2.0  # times its distance from the centre a point gets by turning, at most
 _STILL = 2.0**-40  # of the size of a body
 _ROUNDING = 2.0**-46  # of a place: what solutions of a structure that stands leave
 
@@ -64,11 +65,17 @@ def scale_of(scene: Scene, far: float, place: float) -> float:
 def way(scene: Scene, history: Placed) -> float:
     """Return how far the body goes that goes farthest, m.
 
-    It is the diagonal of the box around its path, and the arc of its outermost point.
+    It is the diagonal of the box around its path, and how far its outermost point gets by turning.
     """
     span = np.ptp(history.position, axis=0)
-    arcs = np.ptp(history.orientation, axis=0) * radii(scene)
-    return float((np.hypot(span[:, 0], span[:, 1]) + arcs).max(initial=0.0))
+    turned = swung(np.ptp(history.orientation, axis=0), radii(scene))
+    return float((np.hypot(span[:, 0], span[:, 1]) + turned).max(initial=0.0))
+
+
+def swung(turned: Array, reach: Array) -> Array:
+    """Return how far points get by turning, m: no farther than twice their distance, the reach."""
+    ways: Array = np.minimum(turned, _ACROSS) * reach
+    return ways
 
 
 def radii(scene: Scene) -> Array:

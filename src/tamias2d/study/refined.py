@@ -21,7 +21,7 @@ from tamias2d.scene.restart import restarted
 from tamias2d.simulator import states_at
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError
-from tamias2d.study.error import distance, radii
+from tamias2d.study.error import distance, radii, swung
 
 _RUNS = ((1.0, 1.0), (1.25, 1.5), (1.5, 3.0), (2.0, 2.0))
 """How many steps and substeps they have for one of the first. The last has the shortest steps."""
@@ -181,7 +181,7 @@ def _lengths(scene: Scene, history: History) -> Array:
     low = np.minimum.accumulate(history.position, axis=0)
     high = np.maximum.accumulate(history.position, axis=0)
     turned = np.maximum.accumulate(history.orientation, axis=0)
-    turned = (turned - np.minimum.accumulate(history.orientation, axis=0)) * radii(scene)
-    ways = np.linalg.norm(high - low, axis=-1) + turned
+    turned = turned - np.minimum.accumulate(history.orientation, axis=0)
+    ways = np.linalg.norm(high - low, axis=-1) + swung(turned, radii(scene))
     lengths: Array = np.maximum(ways.max(axis=1, initial=0.0), largest)
     return lengths
