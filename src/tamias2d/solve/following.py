@@ -9,7 +9,7 @@ import numpy as np
 
 from tamias2d.motion import Tally
 from tamias2d.run import Run
-from tamias2d.solve.assembly import NO_IMPACTS, run_of, start_of
+from tamias2d.solve.assembly import NO_IMPACTS, run_of, sampled_at, start_of
 from tamias2d.solve.plan import Plan
 
 
@@ -44,17 +44,18 @@ def interruptible(plan: Plan) -> Iterator[None]:
 
 def _interrupted(stop: KeyboardInterrupt, plan: Plan) -> Interrupted:
     def reached() -> Run:
-        if isinstance(stop, Interrupted) and _is_of(stop.run, plan):
-            return stop.run
+        if isinstance(stop, Interrupted) and (known := _known(stop.run, plan)) is not None:
+            return known
         start = plan._replace(times=np.zeros(1))
         return run_of(start, start_of(plan), NO_IMPACTS, (), Tally())
 
     return Interrupted(reached)
 
 
-def _is_of(run: Run, plan: Plan) -> bool:
-    """Return whether a run is of the scene and at the first of the times of a plan."""
-    return run.scene is plan.scene and np.array_equal(run.times, plan.times[: len(run.times)])
+def _known(run: Run, plan: Plan) -> Run | None:
+    """Return a run at the first of the times of a plan; None if it has none, or another scene."""
+    times = plan.times[plan.times <= run.times[-1]]
+    return sampled_at(run, times) if run.scene is plan.scene and len(times) else None
 
 
 class Solver(Protocol):

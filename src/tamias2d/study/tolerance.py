@@ -53,7 +53,7 @@ def _within(asked: Asked) -> Run:
     reason = steps_because(scene, duration)
     if reason is None:
         try:
-            return _located(asked)
+            return asked.sampled(_located(asked.looked_at()))
         except ToleranceError as refused:
             if refused.reachable is not None:
                 raise
