@@ -409,3 +409,13 @@ def test_the_scale_does_not_depend_on_the_samples(
     assert len(found) == 1
     run.save(tmp_path / "run.npz")
     assert check(tmp_path / "run.npz").identical
+
+
+@pytest.mark.parametrize("drag", [0.0, 0.1])
+def test_runs_too_short_for_their_rounding_are_to_last_longer(drag: float) -> None:
+    scene = t2.Scene()
+    scene.add_body(t2.Disc(radius=0.5), mass=1, position=(0, 5), quadratic_drag=drag)
+    with pytest.raises(t2.ToleranceError, match="Let the run last longer") as refused:
+        t2.simulate(scene, duration=1e-6, tolerance=1e-8)
+    assert refused.value.reachable is not None
+    assert t2.simulate(scene, duration=1e-3, tolerance=1e-8).certificate is not None
