@@ -413,7 +413,7 @@ def test_the_scale_does_not_depend_on_the_samples(
 
 @pytest.mark.parametrize("drag", [0.0, 0.1])
 def test_runs_too_short_for_their_rounding_are_to_last_longer(drag: float) -> None:
-    scene = t2.Scene()
+    scene = t2.Scene(gravity=(0, -9.81))
     scene.add_body(t2.Disc(radius=0.5), mass=1, position=(0, 5), quadratic_drag=drag)
     with pytest.raises(t2.ToleranceError, match="Let the run last longer") as refused:
         t2.simulate(scene, duration=1e-6, tolerance=1e-8)

@@ -17,6 +17,7 @@ import numpy as np
 
 from tamias2d.errors import InputError, SimulationError
 from tamias2d.scene import Scene
+from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.restart import restarted
 from tamias2d.simulator import states_at
 from tamias2d.state import Array, History
@@ -32,6 +33,9 @@ _NUDGE = 1e-9
 """Of the largest radius: by how much the starts of all runs but the last one are moved."""
 SUBSTEPS = 4
 _ROUNDED = 1e-9  # of a step
+_PER_STEP, _PER_LAW = 400.0, 2000.0
+"""The same of a whole step, and of one under laws, which are not compiled: all that few bodies
+cost."""
 _OVERHEAD = 4
 """Substeps that the rest of a step costs as much as, measured on piles and stacks."""
 
@@ -133,9 +137,9 @@ def refinements(
     grid = time_step
     while True:
         found = refined(scene, duration=duration, times=times, time_step=time_step, grid=grid)
-        work -= found.work
+        work -= (effort := _effort(scene, found))
         yield found
-        if work < 2 * found.work:
+        if work < 2 * effort:
             return
         time_step /= 2
 
@@ -173,6 +177,12 @@ def work_of(scene: Scene, duration: float, time_step: float, substeps: int) -> f
     """Return what a run costs, in substeps of one body."""
     moving = sum(body.dynamic for body in scene.bodies)
     return moving * math.ceil(duration / time_step) * (_OVERHEAD + substeps)
+
+
+def _effort(scene: Scene, found: Refined) -> float:
+    """Return what runs have taken, in substeps of one body, with what each step costs alone."""
+    laws = varying_loads(scene)
+    return found.work + found.steps * (_PER_LAW if laws else _PER_STEP)
 
 
 def _lengths(scene: Scene, history: History) -> Array:
