@@ -1,5 +1,6 @@
 """Worlds that step together tell of their joints and warnings what each of them tells alone."""
 
+import re
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -11,6 +12,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.ensemble import simulators
 from tamias2d.simulator.joint_reactions import Reactions
+from tamias2d.simulator.told_only import REMEDIES
 
 BREAKS = 20.0  # N
 SURFACE = {"friction": 0.5, "restitution": 0.0}
@@ -159,3 +161,33 @@ def test_a_world_that_was_taken_out_warns_for_itself() -> None:
     with heard() as told:
         one.step(120)
     assert [str(each.message)[:10] for each in told] == ["body 'low'"]
+
+
+def public_properties() -> list[str]:
+    of_class = {name: getattr(t2.Simulators, name) for name in dir(t2.Simulators)}
+    return [name for name, value in of_class.items() if isinstance(value, property)]
+
+
+@pytest.mark.parametrize("name", public_properties())
+def test_what_worlds_tell_can_be_read(name: str) -> None:
+    sims = t2.Simulators(weights, worlds=3, seed=1)
+    told = getattr(sims, name)
+    if isinstance(told, np.ndarray) and name != "ended":
+        assert len(told) == 3
+    if name in ("asleep", "dynamic", "generation", "mass", "present"):
+        alone = [getattr(sims.world(world), name) for world in range(3)]
+        np.testing.assert_array_equal(told, np.stack(alone), strict=True)
+
+
+@pytest.mark.parametrize("name", sorted({*REMEDIES} & {*public_properties()}))
+def test_a_message_names_what_worlds_have(name: str) -> None:
+    sims = t2.Simulators(weights, worlds=2, seed=1)
+    with pytest.raises(t2.InputError, match=r"it is told, and cannot be set \(R4\)\. \w") as raised:
+        setattr(sims, name, 1)
+    remedy = str(raised.value).partition("(R4). ")[2]
+    words = re.findall(r"\w+", remedy.partition("that Simulator has")[0])
+    assert not [word for word in words if hasattr(t2.Simulator, word) and not hasattr(sims, word)]
+    told = getattr(sims, name)
+    if isinstance(told, np.ndarray) and told.size:
+        with pytest.raises(t2.InputError, match=re.escape(remedy)):
+            told[0] = 1

@@ -133,6 +133,83 @@ def test_known_answers() -> None:
     assert sim.in_box((-1.0, -1.0), (6.0, 3.0), mask=4).tolist() == [2]
 
 
+def aimed(sim: t2.Simulator, points: np.ndarray, eye: np.ndarray) -> np.ndarray:
+    """The bodies that rays meet from places (in the axes of the first body) through its points."""
+    start = sim.to_world(0, points + eye)
+    return sim.ray_cast(start, 2 * sim.to_world(0, points) - start).body
+
+
+def lone(shape: t2.Chain | t2.Box | t2.Polygon, chance: np.random.Generator) -> t2.Simulator:
+    """A shape that stands at a random pose."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+    sim.add_static(shape, position=chance.uniform(-9, 9, 2), orientation=chance.uniform(-4, 4))
+    return sim
+
+
+@pytest.mark.parametrize("far", [1.0, 1e5])
+@pytest.mark.parametrize("kind", ["hills", "steps", "loop"])
+def test_no_ray_passes_between_two_segments_of_a_chain(kind: str, far: float) -> None:
+    """A vertex belongs to both, and rounding decides of each alone on which side a ray is."""
+    chance, met = np.random.default_rng(11), []
+    for _ in range(40):
+        heights = chance.uniform(-0.3, 0.3, 6)
+        points = np.column_stack((0.4 * np.arange(6) - 1.0, heights))
+        if kind == "steps":
+            points = np.column_stack((points[:, 0].repeat(2)[1:-1], heights[:-1].repeat(2)))
+        if kind == "loop":
+            turn = np.arange(6) * np.pi / 3
+            points = (1.0 + heights)[:, None] * np.column_stack((np.cos(turn), np.sin(turn)))
+        sim = lone(t2.Chain(vertices=points, loop=kind == "loop"), chance)
+        places = points if kind == "loop" else points[1:-1]
+        if kind == "loop":
+            slanted = places * far  # from outside towards the middle
+            down = places
+        else:
+            down = np.broadcast_to((0.0, 2.0 * far), places.shape)
+            slanted = down + chance.uniform(-0.5, 0.5, places.shape) * far
+        met += [aimed(sim, places, down), aimed(sim, places, slanted)]
+    assert (np.concatenate(met) == 0).all()
+
+
+def test_rays_down_at_a_turned_terrain_find_it() -> None:
+    chance = np.random.default_rng(3)
+    points = np.column_stack((0.1 * np.arange(41) - 2.0, chance.uniform(-0.1, 0.1, 41)))
+    for far in (2.0, 1e3, 1e7):
+        for aside in (0.0, 1e-15, 1e-10):
+            sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+            angle = chance.uniform(-0.5, 0.5)
+            sim.add_static(
+                t2.Chain(vertices=points), position=chance.uniform(-3, 3, 2), orientation=angle
+            )
+            ground = sim.to_world(0, points[1:-1]).repeat(5, axis=0)
+            ground[:, 0] += aside * chance.uniform(-1, 1, len(ground))
+            hit = sim.ray_cast(ground + np.array((0.0, far)), ground - np.array((0.0, far)))
+            assert (hit.body == 0).all(), (far, aside)
+            assert np.allclose(hit.point, ground, atol=1e-8 if far < 1e7 else 1e-6)
+
+
+def test_rays_at_corners_through_the_middle_meet_the_body() -> None:
+    chance, met = np.random.default_rng(7), []
+    for _ in range(100):
+        width, height = chance.uniform(0.1, 2.0, 2)
+        box = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)]) * (width, height) / 2
+        met.append(aimed(lone(t2.Box(width=width, height=height), chance), box, 2 * box))
+        turn = np.sort(np.linspace(0, 2 * np.pi, 6)[:-1] + chance.uniform(-0.3, 0.3, 5))
+        sim = lone(t2.Polygon(vertices=np.column_stack((np.cos(turn), np.sin(turn)))), chance)
+        corners = np.array(sim.body(0).shape.vertices)
+        met.append(aimed(sim, corners, 2 * corners))
+    assert (np.concatenate(met) == 0).all()
+
+
+def test_a_ray_along_a_segment_meets_its_end() -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+    sim.add_static(t2.Segment(length=2.0), position=(3.0, 0.0))
+    assert sim.ray_cast((0.0, 0.0), (9.0, 0.0)).point.tolist() == [[2.0, 0.0]]
+    assert sim.ray_cast((9.0, 0.0), (0.0, 0.0)).point.tolist() == [[4.0, 0.0]]
+    assert sim.ray_cast((0.0, 0.0), (1.0, 0.0)).body.tolist() == [-1]
+    assert sim.ray_cast((0.0, 0.0), (-9.0, 0.0)).body.tolist() == [-1]
+
+
 def test_of_what_is_met_at_once_the_first_in_canonical_order_is_told() -> None:
     """Where two boxes meet, a ray meets both; the left one is first, by where it is."""
     for order in ((0, 1), (1, 0)):

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.contact_events import ContactEvents
+from tamias2d.engine.interruption import end_if_asked
 from tamias2d.engine.menu import JOINTED, chosen, functions
 from tamias2d.engine.steps_per_call import StepsPerCall
 from tamias2d.engine.store import Store
@@ -121,6 +122,8 @@ class StepCalls(Store):
                 status = self._continued(status)
                 return None if status in (tb.DONE, tb.CLEAR) else self._refused(status)
             while count > 0:
+                if timed:
+                    end_if_asked()
                 if self._alone:
                     asked = min(count, self._ballistic_steps_per_call.most)
                     taken = self._ballistic_steps(asked, timed)

@@ -6,7 +6,6 @@ look shows all of them.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from concurrent.futures import ThreadPoolExecutor, wait
 from copy import deepcopy
 from dataclasses import dataclass
 from threading import Lock
@@ -15,11 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.interruption import end_if_asked
 from tamias2d.engine.memory import aligned_zeros
 from tamias2d.engine.tables import GRAVITY_X, GRAVITY_Y
 from tamias2d.ensemble.controls import Controls
 from tamias2d.ensemble.execution import cores
 from tamias2d.ensemble.sampling import Design
+from tamias2d.ensemble.thread_pool import ThreadPool
 from tamias2d.ensemble.world_reports import WorldReports, in_world, warn_of
 from tamias2d.ensemble.worlds import Maker, VariedWorlds, refuse_other_bodies, worlds_of
 from tamias2d.errors import InputError, SimulationError, TamiasError
@@ -29,7 +30,7 @@ from tamias2d.simulator import Simulator
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.settings import checked_count, checked_steps
 from tamias2d.simulator.simulator import Start
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests
 
 _FEWEST = 8  # worlds for a thread: fewer are not worth handing over
@@ -45,6 +46,7 @@ class _Shared:
     gravity: Array
     kind: NDArray[np.int8]
     inverse_mass: Array
+    generation: IntArray
     sims: tuple[Simulator, ...]
 
     @property
@@ -61,7 +63,7 @@ class Simulators(Controls, WorldReports):
     and `gravity` (worlds, 2). What is written counts from the next step on.
     """
 
-    __slots__ = ("_joint_names", "_starts", "_stopped", "_threads")
+    __slots__ = ("_joint_names", "_starts", "_threads")
 
     def __init__(
         self,
@@ -109,8 +111,7 @@ class Simulators(Controls, WorldReports):
             dict.fromkeys(joint.name for start in self._starts for joint in start.joints)
         )
         self._engine: Any = _shared(sims)
-        self._threads = ThreadPoolExecutor(threads) if threads > 1 else None
-        self._stopped = False
+        self._threads = ThreadPool(threads)
         self._lock = Lock()
         self._look()
 
@@ -120,7 +121,7 @@ class Simulators(Controls, WorldReports):
 
     @exclusive
     def step(self, count: int = 1) -> None:
-        """Take so many steps in all worlds.
+        """Take so many steps in all worlds; after Ctrl-C some have taken more than others.
 
         Raises:
             InputError: a value that was set in a world is not finite; its state is as it was
@@ -172,7 +173,11 @@ class Simulators(Controls, WorldReports):
 
     @exclusive
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, ([sim.__reduce__() for sim in self._sims], self._hands, self._starts)
+        return _restored, (
+            [sim.__reduce__() for sim in self._sims],
+            self._threads.size,
+            self._starts,
+        )
 
     def index(self, name: str) -> int:
         """Return the index of a body by its name; raise `InputError` if there is none."""
@@ -197,37 +202,23 @@ class Simulators(Controls, WorldReports):
 
         def go(part: range) -> None:
             for world in part:
-                if self._stopped:
-                    return
+                end_if_asked()
                 try:
                     act(self._sims[world])
                 except (InputError, SimulationError) as fault:
                     faults[world] = fault
 
-        self._stopped = False
         parts = list(self._parts())
-        if self._threads is None or len(parts) == 1:
-            go(range(len(self)))
+        if len(parts) == 1:
+            go(parts[0])
         else:
-            futures = [self._threads.submit(go, part) for part in parts]
-            try:
-                wait(futures)
-            finally:  # Ctrl-C: no world steps once this call has ended
-                self._stopped = True
-                wait(futures)
-            for future in futures:
-                future.result()
+            self._threads.run(go, parts)
         if faults:
             world, fault = min(faults.items())
             raise type(fault)(in_world(world, fault)) from fault
 
-    @property
-    def _hands(self) -> int:
-        """On how many threads the worlds step."""
-        return 1 if self._threads is None else self._threads._max_workers
-
     def _parts(self) -> Iterator[range]:
-        size = max(-(-len(self) // self._hands), _FEWEST)
+        size = max(-(-len(self) // self._threads.size), _FEWEST)
         for first in range(0, len(self), size):
             yield range(first, min(first + size, len(self)))
 
@@ -299,5 +290,6 @@ def _shared(sims: tuple[Simulator, ...]) -> _Shared:
         gravity=settings[:, GRAVITY_X : GRAVITY_Y + 1],
         kind=np.stack([engine.kind for engine in engines]),
         inverse_mass=np.stack([engine.inverse_mass for engine in engines]),
+        generation=np.stack([engine.generation for engine in engines]),
         sims=sims,
     )

@@ -22,6 +22,18 @@ from tamias2d.simulator.views import Views
 from tamias2d.simulator.warned import warn_caller
 from tamias2d.state import Array, IntArray
 
+_ALONE = "Take a world out by world(k): that Simulator has"
+_REMEDIES = {
+    **REMEDIES,
+    "mass": f"Vary it at the start. {_ALONE} set_mass.",
+    "present": f"{_ALONE} add and remove.",
+    "dynamic": f"{_ALONE} remove, add, add_static and add_kinematic.",
+    "generation": f"It counts the bodies that a row has held. {_ALONE} add.",
+    "asleep": f"What is moved or pushed wakes; what is slow falls asleep by itself. {_ALONE} wake.",
+    "joints": f"{_ALONE} add_joint and remove_joint.",
+}
+"""For each name, what to do instead of setting it in worlds, which keep their bodies and joints."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class WorldContacts(Contacts):
@@ -44,6 +56,7 @@ class WorldReports(Views):
     """Worlds that tell what happened in them."""
 
     __slots__ = ()
+    _remedies = _REMEDIES
     _sims: tuple[Simulator, ...]
     _joint_names: tuple[str, ...]
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from tamias2d.engine.contact_events import ContactEvents, TouchReport
 from tamias2d.engine.engine import Engine
+from tamias2d.engine.interruption import end_if_asked
 from tamias2d.engine.tables import ABSENT
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene import Scene
@@ -133,6 +134,7 @@ class Stepping(Views):
                 count -= 1
                 if count:
                     self._events.note(self._engine, self._engine.steps)
+                    end_if_asked()
         finally:
             self._lock.release()
 

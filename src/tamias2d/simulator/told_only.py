@@ -10,7 +10,7 @@ _Class = TypeVar("_Class", bound=type)
 _NEW = "Make another simulator."
 _PUSH = "It tells what the last step did: call apply_impulse or apply_force to push bodies."
 REMEDIES = {
-    "mass": "Remove the body, and add it with another mass.",
+    "mass": "Call set_mass.",
     "present": "Call add or remove.",
     "dynamic": "Remove the body, and add it by add, add_static or add_kinematic.",
     "generation": "Call add: it counts the bodies that a row has held.",
@@ -32,18 +32,18 @@ REMEDIES = {
 
 def refuses_assignment(target: _Class) -> _Class:
     """Let a class say by name what to do instead where one of its read-only values is set."""
-    for name, remedy in REMEDIES.items():
+    for name in REMEDIES:
         value = vars(target).get(name)
         if isinstance(value, property):
-            setattr(target, name, value.setter(_refusal(name, remedy)))
+            setattr(target, name, value.setter(_refusal(name)))
     return target
 
 
-def _refusal(name: str, remedy: str) -> Callable[[Any, Any], NoReturn]:
-    def refuse(_: Any, value: Any) -> NoReturn:
+def _refusal(name: str) -> Callable[[Any, Any], NoReturn]:
+    def refuse(told: Any, value: Any) -> NoReturn:
         raise RuleError(
             f"{name.replace('_', ' ')} of the simulator: found {shown(value)}: it is told, and "
-            f"cannot be set (R4). {remedy}",
+            f"cannot be set (R4). {told._remedies[name]}",
             name,
         )
 

@@ -1,7 +1,8 @@
 """Positions, velocities and loads of all bodies, as views of the arrays that the engine uses."""
 
+from collections.abc import Mapping
 from threading import Lock
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -31,6 +32,7 @@ class Views:
     _seen: bool  # whether anybody has looked in between since the last step
     # made as they are asked for, and kept: a step of few bodies takes little longer than a view
     _views: tuple[Array, ...]
+    _remedies: ClassVar[Mapping[str, str]] = REMEDIES
 
     def _look(self) -> None:
         """Look at the arrays of the engine for the first time, or where nobody has a view."""
@@ -143,19 +145,19 @@ class Views:
     def mass(self) -> Array:
         """kg, infinite for what nothing can push: a read-only copy (n,)."""
         with np.errstate(divide="ignore"):
-            return _told(1 / self._engine.inverse_mass, "mass")
+            return self._told(1 / self._engine.inverse_mass, "mass")
 
     @property
     @between_calls
     def present(self) -> NDArray[np.bool_]:
         """Which rows hold a body: a read-only copy (n,)."""
-        return _told(np.not_equal(self._engine.kind, ABSENT), "present")
+        return self._told(np.not_equal(self._engine.kind, ABSENT), "present")
 
     @property
     @between_calls
     def dynamic(self) -> NDArray[np.bool_]:
         """Which rows hold a body that can be pushed: a read-only copy (n,)."""
-        return _told(np.equal(self._engine.kind, DYNAMIC), "dynamic")
+        return self._told(np.equal(self._engine.kind, DYNAMIC), "dynamic")
 
     @property
     @between_calls
@@ -165,13 +167,17 @@ class Views:
         An index with its generation is a handle that knows when it is stale: the body is still
         there as long as the row is present and of that generation.
         """
-        return _told(self._engine.generation.copy(), "generation")
+        return self._told(self._engine.generation.copy(), "generation")
 
     @property
     @between_calls
     def asleep(self) -> NDArray[np.bool_]:
         """Which bodies sleep: a read-only copy (n,)."""
-        return _told(self._engine.asleep, "asleep")
+        return self._told(self._engine.asleep, "asleep")
+
+    def _told(self, values: NDArray[Any], name: str) -> NDArray[Any]:
+        """Return an array, a copy, so that writing into it is refused and not lost."""
+        return read_only(values, f"{name} of the simulator", self._remedies[name])
 
     def __len__(self) -> int:
         """How many bodies there are."""
@@ -190,8 +196,3 @@ def _write(view: Array, value: ArrayLike, key: str) -> None:
             f"{view.shape} (R4). Give them all, or write into a part of the view.",
             key,
         ) from None
-
-
-def _told(values: NDArray[Any], name: str) -> NDArray[Any]:
-    """Return an array, a copy, so that writing into it is refused and not lost."""
-    return read_only(values, f"{name} of the simulator", REMEDIES[name])

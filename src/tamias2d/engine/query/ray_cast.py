@@ -130,15 +130,16 @@ def cast_among(
 def crosses(bounds: Array, ray: Ray, most: float) -> bool:
     """Return whether a ray, up to a fraction of it, may cross a box: never no where it does."""
     x, y, dx, dy = ray.x, ray.y, ray.dx, ray.dy
+    to_x, to_y = 0.5 * bounds[0] + 0.5 * bounds[2] - x, 0.5 * bounds[1] + 0.5 * bounds[3] - y
+    slack = SLACK * (abs(to_x) + abs(to_y))  # rounding in a body's axes displaces a ray from afar
     end_x, end_y = x + most * dx, y + most * dy
-    if max(x, end_x) < bounds[0] or min(x, end_x) > bounds[2]:
+    if max(x, end_x) < bounds[0] - slack or min(x, end_x) > bounds[2] + slack:
         return False
-    if max(y, end_y) < bounds[1] or min(y, end_y) > bounds[3]:
+    if max(y, end_y) < bounds[1] - slack or min(y, end_y) > bounds[3] + slack:
         return False
     half_x, half_y = 0.5 * bounds[2] - 0.5 * bounds[0], 0.5 * bounds[3] - 0.5 * bounds[1]
-    to_x, to_y = 0.5 * bounds[0] + 0.5 * bounds[2] - x, 0.5 * bounds[1] + 0.5 * bounds[3] - y
     aside = abs(dy * to_x - dx * to_y)
-    most_aside = abs(dy) * (half_x + SLACK * abs(to_x)) + abs(dx) * (half_y + SLACK * abs(to_y))
+    most_aside = abs(dy) * (half_x + slack) + abs(dx) * (half_y + slack)
     return not aside > most_aside
 
 
@@ -196,6 +197,8 @@ def enter_bounded(
         return enter_polygon(ray, first, count, vertices)
     if kind == tb.DISC:
         return enter_disc(ray, vertices[first, 0], vertices[first, 1], radius)
+    if radius == 0.0:
+        return enter_segment(ray, vertices[first], vertices[first + 1])
     return enter_capsule(ray, vertices[first], vertices[first + 1], radius)
 
 
@@ -246,19 +249,47 @@ def enter_polygon(ray: Ray, first: int, count: int, vertices: Array) -> Entry:
     return enters, normal_x, normal_y
 
 
-def enter_capsule(ray: Ray, one: Array, other: Array, radius: float) -> Entry:
-    """Return where a ray enters a capsule, as a fraction of it, and the normal there.
+def enter_segment(ray: Ray, one: Array, other: Array) -> Entry:
+    """Return where a ray meets a segment, from either side, and the normal there.
 
-    Without a radius it is a segment, which is met from both sides.
+    Pieces of a chain share a vertex to the bit, and both ask the same on which side of the ray it
+    is. So the ray meets one of them, or both: there is no gap between them.
     """
+    aside_one, aside_other = aside_of_ray(ray, one), aside_of_ray(ray, other)
+    if max(aside_one, aside_other) < 0.0 or min(aside_one, aside_other) > 0.0:
+        return NO_HIT, 0.0, 0.0
+    nx, ny = one[2], one[3]
+    height = (ray.x - one[0]) * nx + (ray.y - one[1]) * ny
+    down = -(ray.dx * nx + ray.dy * ny)
+    if down < 0.0:  # the side that is towards the start
+        height, down, nx, ny = -height, -down, -nx, -ny
+    # rounding may take a ray that is nearly parallel to the segment past its ends
+    at_one, at_other = fraction_beside(ray, one), fraction_beside(ray, other)
+    fraction = height / down if down > 0.0 else min(at_one, at_other)
+    fraction = min(max(fraction, min(at_one, at_other)), max(at_one, at_other))
+    return (fraction if fraction >= 0.0 else NO_HIT), nx, ny
+
+
+def aside_of_ray(ray: Ray, vertex: Array) -> float:
+    """Return how far a vertex is to the right of a ray, times its length, m^2."""
+    return float((vertex[0] - ray.x) * ray.dy - (vertex[1] - ray.y) * ray.dx)
+
+
+def fraction_beside(ray: Ray, vertex: Array) -> float:
+    """Return the fraction of a ray, or of the line that it is on, nearest to a vertex."""
+    along = (vertex[0] - ray.x) * ray.dx + (vertex[1] - ray.y) * ray.dy
+    return float(along / (ray.dx * ray.dx + ray.dy * ray.dy))
+
+
+def enter_capsule(ray: Ray, one: Array, other: Array, radius: float) -> Entry:
+    """Return where a ray enters a capsule, as a fraction of it, and the normal there."""
     best, normal_x, normal_y = enter_capsule_side(ray, one, other, radius)
-    if radius > 0.0:
-        fraction, end_x, end_y = enter_disc(ray, one[0], one[1], radius)
-        if fraction < best:
-            best, normal_x, normal_y = fraction, end_x, end_y
-        fraction, end_x, end_y = enter_disc(ray, other[0], other[1], radius)
-        if fraction < best:
-            best, normal_x, normal_y = fraction, end_x, end_y
+    fraction, end_x, end_y = enter_disc(ray, one[0], one[1], radius)
+    if fraction < best:
+        best, normal_x, normal_y = fraction, end_x, end_y
+    fraction, end_x, end_y = enter_disc(ray, other[0], other[1], radius)
+    if fraction < best:
+        best, normal_x, normal_y = fraction, end_x, end_y
     return best, normal_x, normal_y
 
 
