@@ -8,7 +8,7 @@ from tamias2d.motion import Stepped
 from tamias2d.scene import catalogue
 from tamias2d.study.engines.overlap import worst
 from tamias2d.study.error import distance
-from tamias2d.study.refined import refined, refinements, stepped, work_of
+from tamias2d.study.refined import refined, refinements, step_alone, stepped, work_of
 
 G = (0.0, -9.81)
 TIMES = np.linspace(0.0, 0.5, 11)
@@ -199,5 +199,12 @@ def test_more_joints_than_are_solved_at_once_are_stepped() -> None:
 
 def test_few_bodies_are_refined_no_longer_than_their_steps_take() -> None:
     """Without what steps cost alone, the work limit would leave ten times as many."""
-    found = refinements(slider(), duration=0.5, times=TIMES, time_step=1 / 60, work=1e6)
+    found = refinements(
+        slider(),
+        duration=0.5,
+        times=TIMES,
+        time_step=1 / 60,
+        work=1e6,
+        per_step=step_alone(slider()),
+    )
     assert sum(one.steps for one in found) < 1e6 / 400

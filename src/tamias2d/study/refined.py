@@ -125,11 +125,18 @@ def refined(
 
 
 def refinements(
-    scene: Scene, *, duration: float, times: Array, time_step: float, work: float
+    scene: Scene,
+    *,
+    duration: float,
+    times: Array,
+    time_step: float,
+    work: float,
+    per_step: float = 0.0,
 ) -> Iterator[Refined]:
     """Yield what ever shorter steps say, each time half as long, as far as some work goes.
 
-    All of them divide the first time step, s.
+    All of them divide the first time step, s. Besides their substeps of one body, steps may be
+    said to cost as many each.
 
     Raises:
         RefusedError: the first runs go beyond float64.
@@ -137,7 +144,7 @@ def refinements(
     grid = time_step
     while True:
         found = refined(scene, duration=duration, times=times, time_step=time_step, grid=grid)
-        work -= (effort := _effort(scene, found))
+        work -= (effort := found.work + per_step * found.steps)
         yield found
         if work < 2 * effort:
             return
@@ -179,10 +186,9 @@ def work_of(scene: Scene, duration: float, time_step: float, substeps: int) -> f
     return moving * math.ceil(duration / time_step) * (_OVERHEAD + substeps)
 
 
-def _effort(scene: Scene, found: Refined) -> float:
-    """Return what runs have taken, in substeps of one body, with what each step costs alone."""
-    laws = varying_loads(scene)
-    return found.work + found.steps * (_PER_LAW if laws else _PER_STEP)
+def step_alone(scene: Scene) -> float:
+    """Return what a step costs whatever its bodies and substeps, in substeps of one body."""
+    return _PER_LAW if varying_loads(scene) else _PER_STEP
 
 
 def _lengths(scene: Scene, history: History) -> Array:
