@@ -61,3 +61,36 @@ def test_a_level_chain_is_struck_as_a_half_plane(seed: int, friction: float) -> 
     whole = run(floor, (0.0, 0.0), seed, friction=friction)
     assert np.allclose(chain.position[:, 0], whole.position[:, 0], rtol=0.0, atol=1e-8)
     assert not any("A18" in note for note in chain.notes)
+
+
+@pytest.mark.parametrize("far", [0.0, 1e2, 1e6])
+@pytest.mark.parametrize("size", [0.01, 1.0])
+@pytest.mark.parametrize("shape", ["disc", "box"])
+def test_a_corner_is_struck_once_wherever_it_is(shape: str, size: float, far: float) -> None:
+    """What is one point is so by the resolution of positions there, not by their size."""
+    core = {"disc": t2.Disc(radius=0.3 * size), "box": t2.Box(width=0.8 * size, height=0.4 * size)}
+    surface = {"friction": 0.4, "restitution": 0.5}
+    vertices = ((2.0 * size, -0.5 * size), (0.0, 0.0), (-2.0 * size, -0.3 * size))
+    for aside in np.linspace(-0.01, 0.01, 7) * size:
+        scene = t2.Scene(gravity=(0.0, -9.81 * size))
+        at = (far + float(aside), 0.7 * far + size)
+        scene.add_body(core[shape], mass=1.0, position=at, orientation=0.05, **surface)
+        scene.add_static(t2.Chain(vertices=vertices), position=(far, 0.7 * far), **surface)
+        first = t2.simulate(scene, duration=0.45, method=t2.ClosedForm()).impacts
+        assert (first.time < first.time[0] + 1e-9).sum() == 1
+
+
+def test_what_a_joint_holds_strikes_a_corner() -> None:
+    """It was refused: two impacts of one body, with a joint between."""
+    vertices = ((2.0, -1.0), (0.0, 0.0), (-2.0, -1.0))
+    hill = t2.Polygon(vertices=(vertices[2], vertices[0], vertices[1]))
+    found = []
+    for ground, at in ((t2.Chain(vertices=vertices), (0.0, 0.0)), (hill, hill.centroid)):
+        scene = t2.Scene(gravity=(0.0, -9.81))
+        for y in (1.0, 2.0):
+            scene.add_body(t2.Disc(radius=0.2), mass=1.0, position=(0.02, y), restitution=0.5)
+        scene.add_joint(t2.Distance(), 0, 1)
+        scene.add_static(ground, position=at, restitution=0.5)
+        found.append(t2.simulate(scene, duration=0.5, method=t2.Reference()))
+    assert len(found[0].impacts) == len(found[1].impacts) == 1
+    assert np.allclose(found[0].position[:, :2], found[1].position[:, :2], rtol=0.0, atol=1e-9)

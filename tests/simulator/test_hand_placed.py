@@ -181,3 +181,16 @@ def test_a_world_that_is_reset_takes_a_pose_as_one_that_was_restored() -> None:
             sim.step()
     assert np.array_equal(fresh.position, later.position)
     assert np.array_equal(fresh.velocity, later.velocity)
+
+
+@pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")
+@pytest.mark.parametrize("kind", [t2.Revolute(), t2.Weld()])
+@pytest.mark.parametrize("steps", [0, 1])
+def test_what_is_held_follows_its_point_also_before_the_first_step(kind: Any, steps: int) -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -9.81)), compiled=False)
+    load = sim.add(t2.Disc(radius=0.1), mass=1.0, position=(0.0, 0.0), restitution=0.0)
+    sim.add_joint(kind, (0.0, 1.0), load, at=(0.0, 1.0), name="hook")
+    sim.step(steps)
+    sim.set_target("hook", (0.0, 2.0))
+    sim.step(30)
+    assert sim.position[load] == pytest.approx((0.0, 1.0), abs=1e-6)

@@ -150,6 +150,11 @@ class JointLayout:
         """Move the point of the plane, m, that a joint holds; what it ties follows."""
         for place, row in self._rows_of[name]:
             move_anchor(self._engine, place, row.kind, end, point)
+        self.follow(name)
+
+    def follow(self, name: str) -> None:
+        """Let a joint follow its point of the plane, which was moved; springs do so anyway."""
+        for place, row in self._rows_of[name]:
             if row.law != tb.SPRING:
                 self._pull(place)
 
@@ -199,7 +204,7 @@ def kept_of_new(joints: Sequence[Joint], engine: Engine, left: Array) -> Array:
 def _pulled_apart(joints: Sequence[Joint], engine: Engine, left: Array) -> Array:
     """Return for how many substeps joints (j,) follow what nothing pushes, moved since the step.
 
-    It may have come since, and then been moved.
+    What has come since then may have been moved, too.
     """
     lengths, angles = separations(joints, engine.pose, engine.time)
     sizes = np.array([size_of_joint(joint, engine) for joint in joints])

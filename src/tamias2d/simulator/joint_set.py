@@ -64,6 +64,7 @@ class JointSet:
         self._limits: LimitEvents | None = None
         self._saved = {} if kept is None else by_joint(list(self), kept)  # of rows, until settled
         self._fresh: set[str] = set()  # joints of which the engine has not been told
+        self._moved: set[str] = set()  # joints whose point was moved since the engine was told
         self._restored = kept is not None
         self.new = bool(self._joints)
         """Whether the engine has to be told of them."""
@@ -72,6 +73,7 @@ class JointSet:
         """Return the joints as they are now, for the same engine: they do not change with these."""
         other = copy(self)
         other._joints, other._fresh = dict(self._joints), set(self._fresh)
+        other._moved = set(self._moved)
         other._limits = copy(self._limits)
         other._watch = self._watch and self._watch.copied()
         return other
@@ -160,7 +162,9 @@ class JointSet:
         self._joints[joint.name] = replace(joint, anchors=(anchors[0], anchors[1], anchors[2]))
         if self._layout is not None and joint.name in self._layout.alike:
             self._change()
-        if not self.new:
+        if self.new:
+            self._moved.add(joint.name)
+        else:
             self.layout.move_anchor(joint.name, ENDS[end], point)
 
     def governed(self, name: object, by: GovernedBy, given: object) -> Joint:
@@ -231,7 +235,9 @@ class JointSet:
         joints = list(self)
         pushed = self._limits.pushed if self._limits else {}
         self._layout = JointLayout(engine, joints, self.kept(engine, left), restored=self._restored)
-        self._saved, self._fresh = {}, set()
+        for name in self._moved.intersection(self._joints):
+            self._layout.follow(name)
+        self._saved, self._fresh, self._moved = {}, set(), set()
         watched = any(joint.breaks or joint.pitch for joint in joints)
         self._watch = JointWatch(self._layout) if watched else None
         self._limits = LimitEvents(self._layout, pushed)

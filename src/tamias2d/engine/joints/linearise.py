@@ -36,7 +36,7 @@ from tamias2d.state import Array
 FIRM = 1e8  # firmness of a row, for each unit of its own mass
 ROW_TURNED = 0.48  # sine of half a radian, by which a row may turn in a substep
 HINGE = KINDS.index("revolute")
-HELD_WHERE_TOUCHED = 4.0  # times its own inertia: of 1, 4 and 16 planks of bridges part least
+HELD_WHERE_TOUCHED = 4.0  # times its own inertia: 1 and 16 part planks of bridges more
 TURNED_TOGETHER = 8  # angles: as many as fit into the widest registers
 
 
@@ -260,7 +260,7 @@ def note_node_masses(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
     An inertia is 0 for a body that does not turn.
 
     A body at whose arms joints pull counts with so much inertia that it swings slowly enough for
-    substeps; if contacts, which act on its own inertia, touch the mechanism, with few times that.
+    substeps; with a few times its own at most, on which contacts act, if these touch the mechanism.
     """
     note_leaning(n, joints)
     most = HELD_WHERE_TOUCHED if joints.mechanisms[n, tb.M_TOUCHED] == 1 else inf
