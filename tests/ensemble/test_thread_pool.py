@@ -66,6 +66,6 @@ def test_a_fault_on_a_thread_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:
     def fails(*_: object, **__: object) -> Callable[[], None]:
         raise MemoryError
 
-    monkeypatch.setattr(sims._sims[WORLDS - 1]._engine, "step", fails)
+    monkeypatch.setattr(sims._sims[WORLDS - 1]._engine, "begin_together", fails)
     with pytest.raises(MemoryError):
         sims.step()

@@ -1,11 +1,12 @@
 """Functions to assemble: as an engine's modules are, on constants, other modules and each other."""
 
 from math import cos
+from typing import NamedTuple
 
 from tamias2d.generated import impact
 from tamias2d.generated.translation import acceleration as pulled
 from tamias2d.kernels.arrays import FloatRows
-from tamias2d.kernels.assembled import inlined, separate
+from tamias2d.kernels.assembled import for_each, inlined, separate
 from tamias2d.spec.functions import largest, least, sqrt
 
 LANES = 16
@@ -49,3 +50,17 @@ def fallen(rows: FloatRows, time: float) -> None:
         pull = pulled((cos(time), 0.0), (row[0], row[1]), HALF)
         row[0] += pull[0]
         row[1] = halved(pull[1])
+
+
+class Heap(NamedTuple):
+    """A group of arrays."""
+
+    rows: FloatRows
+
+
+@for_each
+def heaped(heap: Heap, count: int) -> int:
+    """Add to all numbers of a heap; return how many rows it has."""
+    for k in range(len(heap.rows)):
+        heap.rows[k, 0] += count
+    return len(heap.rows)

@@ -21,6 +21,7 @@ from tamias2d.kernels import Library, library
 from tamias2d.kernels.arrays import Floats
 from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compiled import loaded
+from tamias2d.kernels.groups import addresses
 from tamias2d.spec.functions import largest, least, total
 from tests.kernels import plain_parts
 
@@ -39,9 +40,14 @@ def forget() -> None:
     library._compiled.__wrapped__.cache_clear()
 
 
-for part in (plain_parts.halved, plain_parts.clamped, plain_parts.pushed, plain_parts.fallen):
+PARTS = (
+    *(plain_parts.halved, plain_parts.clamped, plain_parts.pushed, plain_parts.fallen),
+    plain_parts.heaped,
+)
+for part in PARTS:
     as_engine(part)
 LIBRARY = Library("library of the tests", (plain_parts.pushed, plain_parts.fallen))
+OF_MANY = Library("library of many", (plain_parts.heaped,))
 
 
 def test_compiled_and_plain_libraries_have_the_same_bits() -> None:
@@ -54,6 +60,16 @@ def test_compiled_and_plain_libraries_have_the_same_bits() -> None:
             made.fallen(work, 0.3)
             results.append((value, work.tobytes()))
     assert results[0] == results[1]
+
+
+def test_one_call_works_on_many_groups() -> None:
+    heaps = [plain_parts.Heap(np.zeros((size, 2))) for size in (1, 3, 2)]
+    tables, results = np.stack([addresses(heap) for heap in heaps]), np.zeros(3, dtype=np.int64)
+    assert OF_MANY.compiled().heaped(tables, results, 5) == 2
+    assert results.tolist() == [1, 3, 2]
+    assert all((heap.rows == (5.0, 0.0)).all() for heap in heaps)
+    assert OF_MANY.plain().heaped(heaps[1], -5) == 3
+    assert not heaps[1].rows.any()
 
 
 def test_the_collector_of_the_process_keeps_its_pace_after_compiling() -> None:

@@ -23,6 +23,7 @@ from tools.measurements import (
     asked,
     calls,
     certificates,
+    control,
     crowds,
     drift,
     energies,
@@ -64,6 +65,14 @@ def test_calls(monkeypatch: pytest.MonkeyPatch) -> None:
     assert len(rows) == 20
     assert sum(row["pymunk"] is None for row in found["rows"]) == 7
     assert calls.notes(found)
+
+
+def test_control(monkeypatch: pytest.MonkeyPatch) -> None:
+    small = partial(control.measure, worlds=[4], steps=2, turns=1)
+    monkeypatch.setattr(control, "measure", small)
+    found, rows = lines_of(control)
+    assert [row[0] for row in rows] == ["cart and pole", "boxes"]
+    assert control.notes(found)
 
 
 def test_asked_tells_what_takes_long_or_breaks(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -55,10 +55,12 @@ from tamias2d.engine.springs.held import hold_springs, release_springs
 from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.substeps import solve_contacts
 from tamias2d.engine.tables import Control, World
+from tamias2d.kernels.assembled import for_each
 
 SHORTEST_FOR_SPRINGS = 6  # level; networks for which that is too long go through the substeps
 
 
+@for_each
 def step(world: World, steps: int) -> int:
     """Take some steps, or return why not all of them can be taken.
 

@@ -152,6 +152,42 @@ class StepCalls(Store):
             raise
         return None
 
+    @property
+    def step_function(self) -> Callable[..., int]:
+        """What takes steps in many worlds, by their tables of addresses."""
+        step: Callable[..., int] = self._entries.step
+        return step
+
+    def begin_together(self, events: ContactEvents | None) -> None:
+        """Begin steps that a call takes together with those of other worlds.
+
+        Of several steps the `events` are taken as they end.
+        """
+        _ = self.argument
+        self._alone = self._course_known = False
+        if events is not None:
+            events.ask(self)
+
+    def end_together(self, status: int, events: ContactEvents | None) -> Invalid | None:
+        """Go on with steps that such a call began, and which ended somehow, as `step` does."""
+        try:
+            status = self._continued(status)
+        except BaseException:  # no memory, or Ctrl-C
+            if self.world.control.counts[tb.STAGE] != tb.AT_START:
+                self._forget_contacts()
+            raise
+        finally:
+            if events is not None:
+                events.take(self, self.steps)
+        if status not in (tb.DONE, tb.CLEAR):
+            return self._refused(status)
+        return self.step(self.steps_left, events=events) if self.steps_left else None
+
+    @property
+    def steps_left(self) -> int:
+        """How many of the steps that were asked for have not been taken."""
+        return self.world.control.counts.item(tb.STEPS_LEFT)
+
     def step_worlds(
         self,
         memory: NDArray[np.int64],
@@ -215,8 +251,11 @@ class StepCalls(Store):
 
     def _prepared(self) -> _Take:
         """Return what takes steps, bound to the arrays until these are replaced."""
-        step = self._entries.step if self.compiled else _overflowing(self._entries.step)
-        self._take = partial(step, self.argument)
+        step = self._entries.step
+        if self.compiled:
+            self._take = partial(step, self.argument[None], np.zeros(1, dtype=np.int64))
+        else:
+            self._take = partial(_overflowing(step), self.argument)
         return self._take
 
     def _refused(self, status: int) -> Invalid:

@@ -7,51 +7,30 @@ look shows all of them.
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from copy import deepcopy
-from dataclasses import dataclass
 from threading import Lock
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.engine.arrays.memory import aligned_zeros
-from tamias2d.engine.interruption import end_if_asked
-from tamias2d.engine.tables import GRAVITY_X, GRAVITY_Y
 from tamias2d.ensemble.controls import Controls
 from tamias2d.ensemble.execution import cores
 from tamias2d.ensemble.sampling import Design
+from tamias2d.ensemble.shared_arrays import SharedArrays, shared_arrays
 from tamias2d.ensemble.thread_pool import ThreadPool
 from tamias2d.ensemble.world_reports import WorldReports, in_world, warn_of
+from tamias2d.ensemble.world_steps import WorldSteps
 from tamias2d.ensemble.worlds import Maker, VariedWorlds, refuse_other_bodies, worlds_of
-from tamias2d.errors import InputError, SimulationError, TamiasError
+from tamias2d.errors import TamiasError
 from tamias2d.scene import Scene
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator import Simulator
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.settings import checked_count, checked_steps
 from tamias2d.simulator.simulator import Start
-from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests
 
 _FEWEST = 8  # worlds for a thread: fewer are not worth handing over
-
-
-@dataclass(frozen=True)
-class _Shared:
-    """What all engines work on: a row for each world, then for each body."""
-
-    pose: Array
-    velocity: Array
-    load: Array
-    gravity: Array
-    kind: NDArray[np.int8]
-    inverse_mass: Array
-    generation: IntArray
-    sims: tuple[Simulator, ...]
-
-    @property
-    def asleep(self) -> NDArray[np.bool_]:
-        return np.stack([sim.asleep for sim in self.sims])
 
 
 @suggests
@@ -63,7 +42,7 @@ class Simulators(Controls, WorldReports):
     and `gravity` (worlds, 2). What is written counts from the next step on.
     """
 
-    __slots__ = ("__weakref__", "_joint_names", "_starts", "_threads")
+    __slots__ = ("__weakref__", "_joint_names", "_shared", "_starts", "_steps", "_threads")
 
     def __init__(
         self,
@@ -110,7 +89,9 @@ class Simulators(Controls, WorldReports):
         self._joint_names = tuple(
             dict.fromkeys(joint.name for start in self._starts for joint in start.joints)
         )
-        self._engine: Any = _shared(sims)
+        self._engine: Any = shared_arrays(sims)
+        self._shared: SharedArrays = self._engine
+        self._steps = WorldSteps(sims, self._shared)
         self._threads = ThreadPool(threads)
         self._lock = Lock()
         self._look()
@@ -131,16 +112,14 @@ class Simulators(Controls, WorldReports):
         Warns:
             StepWarning: as `Simulator` does, for each world.
         """
-        steps = checked_steps(count)
-
-        def advance(sim: Simulator) -> None:
-            sim._seen = True  # its arrays are shared
-            sim.step(steps)
-
+        steps, faults = checked_steps(count), dict[int, TamiasError]()
         try:
-            self._each(advance)
+            self._on_threads(lambda part: self._steps.take(steps, part, faults))
         finally:
             warn_of(self._sims)
+        if faults:
+            world, fault = min(faults.items())
+            raise type(fault)(in_world(world, fault)) from fault
 
     @exclusive
     def reset(self, mask: object | None = None) -> None:
@@ -196,26 +175,13 @@ class Simulators(Controls, WorldReports):
             )
         return given
 
-    def _each(self, act: Callable[[Simulator], None]) -> None:
-        """Do something in all worlds, on all threads; raise the first fault once all are done."""
-        faults: dict[int, TamiasError] = {}
-
-        def go(part: range) -> None:
-            for world in part:
-                end_if_asked()
-                try:
-                    act(self._sims[world])
-                except (InputError, SimulationError) as fault:
-                    faults[world] = fault
-
+    def _on_threads(self, act: Callable[[range], None]) -> None:
+        """Do something with all worlds, on all threads."""
         parts = list(self._parts())
         if len(parts) == 1:
-            go(parts[0])
+            act(parts[0])
         else:
-            self._threads.run(go, parts)
-        if faults:
-            world, fault = min(faults.items())
-            raise type(fault)(in_world(world, fault)) from fault
+            self._threads.run(act, parts)
 
     def _parts(self) -> Iterator[range]:
         size = max(-(-len(self) // self._threads.size), _FEWEST)
@@ -257,39 +223,3 @@ def _restored(
     sims = Simulators.__new__(Simulators)
     sims._begin(tuple(make(*content) for make, content in kept), threads, starts)
     return sims
-
-
-def _shared(sims: tuple[Simulator, ...]) -> _Shared:
-    """Let all engines work on arrays that lie one after the other."""
-    engines = [sim._engine for sim in sims]
-    size, world = engines[0].size, engines[0].world
-    pose, velocity, load, settings = (
-        aligned_zeros((len(sims), *array.shape))
-        for array in (
-            world.state.pose,
-            world.state.velocity,
-            world.state.load,
-            world.control.settings,
-        )
-    )
-    for k, (sim, engine) in enumerate(zip(sims, engines, strict=True)):
-        state = engine.world.state
-        pose[k], velocity[k], load[k] = state.pose, state.velocity, state.load
-        settings[k] = engine.world.control.settings
-        engine.replace(
-            state__pose=pose[k],
-            state__velocity=velocity[k],
-            state__load=load[k],
-            control__settings=settings[k],
-        )
-        sim._look()
-    return _Shared(
-        pose=pose[:, :size],
-        velocity=velocity[:, :size],
-        load=load[:, :size],
-        gravity=settings[:, GRAVITY_X : GRAVITY_Y + 1],
-        kind=np.stack([engine.kind for engine in engines]),
-        inverse_mass=np.stack([engine.inverse_mass for engine in engines]),
-        generation=np.stack([engine.generation for engine in engines]),
-        sims=sims,
-    )

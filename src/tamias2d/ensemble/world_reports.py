@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.reports.contact_report import Contacts
+from tamias2d.engine.tables import STEPS_TAKEN
+from tamias2d.ensemble.shared_arrays import SharedArrays
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.read_only import read_only
 from tamias2d.simulator import Simulator
@@ -59,12 +61,13 @@ class WorldReports(Views):
     _remedies = _REMEDIES
     _sims: tuple[Simulator, ...]
     _joint_names: tuple[str, ...]
+    _shared: SharedArrays
 
     @property
     @between_calls
     def time(self) -> Array:
         """Since the start of each world, s: (worlds,)."""
-        times = np.array([sim.time for sim in self._sims])
+        times = self._shared.counts[:, STEPS_TAKEN] * self._sims[0].time_step
         return read_only(times, "time of the worlds", REMEDIES["time"])
 
     @property

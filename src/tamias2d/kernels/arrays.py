@@ -29,17 +29,18 @@ RankRows: TypeAlias = Annotated[NDArray[np.int64], "int64[:, ::1]"]
 _SCALARS = {float: "float64", int: "int64", bool: "boolean"}
 
 
-def signature(function: Callable[..., Any]) -> str:
+def signature(function: Callable[..., Any], *, for_each: bool = False) -> str:
     """Return what the compiler calls the types of a function's arguments, in brackets.
 
-    A group that comes first is a table of addresses. Raises TypeError, which names the argument,
-    for a type that is none of this module.
+    A group that comes first is a table of addresses; of what is called for each of many, it is
+    their tables, and an array for the results. Raises TypeError, which names the argument, for a
+    type that is none of this module.
     """
     found = []
     for place, (name, hint) in enumerate(_hints(function).items()):
         named = _SCALARS.get(hint) or array_type(hint)
         if place == 0 and is_group(hint):
-            named = "int64[:, ::1]"
+            named = "int64[:, :, ::1], int64[::1]" if for_each else "int64[:, ::1]"
         if named is None:
             raise TypeError(
                 f"{function.__module__}.{function.__name__}: argument '{name}': an entry of a "

@@ -8,6 +8,7 @@ change of the text.
 
 import ast
 import builtins
+import inspect
 import math
 from collections.abc import Callable, Hashable
 from types import FunctionType, ModuleType
@@ -16,7 +17,7 @@ from typing import Any, TypeVar
 from tamias2d.kernels.arrays import signature
 from tamias2d.kernels.copied import Function, copied, references, text_of
 from tamias2d.kernels.flattened import Flat, flattened
-from tamias2d.kernels.groups import is_group, text_of_classes, text_of_views
+from tamias2d.kernels.groups import is_group, lines_of_entry, text_of_classes, text_of_views
 from tamias2d.kernels.lanes import INTRINSICS, intrinsics_digest
 from tamias2d.spec import functions as elementary
 
@@ -42,6 +43,7 @@ numbers, zeros of both signs too, and where one is no number, min and max return
 
 _inlined: set[Function] = set()
 _separate: set[Function] = set()
+_for_each: set[Function] = set()
 
 
 def inlined(function: F) -> F:
@@ -59,6 +61,16 @@ def separate(function: F) -> F:
     For a loop over lanes: among others, compiled code may take its lanes one by one.
     """
     _separate.add(function)
+    return function
+
+
+def for_each(function: F) -> F:
+    """Mark an entry that compiled code takes for many groups of arrays, one after another.
+
+    Compiled, it takes their tables (w, k, 4), an array (w,) for what it returns of each, and its
+    other arguments; it returns what it did of the last. So a call does the work of many.
+    """
+    _for_each.add(function)
     return function
 
 
@@ -114,6 +126,9 @@ class _Parts:
         if name in self.meanings and self.meanings[name][0] is function:
             return name
         self._claim(name, function, function)
+        if entry and function in _for_each:
+            self._add_loop(function, self.add(function))
+            return name
         names, called = {}, {}
         for node in references(function):
             names[ast.unparse(node)] = self._use(function, node)
@@ -125,10 +140,29 @@ class _Parts:
         text = copied(function, names, edits, flat.groups)
         text = text.replace(f"def {function.__name__}(", f"def {name}(", 1)
         helper = _SEPARATE if function in _separate else _HELPER
-        helper = _INLINED if function in _inlined else helper
+        helper = _INLINED if function in _inlined | _for_each else helper
         decorator = _ENTRY.format(signature=signature(function)) if entry else helper
         self.texts.append(f"{decorator}\n{text}")
         return name
+
+    def _add_loop(self, function: Function, inner: str) -> None:
+        """Add an entry that calls a function of the source for each of many groups."""
+        flat = self.flat[function]
+        ((parameter, group),) = flat.groups.items()
+        others = list(inspect.signature(function).parameters)[1:]
+        given = ", ".join((*flat.names(parameter), *others))
+        lines = (
+            _ENTRY.format(signature=signature(function, for_each=True)),
+            f"def {function.__name__}({', '.join(('tables', 'results', *others))}):",
+            f'    """Call {inner} for each group; note its results, and return the last."""',
+            "    for each in range(len(tables)):",
+            "        addresses = tables[each]",
+            *(f"        {line}" for line in lines_of_entry(group, flat.used[parameter])),
+            f"        results[each] = {inner}({given})",
+            "    return results[len(tables) - 1]",
+        )
+        self.entered.append(group)
+        self.texts.append("\n".join(lines) + "\n")
 
     def import_of_intrinsics(self) -> str:
         """Return the line that imports them."""

@@ -52,6 +52,11 @@ def addresses(group: Any) -> NDArray[np.int64]:
     return Addresses().of(group)
 
 
+def table_shape(group: Any) -> tuple[int, int]:
+    """Return the shape of the table of addresses of a group."""
+    return sum(1 for _ in leaves(group)), 1 + MOST_AXES
+
+
 class Addresses:
     """Tables of addresses, made again and again while some of the arrays are replaced."""
 

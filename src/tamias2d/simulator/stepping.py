@@ -1,5 +1,6 @@
 """Steps of the frame loop, and what they warn of."""
 
+from collections.abc import Collection
 from threading import Lock
 from typing import TypeGuard
 
@@ -9,6 +10,7 @@ from tamias2d.engine.engine import Engine
 from tamias2d.engine.interruption import end_if_asked
 from tamias2d.engine.reports.contact_events import ContactEvents, TouchReport
 from tamias2d.engine.tables import ABSENT
+from tamias2d.engine.validity import Invalid
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene import Scene
 from tamias2d.scene.rules import RuleError, shown
@@ -149,10 +151,16 @@ class Stepping(Views):
 
     def _advance(self, count: int) -> None:
         """Take some steps, or raise `RuleError`."""
-        engine, step, before = self._engine, self._time_step, self._engine.steps
+        before = self._engine.steps
         placed = self._placed_by_hand() if self._jointed else ()
         untouched = self._sleeps and self._untouched
-        if (invalid := engine.step(count, untouched=untouched, events=self._events)) is not None:
+        invalid = self._engine.step(count, untouched=untouched, events=self._events)
+        self._take_note(invalid, before, placed)
+
+    def _take_note(self, invalid: Invalid | None, before: int, placed: Collection[str]) -> None:
+        """Take note of what the steps after so many did; raise `RuleError` if one cannot be."""
+        engine, step = self._engine, self._time_step
+        if invalid is not None:
             if self._jointed and self._joints.begin_anew_if_infinite():
                 self._unsettled = True
             joints = self._joints.equation_of(invalid.row), self._joints.holding(invalid.row)
@@ -174,6 +182,30 @@ class Stepping(Views):
             return
         if (row := engine.lossy_springs) >= 0:
             self._warned.tell([too_long_for_springs(self._name_of(row), self.time, step)])
+
+    @property
+    def _steps_simply(self) -> bool:
+        """Whether the next step is one of the engine, and nothing else has to be done for it."""
+        return not (
+            self._unsettled
+            or self._earlier
+            or self._scene is not None
+            or not self._engine.compiled
+            or self._pushed is not None
+            or (self._jointed and self._joints.watched)
+        )
+
+    def _begin_steps(self, count: int) -> None:
+        """Begin steps that the engine takes together with those of other worlds."""
+        self._begin_call()
+        self._touching = None
+        self._engine.begin_together(self._events if count > 1 else None)
+
+    def _end_steps(self, count: int, status: int) -> None:
+        """Go on with so many steps that the engine began, and ended somehow; raise `RuleError`."""
+        before = self._engine.steps - count + self._engine.steps_left
+        events = self._events if count > 1 else None
+        self._take_note(self._engine.end_together(status, events), before, ())
 
     def _placed_by_hand(self) -> tuple[str, ...]:
         """Return the names of joints whose bodies were put elsewhere; tell those beyond limits."""

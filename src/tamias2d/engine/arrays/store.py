@@ -18,7 +18,7 @@ from tamias2d.engine.arrays.world import (
     with_arrays,
 )
 from tamias2d.engine.tables import Integers
-from tamias2d.kernels.groups import Addresses
+from tamias2d.kernels.groups import Addresses, table_shape
 from tamias2d.state import Array, IntArray
 
 CONTACTS_OF_SHAPE = 5
@@ -40,6 +40,7 @@ class Store:
         self.world = allocated(capacities)
         self._addresses = Addresses()
         self._argument: Any = None
+        self._kept_table: NDArray[np.int64] | None = None
         self._slots = 0  # that it tells of
         self._by_slot: tuple[NDArray[Any], ...] | None = None  # arrays with a row for each slot
         state = self.world.state
@@ -58,7 +59,20 @@ class Store:
         """Return the addresses of `in_use`."""
         table = self._addresses.of(self.world)
         table[shortened_rows(), 1] = slots
-        return table
+        if self._kept_table is None:
+            return table
+        self._kept_table[...] = table
+        return self._kept_table
+
+    @property
+    def table_shape(self) -> tuple[int, int]:
+        """The shape of the table of addresses."""
+        return table_shape(self.world)
+
+    def keep_table_in(self, table: NDArray[np.int64]) -> None:
+        """Keep the table of addresses in an array from now on."""
+        self._kept_table = table
+        self.forget_addresses()
 
     def replace(self, **arrays: NDArray[Any]) -> None:
         """Put arrays, by `group__field`, in the place of others of the same shape."""
