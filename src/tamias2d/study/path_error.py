@@ -23,7 +23,7 @@ _TIGHTEST, _JOINTED = 3e-12, 1e-10
 joints, where chaotic motion lets the rounding of their rows grow."""
 _SURE, _TRUSTED = 1.5, 2.3  # times the error that was integrated: a small one, and a larger one
 _SMALL = 1e-4  # of the scale: up to there more than the small one is believed
-_SLOWED, _TINY = (1.5, 3.0), 1e-6
+_SLOWED, _TINY = (1.75, 3.0), 1e-6
 """The same where bodies are only slowed: of an error that is larger than this share of the scale,
 and of the smallest. Rates within a step are known badly, and steps of high order feel that most."""
 _FEW, _LUCKY = 24, 10.0
