@@ -15,9 +15,8 @@ from tamias2d.simulator import Simulator
 from tamias2d.spec.evaluate import Value, evaluate
 from tamias2d.spec.expression import Call, Node, Relation, parse
 
-# In the last two many bodies go on together. Of the first 300 crowds three are left out, 1, 131 and
-# 199: the angular momentum of an island is off there by up to 0.4 %, which IM17 does not give back.
-SEEDS = (0, *range(2, 17), 18, 1052)
+# In 18 and 1052 many bodies go on together; in 199 restitution alone pushes a body of an island.
+SEEDS = (*range(19), 131, 199, 1052)
 STEPS = 16
 Values = dict[str, Value]
 

@@ -98,6 +98,8 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     from tamias2d.verify import verify as verify
     from tamias2d.work_limit import WorkLimitError as WorkLimitError
 
+    __version__: str
+
 _HOMES = {
     "certificate": "Certificate",
     "cost": "Cost",
@@ -128,11 +130,19 @@ _HOME_OF = {name: home for home, names in _HOMES.items() for name in names.split
 
 
 def __getattr__(name: str) -> object:
-    if name not in _HOME_OF:
-        raise AttributeError(f"t2.{name}: unknown{_meant(name)}", name=name)
-    value = getattr(import_module(f"tamias2d.{_HOME_OF[name]}"), name)
+    value = _value(name)
     globals()[name] = value
     return value
+
+
+def _value(name: str) -> object:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("tamias2d")
+    if name not in _HOME_OF:
+        raise AttributeError(f"t2.{name}: unknown{_meant(name)}", name=name)
+    return getattr(import_module(f"tamias2d.{_HOME_OF[name]}"), name)
 
 
 def _meant(name: str) -> str:
@@ -143,7 +153,7 @@ def _meant(name: str) -> str:
 
 
 def __dir__() -> list[str]:
-    return [*globals(), *_HOME_OF]
+    return [*globals(), *_HOME_OF, "__version__"]
 
 
 class _Package(ModuleType):

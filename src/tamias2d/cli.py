@@ -62,9 +62,9 @@ app = typer.Typer(
 
 def _print_version(asked: bool) -> None:
     if asked:
-        from importlib.metadata import version
+        from tamias2d import __version__
 
-        print(f"tamias2d {version('tamias2d')}")
+        print(f"tamias2d {__version__}")
         raise typer.Exit
 
 

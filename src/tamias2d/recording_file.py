@@ -37,13 +37,13 @@ def refuse_place(path: Path) -> None:
         raise RecordingError(f"{where}: cannot be written: {why}. Rename it.") from None
     target = Path(os.path.realpath(path)) if path.is_symlink() else path
     folder = path_text(target.parent)
-    if target.is_dir():
+    if os.path.isdir(target):
         raise RecordingError(f"{where}: is a directory. Give the name of a file in it.")
-    if target.exists() and not target.is_file():
+    if os.path.exists(target) and not os.path.isfile(target):
         raise RecordingError(f"{where}: is a pipe or a device. Give the name of a file.")
-    if target.parent.exists() and not target.parent.is_dir():
+    if os.path.exists(target.parent) and not os.path.isdir(target.parent):
         raise RecordingError(f"{where}: {folder} is no directory. Choose another place.")
-    if not target.parent.is_dir():
+    if not os.path.isdir(target.parent):
         raise RecordingError(f"{where}: there is no directory {folder}. Make it first.")
     if not os.access(target.parent, os.W_OK | os.X_OK):
         raise RecordingError(f"{where}: {folder} cannot be written. Choose another place.")

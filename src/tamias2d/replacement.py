@@ -19,19 +19,19 @@ _DAY = 86_400.0  # s
 
 
 @contextmanager
-def aside(path: Path) -> Iterator[Path]:
+def aside(path: Path, *, mode: int = 0o666) -> Iterator[Path]:
     """Give a path to write to, which takes the place of `path` when the block ends well.
 
     A reader sees the old content or the new one, whole, even where the power fails. A link stays a
-    link, and a file keeps its mode. Raises OSError as `open` does; the file at `path` is then as it
-    was.
+    link, and a file keeps its mode; a new one has of `mode` what the umask lets. Raises OSError as
+    `open` does; the file at `path` is then as it was.
     """
-    target, mode = _target(path)
+    target, before = _target(path)
     _remove_abandoned(target.parent)
-    draft, held = _draft(target.parent, 0o666 if mode is None else 0o600)
+    draft, held = _draft(target.parent, mode if before is None else 0o600)
     try:
         yield draft
-        _finish(draft, mode)
+        _finish(draft, before)
         draft.replace(target)
     finally:
         draft.unlink(missing_ok=True)
@@ -39,9 +39,9 @@ def aside(path: Path) -> Iterator[Path]:
             os.close(held)
 
 
-def write_aside(path: Path, content: bytes) -> None:
+def write_aside(path: Path, content: bytes, *, mode: int = 0o666) -> None:
     """Replace the content of the file at `path` in one step; raises as `aside` does."""
-    with aside(path) as draft:
+    with aside(path, mode=mode) as draft:
         draft.write_bytes(content)
 
 

@@ -6,7 +6,7 @@ from tamias2d.errors import InputError
 from tamias2d.motion import Method
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.solve import planned, solve
+from tamias2d.solve import interruptible, planned, solve
 from tamias2d.study.quality import checked_quality, of_quality
 from tamias2d.study.recommend import checked_tolerance
 from tamias2d.study.tolerance import within
@@ -60,7 +60,8 @@ def simulate(
         StabilityError: the method is unstable at the time step; told before it runs.
         WorkLimitError: the run takes more steps and impacts than `work_limit`; likewise.
         StepSizeError: no step that float64 can take meets an adaptive method's tolerance.
-        Interrupted: the user stopped it; likewise with its `run`.
+        Interrupted: the user stopped it; likewise with its `run`. Within a tolerance or a quality
+            that is a try for it, not known to be within, or the start alone between tries.
     """
     if tolerance is None and quality is None:
         return solve(
@@ -74,23 +75,24 @@ def simulate(
         )
     plan = planned(scene, duration, method, time_step, times, work_limit)
     _refuse_both(tolerance, quality, method)
-    if quality is not None:
-        return of_quality(
+    with interruptible(plan):
+        if quality is not None:
+            return of_quality(
+                scene,
+                duration=plan.duration,
+                quality=checked_quality(quality),
+                times=plan.times,
+                progress=progress,
+                work_limit=work_limit,
+            )
+        return within(
             scene,
             duration=plan.duration,
-            quality=checked_quality(quality),
+            tolerance=checked_tolerance(tolerance),
             times=plan.times,
             progress=progress,
             work_limit=work_limit,
         )
-    return within(
-        scene,
-        duration=plan.duration,
-        tolerance=checked_tolerance(tolerance),
-        times=plan.times,
-        progress=progress,
-        work_limit=work_limit,
-    )
 
 
 def _refuse_both(tolerance: object, quality: object, method: Method | None) -> None:

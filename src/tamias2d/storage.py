@@ -13,7 +13,7 @@ import platformdirs
 from tamias2d.errors import InputError
 from tamias2d.replacement import aside, write_aside
 
-__all__ = ["aside", "home", "home_path", "make_private", "refuse_shared", "results_path",
+__all__ = ["aside", "home", "home_path", "make_own", "refuse_shared", "results_path",
            "write_aside"]  # fmt: skip
 
 _OTHERS = stat.S_IWGRP | stat.S_IWOTH
@@ -30,7 +30,7 @@ def home_path() -> Path:
         return platformdirs.user_cache_path("tamias2d", appauthor=False)
     try:
         return Path(chosen).expanduser().absolute()
-    except RuntimeError as fault:  # ~nosuchuser
+    except (RuntimeError, OSError) as fault:  # ~nosuchuser; a working directory that is gone
         raise _unusable(Path(chosen)) from fault
 
 
@@ -54,11 +54,14 @@ def results_path() -> Path:
     return home() / f"results-{copy}.json"
 
 
-def make_private(path: Path) -> None:
-    """Make a directory that only the user can enter, and its parents; raises OSError."""
+def make_own(path: Path) -> None:
+    """Make a directory that nobody else can write, and its parents; raises OSError.
+
+    Nobody else can enter it either, unless root makes it, who may compile for all users.
+    """
     if not path.parent.exists():
-        make_private(path.parent)
-    path.mkdir(mode=0o700, exist_ok=True)
+        make_own(path.parent)
+    path.mkdir(mode=0o755 if _is_root() else 0o700, exist_ok=True)
 
 
 def refuse_shared(path: Path) -> None:
@@ -82,6 +85,10 @@ def refuse_shared(path: Path) -> None:
     )
 
 
+def _is_root() -> bool:
+    return os.name == "posix" and os.geteuid() == 0
+
+
 def _unusable(path: Path) -> InputError:
     return InputError(
         f"TAMIAS2D_HOME: {path}: must be a directory that can be written. "
@@ -91,7 +98,7 @@ def _unusable(path: Path) -> InputError:
 
 def _writable(path: Path) -> bool:
     try:
-        make_private(path)
+        make_own(path)
     except (OSError, ValueError):  # a name with a null byte
         return False
     return os.access(path, os.W_OK | os.X_OK)

@@ -8,7 +8,7 @@ from tamias2d.motion import Stepped
 from tamias2d.scene import catalogue
 from tamias2d.study.engines.overlap import worst
 from tamias2d.study.error import distance
-from tamias2d.study.refined import refined, stepped, work_of
+from tamias2d.study.refined import refined, refinements, step_alone, stepped, work_of
 
 G = (0.0, -9.81)
 TIMES = np.linspace(0.0, 0.5, 11)
@@ -84,10 +84,10 @@ def test_what_is_past_the_horizon_is_refused_with_what_can_be_met() -> None:
 
 def test_what_is_finer_than_steps_can_be_is_refused() -> None:
     with pytest.raises(t2.ToleranceError, match="give a tolerance of") as refused:
-        t2.simulate(slider(), duration=0.5, tolerance=1e-12, work_limit=100)
+        t2.simulate(slider(), duration=0.5, tolerance=1e-12, work_limit=1000)
     reachable = refused.value.reachable
     assert reachable is not None
-    run = t2.simulate(slider(), duration=0.5, tolerance=reachable, work_limit=100)
+    run = t2.simulate(slider(), duration=0.5, tolerance=reachable, work_limit=1000)
     assert run.certificate is not None
 
 
@@ -195,3 +195,16 @@ def test_more_joints_than_are_solved_at_once_are_stepped() -> None:
     run = t2.simulate(catalogue.load("joint-grid"), duration=0.02)
     assert isinstance(run.method, Stepped)
     assert np.isfinite(run.energy).all()
+
+
+def test_few_bodies_are_refined_no_longer_than_their_steps_take() -> None:
+    """Without what steps cost alone, the work limit would leave ten times as many."""
+    found = refinements(
+        slider(),
+        duration=0.5,
+        times=TIMES,
+        time_step=1 / 60,
+        work=1e6,
+        per_step=step_alone(slider()),
+    )
+    assert sum(one.steps for one in found) < 1e6 / 400

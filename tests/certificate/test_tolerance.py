@@ -377,3 +377,45 @@ def test_a_loose_tolerance_is_met_where_a_tight_one_is(
     run = t2.simulate(scene, duration=duration, tolerance=tolerance)
     assert run.certificate is not None
     assert run.certificate.meets(tolerance)
+
+
+def test_fast_spin_is_no_long_way() -> None:
+    scene = t2.Scene(gravity=(0, 0))
+    scene.add_body(t2.Disc(radius=0.1), mass=1, position=(1, 0), angular_velocity=1e5)
+    scene.add_field(force=("-1[N/m]*x(position)-1[N/m^3]*x(position)**3", "0[N]"))
+    run = t2.simulate(scene, duration=10.0, tolerance=1e-4)
+    exact = t2.simulate(scene, duration=10.0, method=t2.Dop853(rtol=1e-13))
+    assert run.certificate is not None
+    assert "the 2.2 m that the farthest one goes" in run.certificate.measure
+    assert np.abs(run.position - exact.position).max() < 1e-4 * 2.2
+
+
+@pytest.mark.parametrize(
+    ("name", "duration", "tolerance"), [("kepler", 10.0, 1e-6), ("pendulum", 0.7, 1e-7)]
+)
+def test_the_scale_does_not_depend_on_the_samples(
+    name: str, duration: float, tolerance: float, tmp_path: Path
+) -> None:
+    scene, found = t2.catalogue.load(name), set()
+    for times in (None, [0.0, duration], [duration], [0.99 * duration, duration], [0.1, 0.1]):
+        run = t2.simulate(scene, duration=duration, times=times, tolerance=tolerance)
+        assert times is None or run.times.tolist() == times
+        assert run.certificate is not None
+        found.add((run.method, run.certificate.bound, run.certificate.measure))
+        mine = t2.simulate(scene, duration=duration, times=times, method=t2.Dop853(rtol=1e-8))
+        judged = t2.certify(mine).certificate
+        assert judged is not None
+        assert judged.measure == run.certificate.measure
+    assert len(found) == 1
+    run.save(tmp_path / "run.npz")
+    assert check(tmp_path / "run.npz").identical
+
+
+@pytest.mark.parametrize("drag", [0.0, 0.1])
+def test_runs_too_short_for_their_rounding_are_to_last_longer(drag: float) -> None:
+    scene = t2.Scene(gravity=(0, -9.81))
+    scene.add_body(t2.Disc(radius=0.5), mass=1, position=(0, 5), quadratic_drag=drag)
+    with pytest.raises(t2.ToleranceError, match="Let the run last longer") as refused:
+        t2.simulate(scene, duration=1e-6, tolerance=1e-8)
+    assert refused.value.reachable is not None
+    assert t2.simulate(scene, duration=1e-3, tolerance=1e-8).certificate is not None

@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -18,7 +19,7 @@ import tamias2d as t2
 from tamias2d import cli, motion
 from tamias2d.commands import run as run_command
 from tamias2d.commands.names import find_method
-from tamias2d.commands.output import followed
+from tamias2d.commands.output import followed, print_table
 from tamias2d.commands.step_warnings import as_lines
 from tamias2d.errors import RecordingError, StepWarning
 from tamias2d.scene import catalogue, needs
@@ -402,6 +403,23 @@ def test_in_a_terminal_verify_shows_how_far_it_is(monkeypatch: pytest.MonkeyPatc
     shown = screen.getvalue()
     assert "TC2" in shown
     assert "2/2" in shown
+
+
+@pytest.mark.parametrize("width", [80, 40, 20])
+def test_a_narrow_terminal_loses_nothing_of_a_table(
+    monkeypatch: pytest.MonkeyPatch, width: int
+) -> None:
+    screen = Terminal()
+    monkeypatch.setattr(sys, "stdout", screen)
+    monkeypatch.setenv("COLUMNS", str(width))
+    heads = ("item", "where", "cases", "verdict")
+    place = "src/tamias2d/generated/continuous_collision.py:123"
+    row = ("coulomb.tangential_velocity_closest", place, "OF12a OF12b", "not run")
+    print_table(heads, [row])
+    lines = re.sub(r"\x1b\[[\d;]*m", "", screen.getvalue()).splitlines()
+    assert max(map(len, lines)) <= width
+    shown, meant = "".join(lines), "".join((*heads, *row))
+    assert sorted(shown.replace(" ", "")) == sorted(meant.replace(" ", ""))
 
 
 def test_verify_shows_nothing_where_nobody_looks(call: Call) -> None:

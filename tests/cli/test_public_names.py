@@ -4,6 +4,7 @@ import ast
 import subprocess
 import sys
 import textwrap
+from importlib import metadata
 from pathlib import Path
 
 import pytest
@@ -55,6 +56,11 @@ def test_import_is_quick_because_it_loads_almost_nothing() -> None:
 def test_every_name_is_there(name: str) -> None:
     assert getattr(tamias2d, name) is not None
     assert name in dir(tamias2d)
+
+
+def test_the_version_is_that_of_the_distribution() -> None:
+    assert tamias2d.__version__ == metadata.version("tamias2d")
+    assert "__version__" in dir(tamias2d)
 
 
 def test_type_checkers_see_the_same_names() -> None:

@@ -73,15 +73,31 @@ def test_a_home_of_no_user_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
         storage.home()
 
 
+@pytest.mark.skipif(os.name != "posix", reason="a directory that is used stays")
+def test_a_home_in_a_directory_that_is_gone_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "gone").mkdir()
+    monkeypatch.chdir(tmp_path / "gone")
+    (tmp_path / "gone").rmdir()
+    monkeypatch.setenv("TAMIAS2D_HOME", "place")
+    with pytest.raises(InputError, match="TAMIAS2D_HOME: place: must be a directory"):
+        storage.home_path()
+
+
 @pytest.mark.skipif(os.name != "posix", reason="modes")
-def test_what_is_made_is_the_users_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(("is_root", "mode"), [(False, 0o700), (True, 0o755)])
+def test_nobody_else_can_write_what_is_made(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_root: bool, mode: int
+) -> None:
+    monkeypatch.setattr(storage, "_is_root", lambda: is_root)
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path / "new" / "place"))
     before = os.umask(0)
     try:
         place = storage.home()
     finally:
         os.umask(before)
-    assert [stat.S_IMODE(path.stat().st_mode) for path in (place, place.parent)] == [0o700, 0o700]
+    assert [stat.S_IMODE(path.stat().st_mode) for path in (place, place.parent)] == [mode, mode]
 
 
 @pytest.mark.skipif(os.name != "posix", reason="modes")

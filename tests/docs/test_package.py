@@ -21,6 +21,19 @@ def test_versions_and_authors_agree() -> None:
     assert re.findall(r"^## (\S+)", changes, re.M)[0] == cited["version"]
 
 
+def test_the_origin_is_cited_as_in_the_references() -> None:
+    cited = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    books = (ROOT / "srs/references.bib").read_text(encoding="utf-8")
+    plain = " ".join(re.sub(r"[{}]", "", books).split())
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert len(cited["references"]) == 2
+    for origin in cited["references"]:
+        assert f"= {origin['title']}, howpublished" in plain
+        repository = origin["repository-code"].removeprefix("https://github.com/")
+        assert f"GitHub {repository}, year = {origin['year']}" in plain
+        assert origin["repository-code"] in readme
+
+
 def test_the_licence_is_the_one_that_is_named() -> None:
     text = (ROOT / "LICENSE").read_text(encoding="utf-8")
     assert text.startswith("BSD 2-Clause License")

@@ -1,6 +1,7 @@
 """`tamias2d ensemble`: what it prints, draws and records."""
 
 import json
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from typer.testing import CliRunner
 import tamias2d as t2
 from tamias2d import Run
 from tamias2d.cli import app
+from tamias2d.ensemble import run_ensemble
 
 VARY = (
     *("--vary", "bodies.disc.restitution=uniform(0.2, 0.8)"),
@@ -75,3 +77,17 @@ def test_what_cannot_be_is_told_in_one_line(arguments: tuple[str, ...], message:
     assert found.exit_code == 2
     assert message in found.stderr
     assert found.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("name", ["xarray", "zarr", "dask", "loky"])
+def test_what_is_missing_is_told_before_any_world_is_computed(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str
+) -> None:
+    def never(*_: object) -> None:
+        raise AssertionError("it was computed")
+
+    monkeypatch.setattr(run_ensemble, "_computed", never)
+    monkeypatch.setitem(sys.modules, name, None)
+    found = call("--vary", "gravity.y=-1, -2", "--workers", 2, "--out", tmp_path / "e.zarr")
+    assert found.exit_code == 2
+    assert found.stderr.startswith(f"{name}: is needed for labelled arrays, and not installed")

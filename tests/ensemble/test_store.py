@@ -224,6 +224,8 @@ def test_what_is_no_store_is_left_alone(tmp_path: Path) -> None:
     assert out.read_text() == "mine"
     with pytest.raises(t2.RecordingError, match=r"there is no directory .*no"):
         t2.ensemble(bouncing(), out=tmp_path / "no" / "e.zarr", workers=1, **ARGUMENTS)
+    with pytest.raises(t2.RecordingError, match="there is no directory"):
+        t2.ensemble(bouncing(), out=tmp_path / ("x" * 300) / "e.zarr", workers=1, **ARGUMENTS)
     with pytest.raises(t2.RecordingError, match=r"a\\x00b': is no name of a file \(R8\)"):
         t2.ensemble(bouncing(), out=tmp_path / "a\0b", workers=1, **ARGUMENTS)
 

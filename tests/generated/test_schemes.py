@@ -32,13 +32,13 @@ def test_dop853_has_order_8() -> None:
 
 
 def test_explicit_euler_has_order_1() -> None:
-    """srs/schemes/euler.md:29."""
+    """srs/schemes/euler.md:30."""
     found = observed_order(schemes.explicit_euler)
     assert found == pytest.approx(1, abs=0.1)
 
 
 def test_semi_implicit_euler_has_order_1() -> None:
-    """srs/schemes/euler.md:55."""
+    """srs/schemes/euler.md:57."""
     found = observed_order(schemes.semi_implicit_euler)
     assert found == pytest.approx(1, abs=0.1)
 
@@ -56,7 +56,7 @@ def test_legacy_2018_translation_has_order_0() -> None:
 
 
 def test_legacy_2018_rotation_has_order_1() -> None:
-    """srs/schemes/legacy.md:35."""
+    """srs/schemes/legacy.md:38."""
     found = observed_order_of_levels(schemes.legacy_2018_rotation)
     assert found == pytest.approx(1, abs=0.1)
 

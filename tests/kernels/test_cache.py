@@ -6,7 +6,8 @@ import pickle
 import re
 import stat
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ import platformdirs
 import pytest
 import rich.console
 
+from tamias2d import storage
 from tamias2d.errors import InputError
 from tamias2d.kernels import Library, cache, compiled, kept_files, progress, source
 from tamias2d.kernels.compiled import loaded
@@ -149,20 +151,76 @@ def test_a_directory_of_another_user_is_refused(
 
 
 @pytest.mark.skipif(os.name != "posix", reason="modes")
-def test_only_the_user_can_enter_what_is_made(kernels: Path) -> None:
+@pytest.mark.parametrize(("is_root", "mode"), [(False, 0o700), (True, 0o755)])
+def test_nobody_else_can_write_what_is_made(
+    kernels: Path, monkeypatch: pytest.MonkeyPatch, is_root: bool, mode: int
+) -> None:
+    monkeypatch.setattr(storage, "_is_root", lambda: is_root)
     before = os.umask(0)
     try:
         answer()
     finally:
         os.umask(before)
-    assert stat.S_IMODE(kernels.stat().st_mode) == 0o700
+    assert stat.S_IMODE(kernels.stat().st_mode) == mode
+    assert [stat.S_IMODE(file.stat().st_mode) for file in kernels.iterdir()] == [0o644]
     assert answer() == (RIGHT, True)
+
+
+@contextmanager
+def another_user() -> Iterator[None]:
+    os.setreuid(12345, 0)
+    os.seteuid(12345)
+    try:
+        yield
+    finally:
+        os.seteuid(0)
+        os.setreuid(0, 0)
+
+
+AS_ROOT = pytest.mark.skipif(os.name != "posix" or os.geteuid() != 0, reason="only root may be two")
+
+
+@AS_ROOT
+def test_what_root_compiled_serves_others(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    with tempfile.TemporaryDirectory() as place:
+        os.chmod(place, 0o755)
+        monkeypatch.setenv("TAMIAS2D_HOME", f"{place}/home")
+        assert answer() == (RIGHT, False)
+        with another_user():
+            assert answer() == (RIGHT, True)
+    assert not caplog.messages
+
+
+@AS_ROOT
+def test_a_home_of_somebody_else_costs_no_answer_and_is_said_once(
+    kernels: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    assert answer() == (RIGHT, False)
+    kernels.parent.chmod(0o700)
+    with another_user():
+        assert answer() == answer(LIBRARY) == (RIGHT, False)
+    (said,) = caplog.messages
+    assert said.startswith(f"Compiled code cannot be found or kept in {kernels}: Permission denied")
+
+
+def test_a_home_that_cannot_be_named_costs_no_answer_and_is_said_once(
+    kernels: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    home = kernels.parent / ("x" * 300)
+    monkeypatch.setenv("TAMIAS2D_HOME", str(home))
+    assert answer() == answer(LIBRARY) == (RIGHT, False)
+    (said,) = caplog.messages
+    assert said.startswith(
+        f"Compiled code cannot be found or kept in {home}/kernels: File name too"
+    )
 
 
 def test_a_full_disk_costs_no_answer_and_is_said_once(
     kernels: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    def full(*_: object) -> None:
+    def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(kept_files.storage, "write_aside", full)

@@ -8,6 +8,9 @@ from tamias2d.motion import legacy
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.solve import Interrupted
+from tamias2d.study import certify, companion, quality, tolerance
+from tamias2d.study.offers import holding
+from tamias2d.study.refusal import refusal
 from tamias2d.work_limit import WORK_LIMIT, Work, WorkLimitError
 
 
@@ -172,3 +175,49 @@ def test_ctrl_c_ends_a_run_of_2018_with_its_start(monkeypatch: pytest.MonkeyPatc
             driven("1[N]*sin(1[rad/s]*time)"), duration=1.0, method=t2.Legacy2018(), time_step=0.1
         )
     assert stopped.value.run.times.tolist() == [0.0]
+
+
+def falling() -> t2.Scene:
+    """Return a ball that bounces in air."""
+    scene = t2.Scene(gravity=(0, -9.81))
+    scene.add_body(t2.Disc(radius=0.1), mass=1, position=(0, 2), quadratic_drag=0.1)
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), restitution=0.8)
+    return scene
+
+
+@pytest.mark.parametrize(
+    ("asked", "owner", "name"),
+    [
+        ({"tolerance": 1e-6}, tolerance, "pairs_that_can_meet"),
+        ({"tolerance": 1e-6}, certify, "penetrations"),
+        ({"tolerance": 1e-12}, companion, "solve"),
+        ({"quality": 1e-3}, quality, "steps_because"),
+    ],
+    ids=["choice", "certificate", "companion", "quality"],
+)
+def test_ctrl_c_between_tries_leaves_the_start(
+    asked: dict[str, float], owner: object, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stopped_at(1, monkeypatch, owner, name)
+    scene = falling()
+    with pytest.raises(Interrupted) as stopped:
+        t2.simulate(scene, duration=1.0, **asked)
+    assert stopped.value.run.times.tolist() == [0.0]
+    assert stopped.value.run.scene == scene
+
+
+def test_ctrl_c_in_a_try_leaves_its_history(monkeypatch: pytest.MonkeyPatch) -> None:
+    stopped_at(20, monkeypatch, Adaptive, "batch")
+    with pytest.raises(Interrupted) as stopped:
+        t2.simulate(driven("1[N]*sin(1e3[rad/s]*time)"), duration=1.0, tolerance=1e-6)
+    run = stopped.value.run
+    assert 1 < len(run.times) < 61
+    assert run.certificate is None
+
+
+def test_ctrl_c_while_an_offer_is_tried_is_not_swallowed() -> None:
+    def stopped(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        holding(refusal(1e-9, 1e-6), 1.0, stopped)

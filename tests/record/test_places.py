@@ -24,6 +24,15 @@ def test_what_is_no_name_is_refused(run: t2.Run, tmp_path: Path, stem: str, suff
         t2.record.load(tmp_path / f"{stem}{suffix}")
 
 
+@pytest.mark.skipif(os.name != "posix", reason="links")
+def test_what_leads_to_no_name_is_refused(run: t2.Run, tmp_path: Path) -> None:
+    (tmp_path / "run.npz").symlink_to(tmp_path / ("x" * 300) / "run.npz")
+    with pytest.raises(t2.RecordingError, match="there is no directory"):
+        run.save(tmp_path / "run.npz")
+    with pytest.raises(t2.InputError, match="a run is saved as"):
+        run.save(tmp_path / ("x" * 300))
+
+
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_the_longest_names_are_written(run: t2.Run, tmp_path: Path, suffix: str) -> None:
     path = tmp_path / ("x" * 251 + suffix)

@@ -66,6 +66,11 @@ WRONG: list[tuple[str, str, Change]] = [
     ("OC1", "refuses", put("refuses", "scenes", "negative mass", "says", "charge")),
     ("OC1", "refuses", put("refuses", "scenes", "negative mass", "scene", "bodies", "body",
                            "mass", "1 kg")),
+    ("OG23", "stepped", put("stepped", "bodies", "plank", "position",
+                            "vector(0[m], 1.5[m] - 1.626*9.81[m]/256**2)")),
+    ("OG25", "stepped", put("scene", "gravity", ["0 m/s^2", "-1e-9 m/s^2"])),
+    ("OA9k", "notes", put("notes", "scenes", "Verlet with steps of 0.2002 s", "time_step",
+                          "0.2 s")),
 ]  # fmt: skip
 
 

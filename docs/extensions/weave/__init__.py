@@ -21,17 +21,23 @@ from weave.guide import (
     InternalsDirective,
     RefusalsDirective,
 )
-from weave.links import ItemRole, ModuleRole, SymbolRole
-from weave.matrices import MatrixDirective, PlanTableDirective, RequirementsDirective
+from weave.links import ItemRole, ModuleRole, PackageRole, SymbolRole
 from weave.mirror import on_builder_inited
+from weave.traceability import (
+    CasesDirective,
+    DemandsDirective,
+    DependentsDirective,
+    PlanTableDirective,
+)
 from weave.verification import PublishedDirective, ResultsDirective, SurveyDirective
 from weave.woven import weave
 
 _TABLES = {
     "symbols": SymbolsDirective,
     "indices": IndicesDirective,
-    "matrix": MatrixDirective,
-    "requirements-table": RequirementsDirective,
+    "demands": DemandsDirective,
+    "dependents": DependentsDirective,
+    "cases-table": CasesDirective,
     "published-tables": PublishedDirective,
     "all-results": ResultsDirective,
     "survey": SurveyDirective,
@@ -78,5 +84,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
         app.add_directive(name, directive)
     app.add_role("srs", ItemRole())
     app.add_role("module", ModuleRole())
+    app.add_role("package", PackageRole())
     app.add_role("symbol", SymbolRole())
     return {"version": "1", "parallel_read_safe": False, "parallel_write_safe": True}

@@ -5,7 +5,7 @@ Hides: which files they list.
 """
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from docutils import nodes
 
@@ -14,12 +14,12 @@ from weave.chapter import WovenDirective
 from weave.interface import described, exported, public, reference
 from weave.links import module_anchor
 from weave.markdown import bullets, table
-from weave.modules import Module, guide, modules
+from weave.modules import Module, folders, guide, listing, modules
 from weave.public_names import public_name
 
 
 class GuideDirective(WovenDirective):
-    """What each module serves and what it hides."""
+    """What each package serves and what it hides."""
 
     def run(self) -> list[nodes.Node]:
         box = nodes.container(classes=["srs-wide"])
@@ -31,10 +31,10 @@ class InterfaceDirective(WovenDirective):
     """The public names that the fence lists, as a user writes them: `t2.Scene`."""
 
     def run(self) -> list[nodes.Node]:
-        every = list(modules(self.woven.root / "src/tamias2d"))
+        every = modules(self.woven.root / "src/tamias2d")
         return [self._section(name, every) for name in " ".join(self.content).split()]
 
-    def _section(self, name: str, every: list[Module]) -> nodes.section:
+    def _section(self, name: str, every: Sequence[Module]) -> nodes.section:
         section = nodes.section(ids=[f"t2-{name}"], classes=["srs-module"])
         section += nodes.title("", "", nodes.literal("", f"t2.{name}"))
         self.parse(public_name(name, every), section)
@@ -42,11 +42,16 @@ class InterfaceDirective(WovenDirective):
 
 
 class InternalsDirective(WovenDirective):
-    """Every module with its public names; generated ones show their code with their items."""
+    """`{internals} tamias2d.scene`: the modules of a package with their public names.
+
+    Generated ones name their functions, whose code stands with the items.
+    """
 
     def run(self) -> list[nodes.Node]:
-        package = self.woven.root / "src/tamias2d"
-        return [self._section(module) for module in modules(package)]
+        inside = folders(self.woven.root / "src/tamias2d")[self.arguments[0]]
+        box = nodes.container(classes=["srs-wide"])
+        self.parse(listing(inside), box)
+        return [box, *(self._section(module) for module in inside)]
 
     def _section(self, module: Module) -> nodes.section:
         section = nodes.section(ids=[module_anchor(module.name)], classes=["srs-module"])

@@ -10,6 +10,7 @@ from typing import Any
 from docutils import nodes
 from sphinx.util.docutils import SphinxRole
 
+from weave.modules import page_of
 from weave.woven import Woven
 
 _PREFIXES = [
@@ -107,10 +108,22 @@ class ModuleRole(SphinxRole):
     """`` {module}`tamias2d.run` `` links to the module among the internals."""
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
-        uri = self.env.app.builder.get_relative_uri(self.env.docname, "internals")
-        target = f"{uri}#{module_anchor(self.text)}"
-        name = nodes.literal("", self.text)
-        return [nodes.reference("", "", name, refuri=target, internal=True)], []
+        anchor = f"#{module_anchor(self.text)}"
+        return [internal_link(self.env, self.text, anchor)], []
+
+
+class PackageRole(SphinxRole):
+    """`` {package}`tamias2d.engine` `` links to the page of the package."""
+
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        return [internal_link(self.env, self.text, "")], []
+
+
+def internal_link(env: Any, name: str, anchor: str) -> nodes.reference:
+    """A link to the page on which a module stands, or to its anchor there."""
+    page = page_of(name, env.app.woven.root / "src/tamias2d")
+    target = f"{env.app.builder.get_relative_uri(env.docname, page)}{anchor}"
+    return nodes.reference("", "", nodes.literal("", name), refuri=target, internal=True)
 
 
 def module_anchor(name: str) -> str:

@@ -1,13 +1,13 @@
 """The modules of the package, read from their source without importing it.
 
 Serves: the module guide, the interface reference and the internals. Hides: the form of a
-docstring that says what its module serves and hides.
+docstring that says what its module serves and hides, and on which page a module stands.
 """
 
 import ast
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from weave.markdown import as_markdown, table
@@ -47,11 +47,10 @@ class Module:
     tree: ast.Module
 
     @property
-    def part(self) -> str:
-        """The package of the first level that it belongs to."""
-        above = self.name.split(".")
-        inner = len(above) > 2 or self.path.name == "__init__.py"
-        return ".".join(above[:2]) if inner else above[0]
+    def folder(self) -> str:
+        """The package in whose folder it lies; of a package, itself."""
+        inner = self.path.name == "__init__.py"
+        return self.name if inner else self.name.rpartition(".")[0]
 
     @property
     def docstring(self) -> str:
@@ -74,31 +73,56 @@ def sentence(text: str) -> str:
     return re.split(r"(?<=[.])\s", " ".join(text.split()))[0]
 
 
-def modules(package: Path) -> Iterator[Module]:
+@cache
+def modules(package: Path) -> tuple[Module, ...]:
     """Every module of a package: first what a user calls, then the parts, in the order of PARTS."""
-    for path in sorted(package.rglob("*.py"), key=lambda p: _place(p.relative_to(package))):
-        parts = [package.name, *path.relative_to(package).with_suffix("").parts]
-        name = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
-        yield Module(name, path, ast.parse(path.read_text("utf-8")))
+    files = sorted(package.rglob("*.py"), key=lambda p: _place(p.relative_to(package)))
+    return tuple(_parsed(path, package) for path in files)
 
 
-def _place(path: Path) -> tuple[int, str]:
+def _parsed(path: Path, package: Path) -> Module:
+    parts = [package.name, *path.relative_to(package).with_suffix("").parts]
+    name = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+    return Module(name, path, ast.parse(path.read_text("utf-8")))
+
+
+def _place(path: Path) -> tuple[int, str, bool, str]:
     first = path.parts[0] if len(path.parts) > 1 else ""
-    return (PARTS.index(first) if first in PARTS else len(PARTS)), str(path)
+    rank = PARTS.index(first) if first in PARTS else len(PARTS)
+    return rank, str(path.parent), path.name != "__init__.py", path.name
+
+
+@cache
+def folders(package: Path) -> dict[str, tuple[Module, ...]]:
+    """The modules of a package and of each package inside it, by its name."""
+    found: dict[str, list[Module]] = {}
+    for module in modules(package):
+        found.setdefault(module.folder, []).append(module)
+    return {name: tuple(inside) for name, inside in found.items()}
+
+
+def page_name(folder: str) -> str:
+    """The name of the page of a package among the internals."""
+    return folder.removeprefix("tamias2d.").replace(".", "-")
+
+
+def page_of(name: str, package: Path) -> str:
+    """The page of a module, or of a package."""
+    return f"internals/{page_name(name if name in folders(package) else name.rpartition('.')[0])}"
 
 
 def guide(package: Path) -> str:
-    """For each part of the package what it serves and hides, and a table of its modules."""
-    heads: dict[str, str] = {}
-    rows: dict[str, list[list[str]]] = {}
-    for module in modules(package):
-        service, secret = module.service_and_secret
-        if service and module.name == module.part:
-            heads[module.part] = as_markdown(f"Serves: {service} Hides: {secret}")
-        link = f"{{module}}`{module.name}`"
-        rows.setdefault(module.part, []).append([link, as_markdown(module.summary)])
-    return "\n".join(
-        f"**{name}**\n\n{heads.get(name, '')}\n\n"
-        + table(["module", "what it is"], found, style="guide")
-        for name, found in rows.items()
-    )
+    """A table of all packages: what each serves and hides."""
+    rows = []
+    for name, (head, *_) in folders(package).items():
+        service, secret = head.service_and_secret
+        rows.append(
+            [f"{{package}}`{name}`", as_markdown(service or head.summary), as_markdown(secret)]
+        )
+    return table(["package", "serves", "hides"], rows, style="guide")
+
+
+def listing(inside: tuple[Module, ...]) -> str:
+    """A table of the modules of one package, with a sentence on each."""
+    rows = [[f"{{module}}`{one.name}`", as_markdown(one.summary)] for one in inside]
+    return table(["module", "what it is"], rows, style="guide")

@@ -16,8 +16,9 @@ from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.reader import read
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.tex import tex
-from tamias2d.trace import Traced, trace
+from tamias2d.trace import Graph, Traced, trace
 from tamias2d.verify import NOT_RUN, Outcome, results
+from tamias2d.verify.items import items
 
 
 @dataclass
@@ -44,6 +45,11 @@ class Woven:
     def corrected_by(self) -> dict[str, list[str]]:
         """For each id, the errata about it."""
         return self._backwards(self.spec.of_kind("erratum"))
+
+    @cached_property
+    def graph(self) -> Graph:
+        """The items with their links in both directions, as `tamias2d trace` follows them."""
+        return Graph(items(), results.read())
 
     def _backwards(self, items: list[Item]) -> dict[str, list[str]]:
         found: dict[str, list[str]] = defaultdict(list)

@@ -62,6 +62,17 @@ def note_before_restitution(
             islands.energy[i, tb.BEFORE_RESTITUTION + n] = bodies.motion[i, n]
 
 
+def mark_bounced(
+    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
+) -> None:
+    """Mark what restitution alone has pushed as pushed: until then it was like one in flight."""
+    for k in range(constraints.counts[tb.ACTIVE]):
+        i = touching.active[k]
+        for n in range(3):
+            if bodies.motion[i, n] != islands.energy[i, tb.BEFORE_RESTITUTION + n]:
+                bodies.moved[i] = tb.MOVED
+
+
 def bound_energy(
     control: Control,
     bodies: Bodies,

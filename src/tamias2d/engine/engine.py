@@ -1,6 +1,7 @@
 """The engine: bodies that can be added, changed and asked for, between calls that take steps."""
 
 from collections.abc import Mapping, Sequence
+from weakref import proxy
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,11 +43,12 @@ class Engine(StepCalls):
     def begin(self, rank: NDArray[np.int64], generation: NDArray[np.int64]) -> None:
         """Find out what the arrays hold; bodies have ranks and generations (n,), as told below."""
         self.begin_calls()
-        self._pool = BodyPool(self, rank, generation)
+        store = proxy(self)  # what an engine holds does not hold it: it is freed with its last user
+        self._pool = BodyPool(store, rank, generation)
         self._pool.publish_order()
         self._corners = OpenCorners()
         self.forms = 0  # how often bodies got other shapes
-        self.queries = QueryTree(self)
+        self.queries = QueryTree(store)
 
     # -- what users see and set
 
@@ -238,10 +240,6 @@ class Engine(StepCalls):
     def settle(self) -> None:
         """Give what was added its place, and free what was removed; before a step or query."""
         self._pool.settle()
-
-    def wake(self, rows: NDArray[np.int64]) -> None:
-        """Wake bodies that sleep, with their islands."""
-        self._pool.wake(rows)
 
     def sleep_after(self, steps: int) -> None:
         """Let islands fall asleep that have been slow for so many steps; 0 for never."""

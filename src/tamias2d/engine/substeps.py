@@ -8,7 +8,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.solve import prepare_trees, solve_trees
 from tamias2d.engine.energy.angular_momentum import add_moments, add_moments_before, begin_moments
 from tamias2d.engine.energy.step_energy import makes_energy, sum_step_energy
-from tamias2d.engine.energy_bound import bound_energy, note_before_restitution
+from tamias2d.engine.energy_bound import bound_energy, mark_bounced, note_before_restitution
 from tamias2d.engine.islands import update_islands
 from tamias2d.engine.joints.rebound import fit_rebound
 from tamias2d.engine.joints.stages import (
@@ -97,6 +97,7 @@ def finish_step(world: World) -> None:
             if over:
                 break
             over = fit_rebound(over, visit == 0, world)
+        mark_bounced(bodies, touching, constraints, islands)
     update_islands(bodies, touching, islands, world.joints)
     bound_energy(world.control, bodies, touching, constraints, islands, world.joints)
 

@@ -18,7 +18,7 @@ from tamias2d.ensemble.stepped import mostly_stepped
 from tamias2d.ensemble.store import Store
 from tamias2d.ensemble.worlds import MadeWorlds, Maker, VariedWorlds, Worlds, worlds_of
 from tamias2d.motion import Method
-from tamias2d.record.dataset import extra
+from tamias2d.record.dataset import refuse_missing_extra
 from tamias2d.scene import Scene
 from tamias2d.simulator.settings import checked_count
 from tamias2d.suggestions import suggests
@@ -89,9 +89,7 @@ def ensemble(
             as `simulate` refuses it; or workers died again and again.
         RecordingError: `out` cannot be written or holds something else, or xarray is missing.
     """
-    with extra():
-        import xarray  # noqa: F401 - missing, it is missed before anything is computed
-
+    refuse_missing_extra()
     described = worlds_of(scene, vary, worlds, seed, design)
     request = request_of(
         described.scene(0),

@@ -42,7 +42,7 @@ class Simulators(Controls, WorldReports):
     and `gravity` (worlds, 2). What is written counts from the next step on.
     """
 
-    __slots__ = ("_joint_names", "_shared", "_starts", "_steps", "_threads")
+    __slots__ = ("__weakref__", "_joint_names", "_shared", "_starts", "_steps", "_threads")
 
     def __init__(
         self,

@@ -45,7 +45,7 @@ class Store:
         """
         if "\0" in str(self.path):
             raise RecordingError(f"{path_text(self.path)}: is no name of a file (R8). Rename it.")
-        if not self.path.parent.is_dir():
+        if not os.path.isdir(self.path.parent):
             raise RecordingError(
                 f"{self.path}: there is no directory {self.path.parent}. Make it first."
             )

@@ -19,7 +19,7 @@ def point_velocity(velocity: Vector, angular_velocity: Scalar, arm: Vector) -> V
     Args:
         velocity: Velocity of the centre of mass, m/s
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
-        arm: Lever arm, from the centre of mass to the contact point, m
+        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
 
     Source: DD9, srs/definitions.md:71.
     """
@@ -34,7 +34,7 @@ def torque(arm: Vector, force: Vector) -> Scalar:
     torque = cross(arm, force)
 
     Args:
-        arm: Lever arm, from the centre of mass to the contact point, m
+        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
         force: Applied force on a body, without its weight, N
 
     Source: DD13, srs/definitions.md:88.
@@ -258,8 +258,8 @@ def inertia_compound(inertia_i: Scalar, mass_i: Scalar, arm_i: Vector) -> Scalar
         inertia_i: Moment of inertia about the centre of mass; of each particle, body or vertex
             in turn, kg*m^2
         mass_i: Mass of a body; of each particle, body or vertex in turn, kg
-        arm_i: Lever arm, from the centre of mass to the contact point; of each particle, body
-            or vertex in turn, m
+        arm_i: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of each particle, body or vertex in turn, m
 
     Source: DD25, srs/definitions.md:195.
     """
@@ -447,7 +447,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:468.
+    Source: DD17, srs/definitions.md:469.
     """
     return least(restitution_a, restitution_b)
 
@@ -463,7 +463,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:501.
+    Source: GD11, srs/definitions.md:502.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b

@@ -27,10 +27,12 @@ def tangential_velocity(
     Args:
         velocity_a: Velocity of the centre of mass; of body A, m/s
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
-        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
+        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body A, m
         velocity_b: Velocity of the centre of mass; of body B, m/s
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
-        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
+        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
     Source: IM9, srs/models/friction.md:83.
@@ -63,10 +65,12 @@ def cross_coupling(
     Args:
         inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
             1/(kg*m^2)
-        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
+        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body A, m
         inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
             1/(kg*m^2)
-        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
+        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
     Source: IM9, srs/models/friction.md:86.
@@ -101,11 +105,13 @@ def inverse_sliding_mass(
         inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
         inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
             1/(kg*m^2)
-        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
+        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body A, m
         inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
         inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
             1/(kg*m^2)
-        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
+        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body B, m
         inverse_effective_mass: Change of the normal velocity for one unit of impulse, 1/kg
 
     Source: IM9, srs/models/friction.md:92.
@@ -284,7 +290,8 @@ def angular_velocity_a_after(
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
         inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
             1/(kg*m^2)
-        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
+        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body A, m
         impulse_vector: Integral of a force over the time in which it acts, N*s
 
     Source: IM9, srs/models/friction.md:107.
@@ -328,7 +335,8 @@ def angular_velocity_b_after(
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
         inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
             1/(kg*m^2)
-        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
+        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body B, m
         impulse_vector: Integral of a force over the time in which it acts, N*s
 
     Source: IM9, srs/models/friction.md:110.
@@ -357,10 +365,12 @@ def tangential_acceleration(
     Args:
         acceleration_a: Acceleration of the centre of mass; of body A, m/s^2
         angular_acceleration_a: Rate of change of the angular velocity; of body A, rad/s^2
-        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
+        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body A, m
         acceleration_b: Acceleration of the centre of mass; of body B, m/s^2
         angular_acceleration_b: Rate of change of the angular velocity; of body B, rad/s^2
-        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
+        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
     Source: GD8, srs/models/friction.md:324.
@@ -417,9 +427,11 @@ def tangential_acceleration_turning(
         tangential_acceleration: Rate of change of the tangential velocity of a contact that
             lasts, m/s^2
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
-        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
+        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body A, m
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
-        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
+        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+            of body B, m
         tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
 
     Source: GD16, srs/models/friction.md:376.
@@ -548,7 +560,7 @@ def creep(
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: DD78, srs/models/friction.md:590.
+    Source: DD78, srs/models/friction.md:589.
     """
     return (
         2
@@ -568,6 +580,6 @@ def friction_force_most(contact_force: Scalar, pair_friction: Scalar) -> Scalar:
         contact_force: Size of the force of a resting contact along its normal, N
         pair_friction: The coefficient of friction that holds between two bodies, 1
 
-    Source: IM18, srs/models/friction.md:643.
+    Source: IM18, srs/models/friction.md:642.
     """
     return pair_friction * contact_force

@@ -1,4 +1,4 @@
-"""Hinge tree: Mass that hangs on a hinge; Impulse through a hinge.
+"""Hinge tree: Articulated-body inertia; Impulse through a hinge.
 
 Generated from srs/models/hinge_tree.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -18,7 +18,7 @@ def point_yield_x(inverse_mass: Scalar, inverse_inertia: Scalar, hinge_arm: Vect
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
 
-    Source: DD70, srs/models/hinge_tree.md:42.
+    Source: DD70, srs/models/hinge_tree.md:43.
     """
     hinge_arm_x, hinge_arm_y = hinge_arm
     return (
@@ -38,7 +38,7 @@ def point_yield_y(inverse_mass: Scalar, inverse_inertia: Scalar, hinge_arm: Vect
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
 
-    Source: DD70, srs/models/hinge_tree.md:45.
+    Source: DD70, srs/models/hinge_tree.md:46.
     """
     hinge_arm_x, hinge_arm_y = hinge_arm
     return (
@@ -57,7 +57,7 @@ def link_mass_x(link_yield_x: Vector, link_yield_y: Vector) -> Vector:
         link_yield_x: Change of the rate of a link along x for its impulses, 1/kg
         link_yield_y: Change of the rate of a link along y for its impulses, 1/kg
 
-    Source: DD70, srs/models/hinge_tree.md:48.
+    Source: DD70, srs/models/hinge_tree.md:49.
     """
     link_yield_x_x, link_yield_x_y = link_yield_x
     link_yield_y_x, link_yield_y_y = link_yield_y
@@ -77,7 +77,7 @@ def link_mass_y(link_yield_x: Vector, link_yield_y: Vector) -> Vector:
         link_yield_x: Change of the rate of a link along x for its impulses, 1/kg
         link_yield_y: Change of the rate of a link along y for its impulses, 1/kg
 
-    Source: DD70, srs/models/hinge_tree.md:51.
+    Source: DD70, srs/models/hinge_tree.md:52.
     """
     link_yield_x_x, link_yield_x_y = link_yield_x
     link_yield_y_x, link_yield_y_y = link_yield_y
@@ -97,7 +97,7 @@ def link_impulse(link_rate: Vector, link_mass_x: Vector, link_mass_y: Vector) ->
         link_mass_x: Impulse of a link along x for its rates, kg
         link_mass_y: Impulse of a link along y for its rates, kg
 
-    Source: DD70, srs/models/hinge_tree.md:54.
+    Source: DD70, srs/models/hinge_tree.md:55.
     """
     link_rate_x, link_rate_y = link_rate
     link_mass_x_x, link_mass_x_y = link_mass_x
@@ -118,7 +118,7 @@ def link_answer(link_impulse: Vector, link_yield_x: Vector, link_yield_y: Vector
         link_yield_x: Change of the rate of a link along x for its impulses, 1/kg
         link_yield_y: Change of the rate of a link along y for its impulses, 1/kg
 
-    Source: DD70, srs/models/hinge_tree.md:56.
+    Source: DD70, srs/models/hinge_tree.md:57.
     """
     link_impulse_x, link_impulse_y = link_impulse
     link_yield_x_x, link_yield_x_y = link_yield_x
@@ -143,7 +143,7 @@ def hinged_yield(
         link_impulse: Impulse of a link by itself, N*s
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
 
-    Source: DD70, srs/models/hinge_tree.md:58.
+    Source: DD70, srs/models/hinge_tree.md:59.
     """
     link_rate_x, link_rate_y = link_rate
     link_impulse_x, link_impulse_y = link_impulse
@@ -163,7 +163,7 @@ def hinge_arm(anchor: Vector, orientation_cosine: Scalar, orientation_sine: Scal
         orientation_cosine: Cosine of the orientation, 1
         orientation_sine: Sine of the orientation, 1
 
-    Source: DD70, srs/models/hinge_tree.md:24.
+    Source: DD70, srs/models/hinge_tree.md:25.
     """
     anchor_x, anchor_y = anchor
     return (
@@ -185,7 +185,7 @@ def hinge_gap(
         position_above: Position of the body above a hinge, m
         arm_above: From the centre of mass of the body above a hinge to the hinge, m
 
-    Source: DD70, srs/models/hinge_tree.md:25.
+    Source: DD70, srs/models/hinge_tree.md:26.
     """
     position_x, position_y = position
     hinge_arm_x, hinge_arm_y = hinge_arm
@@ -206,7 +206,7 @@ def arm_met(arm_above: Vector, hinge_gap: Vector) -> Vector:
         arm_above: From the centre of mass of the body above a hinge to the hinge, m
         hinge_gap: By how much a hinge is apart, m
 
-    Source: DD70, srs/models/hinge_tree.md:26.
+    Source: DD70, srs/models/hinge_tree.md:27.
     """
     arm_above_x, arm_above_y = arm_above
     hinge_gap_x, hinge_gap_y = hinge_gap
@@ -226,7 +226,7 @@ def hinge_moment(
         node_moment: Momentum of a node for its turning about its centre of mass, kg*m
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
 
-    Source: DD70, srs/models/hinge_tree.md:27.
+    Source: DD70, srs/models/hinge_tree.md:28.
     """
     node_mass_x_x, node_mass_x_y = node_mass_x
     node_mass_y_x, node_mass_y_y = node_mass_y
@@ -253,7 +253,7 @@ def hinge_inertia(
         hinge_moment: Momentum of a node for its turning about its hinge, kg*m
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
 
-    Source: DD70, srs/models/hinge_tree.md:29.
+    Source: DD70, srs/models/hinge_tree.md:30.
     """
     node_moment_x, node_moment_y = node_moment
     hinge_moment_x, hinge_moment_y = hinge_moment
@@ -275,7 +275,7 @@ def turning_yield(hinge_inertia: Scalar, turning_firmness: Scalar) -> Scalar:
         turning_firmness: Firmness with which laws of a hinge answer the turning of its bodies,
             kg*m^2
 
-    Source: DD70, srs/models/hinge_tree.md:32.
+    Source: DD70, srs/models/hinge_tree.md:33.
     """
     return 1 / (hinge_inertia + turning_firmness)
 
@@ -291,7 +291,7 @@ def turned_share(turning_firmness: Scalar, turning_yield: Scalar) -> Scalar:
         turning_yield: Change of the rate of turning for one unit of angular momentum at a
             hinge, 1/(kg*m^2)
 
-    Source: DD70, srs/models/hinge_tree.md:33.
+    Source: DD70, srs/models/hinge_tree.md:34.
     """
     return turning_firmness * turning_yield
 
@@ -306,7 +306,7 @@ def hinge_lever(hinge_moment: Vector, turning_yield: Scalar) -> Vector:
         turning_yield: Change of the rate of turning for one unit of angular momentum at a
             hinge, 1/(kg*m^2)
 
-    Source: DD70, srs/models/hinge_tree.md:34.
+    Source: DD70, srs/models/hinge_tree.md:35.
     """
     hinge_moment_x, hinge_moment_y = hinge_moment
     return (turning_yield * hinge_moment_x, turning_yield * hinge_moment_y)
@@ -322,7 +322,7 @@ def hung_mass(node_mass: Vector, lever_along: Scalar, hinge_moment: Vector) -> V
         lever_along: Lever of a hinge along one axis, 1/m
         hinge_moment: Momentum of a node for its turning about its hinge, kg*m
 
-    Source: DD70, srs/models/hinge_tree.md:35.
+    Source: DD70, srs/models/hinge_tree.md:36.
     """
     node_mass_x, node_mass_y = node_mass
     hinge_moment_x, hinge_moment_y = hinge_moment
@@ -348,7 +348,7 @@ def hung_moment(
         turned_share: Share of the turning of the body above that laws pass on to a node, 1
         arm_above: From the centre of mass of the body above a hinge to the hinge, m
 
-    Source: DD70, srs/models/hinge_tree.md:36.
+    Source: DD70, srs/models/hinge_tree.md:37.
     """
     hung_mass_x_x, hung_mass_x_y = hung_mass_x
     hung_mass_y_x, hung_mass_y_y = hung_mass_y
@@ -379,7 +379,7 @@ def hung_inertia(
         turned_share: Share of the turning of the body above that laws pass on to a node, 1
         arm_above: From the centre of mass of the body above a hinge to the hinge, m
 
-    Source: DD70, srs/models/hinge_tree.md:39.
+    Source: DD70, srs/models/hinge_tree.md:40.
     """
     hung_moment_x, hung_moment_y = hung_moment
     hinge_moment_x, hinge_moment_y = hinge_moment
@@ -402,7 +402,7 @@ def law_impulse(turning_firmness: Scalar, turning_error: Scalar) -> Scalar:
             kg*m^2
         turning_error: Rate of turning that laws of a hinge have not answered yet, rad/s
 
-    Source: DD71, srs/models/hinge_tree.md:98.
+    Source: DD71, srs/models/hinge_tree.md:99.
     """
     return turning_firmness * turning_error
 
@@ -421,7 +421,7 @@ def turn_bias(
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
         law_impulse: Angular impulse that laws of a hinge ask for, kg*m^2/s
 
-    Source: DD71, srs/models/hinge_tree.md:99.
+    Source: DD71, srs/models/hinge_tree.md:100.
     """
     momentum_bias_x, momentum_bias_y = momentum_bias
     hinge_arm_x, hinge_arm_y = hinge_arm
@@ -442,7 +442,7 @@ def momentum_hung(momentum_bias: Vector, turn_bias: Scalar, hinge_lever: Vector)
         turn_bias: Bias angular impulse of a node about its hinge, with its laws, kg*m^2/s
         hinge_lever: Turning of a node for the velocity of its hinge, with the other sign, 1/m
 
-    Source: DD71, srs/models/hinge_tree.md:101.
+    Source: DD71, srs/models/hinge_tree.md:102.
     """
     momentum_bias_x, momentum_bias_y = momentum_bias
     hinge_lever_x, hinge_lever_y = hinge_lever
@@ -465,7 +465,7 @@ def momentum_passed(
         hung_mass_x: Impulse along x that a hinge takes for velocities of its point, kg
         hung_mass_y: Impulse along y that a hinge takes for velocities of its point, kg
 
-    Source: DD71, srs/models/hinge_tree.md:102.
+    Source: DD71, srs/models/hinge_tree.md:103.
     """
     momentum_hung_x, momentum_hung_y = momentum_hung
     hinge_error_x, hinge_error_y = hinge_error
@@ -500,7 +500,7 @@ def angular_momentum_passed(
         arm_above: From the centre of mass of the body above a hinge to the hinge, m
         law_impulse: Angular impulse that laws of a hinge ask for, kg*m^2/s
 
-    Source: DD71, srs/models/hinge_tree.md:104.
+    Source: DD71, srs/models/hinge_tree.md:105.
     """
     momentum_passed_x, momentum_passed_y = momentum_passed
     hinge_error_x, hinge_error_y = hinge_error
@@ -528,7 +528,7 @@ def hinge_change(
         arm_above: From the centre of mass of the body above a hinge to the hinge, m
         hinge_error: Rate at which a hinge parts, beyond the one wanted, m/s
 
-    Source: DD71, srs/models/hinge_tree.md:107.
+    Source: DD71, srs/models/hinge_tree.md:108.
     """
     change_above_x, change_above_y = change_above
     arm_above_x, arm_above_y = arm_above
@@ -551,7 +551,7 @@ def root_change(momentum_hung: Vector, hung_mass_x: Vector, hung_mass_y: Vector)
         hung_mass_x: Impulse along x that a hinge takes for velocities of its point, kg
         hung_mass_y: Impulse along y that a hinge takes for velocities of its point, kg
 
-    Source: DD71, srs/models/hinge_tree.md:112.
+    Source: DD71, srs/models/hinge_tree.md:113.
     """
     momentum_hung_x, momentum_hung_y = momentum_hung
     hung_mass_x_x, hung_mass_x_y = hung_mass_x
@@ -584,7 +584,7 @@ def spin_change(
         turning_yield: Change of the rate of turning for one unit of angular momentum at a
             hinge, 1/(kg*m^2)
 
-    Source: DD71, srs/models/hinge_tree.md:115.
+    Source: DD71, srs/models/hinge_tree.md:116.
     """
     hinge_change_x, hinge_change_y = hinge_change
     hinge_lever_x, hinge_lever_y = hinge_lever
@@ -605,7 +605,7 @@ def change(hinge_change: Vector, spin_change: Scalar, hinge_arm: Vector) -> Vect
         spin_change: Change of the rate of turning of a body by its hinges, rad/s
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
 
-    Source: DD71, srs/models/hinge_tree.md:118.
+    Source: DD71, srs/models/hinge_tree.md:119.
     """
     hinge_change_x, hinge_change_y = hinge_change
     hinge_arm_x, hinge_arm_y = hinge_arm
@@ -635,7 +635,7 @@ def hinge_impulse(
         turned_share: Share of the turning of the body above that laws pass on to a node, 1
         momentum_hung: Impulse through a hinge whose point does not change its velocity, kg*m/s
 
-    Source: DD71, srs/models/hinge_tree.md:119.
+    Source: DD71, srs/models/hinge_tree.md:120.
     """
     hinge_change_x, hinge_change_y = hinge_change
     hung_mass_x_x, hung_mass_x_y = hung_mass_x
@@ -664,7 +664,7 @@ def velocity_hinged(velocity: Vector, hinge_impulse: Vector, inverse_mass: Scala
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD71, srs/models/hinge_tree.md:122.
+    Source: DD71, srs/models/hinge_tree.md:123.
     """
     velocity_x, velocity_y = velocity
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
@@ -688,7 +688,7 @@ def angular_velocity_hinged(
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD71, srs/models/hinge_tree.md:123.
+    Source: DD71, srs/models/hinge_tree.md:124.
     """
     hinge_arm_x, hinge_arm_y = hinge_arm
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
@@ -706,7 +706,7 @@ def momentum_hinged(momentum: Vector, hinge_impulse: Vector) -> Vector:
         momentum: Mass times velocity, kg*m/s
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
 
-    Source: DD71, srs/models/hinge_tree.md:125.
+    Source: DD71, srs/models/hinge_tree.md:126.
     """
     momentum_x, momentum_y = momentum
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
@@ -725,7 +725,7 @@ def angular_momentum_hinged(
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
 
-    Source: DD71, srs/models/hinge_tree.md:126.
+    Source: DD71, srs/models/hinge_tree.md:127.
     """
     hinge_arm_x, hinge_arm_y = hinge_arm
     hinge_impulse_x, hinge_impulse_y = hinge_impulse

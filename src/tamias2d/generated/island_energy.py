@@ -374,7 +374,7 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM11, srs/models/island_energy.md:249.
+    Source: IM11, srs/models/island_energy.md:248.
     """
     return largest(kinetic_energy_start + work, 0.0)
 
@@ -392,7 +392,7 @@ def damped_share(
         kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
         kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
 
-    Source: IM11, srs/models/island_energy.md:250.
+    Source: IM11, srs/models/island_energy.md:249.
     """
     return least(
         sqrt(
@@ -413,7 +413,7 @@ def velocity_damped(velocity: Vector, velocity_island: Vector, damped_share: Sca
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:253.
+    Source: IM11, srs/models/island_energy.md:252.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -438,7 +438,7 @@ def angular_velocity_damped(
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:254.
+    Source: IM11, srs/models/island_energy.md:253.
     """
     return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)
 
@@ -467,7 +467,7 @@ def given_product(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD88, srs/models/island_energy.md:335.
+    Source: DD88, srs/models/island_energy.md:334.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -488,7 +488,7 @@ def energy_along_given(given_product: Scalar, change_energy: Scalar) -> Scalar:
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:338.
+    Source: DD88, srs/models/island_energy.md:337.
     """
     return given_product * given_product / (4 * change_energy)
 
@@ -513,7 +513,7 @@ def energy_along_given_left(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD88, srs/models/island_energy.md:339.
+    Source: DD88, srs/models/island_energy.md:338.
     """
     return largest(energy_along_given - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -541,7 +541,7 @@ def velocity_reduced(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:341.
+    Source: DD88, srs/models/island_energy.md:340.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -574,7 +574,7 @@ def angular_velocity_reduced(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:343.
+    Source: DD88, srs/models/island_energy.md:342.
     """
     return (
         angular_velocity
@@ -592,7 +592,7 @@ def energy_given(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Sca
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD87, srs/models/island_energy.md:393.
+    Source: DD87, srs/models/island_energy.md:391.
     """
     return kinetic_energy - kinetic_energy_start - work
 
@@ -607,7 +607,7 @@ def rising_energy(mass: Scalar, velocity: Vector, acceleration: Vector) -> Scala
         velocity: Velocity of the centre of mass, m/s
         acceleration: Acceleration of the centre of mass, m/s^2
 
-    Source: DD87, srs/models/island_energy.md:394.
+    Source: DD87, srs/models/island_energy.md:392.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -636,7 +636,7 @@ def rising_energy_left(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD87, srs/models/island_energy.md:396.
+    Source: DD87, srs/models/island_energy.md:394.
     """
     return largest(rising_energy - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -653,7 +653,7 @@ def velocity_rising_reduced(velocity: Vector, acceleration: Vector, damped_share
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: DD87, srs/models/island_energy.md:398.
+    Source: DD87, srs/models/island_energy.md:396.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -681,7 +681,7 @@ def lift_beyond_motion(energy_given: Scalar, kinetic_energy: Scalar) -> Scalar:
             it, J
         kinetic_energy: Energy of motion, turning included, J
 
-    Source: DD89, srs/models/island_energy.md:429.
+    Source: DD89, srs/models/island_energy.md:427.
     """
     return largest(energy_given - kinetic_energy, 0.0)
 
@@ -700,7 +700,7 @@ def support_work(
         support_rate: Normal velocity of a contact by the motion of its support alone, m/s
         support_slip: Tangential velocity of a contact by the motion of its support alone, m/s
 
-    Source: DD90, srs/models/island_energy.md:460.
+    Source: DD90, srs/models/island_energy.md:457.
     """
     return total_impulse * (largest(-support_rate, 0.0) + friction * abs(support_slip))
 
@@ -720,7 +720,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:518.
+    Source: DD66, srs/models/island_energy.md:514.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -741,7 +741,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:519.
+    Source: DD66, srs/models/island_energy.md:515.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -772,7 +772,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:520.
+    Source: DD66, srs/models/island_energy.md:516.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -799,7 +799,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:587.
+    Source: IM17, srs/models/island_energy.md:583.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -823,7 +823,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:589.
+    Source: IM17, srs/models/island_energy.md:585.
     """
     return least(
         sqrt(
@@ -852,7 +852,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:592.
+    Source: IM17, srs/models/island_energy.md:588.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -884,7 +884,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:594.
+    Source: IM17, srs/models/island_energy.md:590.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

@@ -22,7 +22,7 @@ def row_rate(
         velocity: Velocity of the centre of mass, m/s
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD56, srs/models/joint_step.md:14.
+    Source: DD56, srs/models/joint_step.md:16.
     """
     slope_x, slope_y = slope
     velocity_x, velocity_y = velocity
@@ -42,7 +42,7 @@ def row_yield(
         inverse_mass: One over the mass, zero for a static body, 1/kg
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD56, srs/models/joint_step.md:15.
+    Source: DD56, srs/models/joint_step.md:17.
     """
     slope_x, slope_y = slope
     return (
@@ -61,7 +61,7 @@ def row_error(row_value: Scalar, row_aim: Scalar, time_step: Scalar) -> Scalar:
         row_aim: Value that a row is to have at the end of a substep, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD56, srs/models/joint_step.md:17.
+    Source: DD56, srs/models/joint_step.md:19.
     """
     return (row_value - row_aim) / time_step
 
@@ -76,7 +76,7 @@ def row_value_ahead(row_value: Scalar, row_rate: Scalar, time_step: Scalar) -> S
         row_rate: Rate of a row's value, or a body's part in it, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD56, srs/models/joint_step.md:18.
+    Source: DD56, srs/models/joint_step.md:20.
     """
     return row_value + time_step * row_rate
 
@@ -90,7 +90,7 @@ def slope_turned(slope_before: Vector, slope: Vector) -> Scalar:
         slope_before: A slope as it was a substep before, 1
         slope: How a row's value changes with the place of a body, 1
 
-    Source: DD56, srs/models/joint_step.md:19.
+    Source: DD56, srs/models/joint_step.md:21.
     """
     slope_before_x, slope_before_y = slope_before
     slope_x, slope_y = slope
@@ -105,7 +105,7 @@ def slope_squared(slope: Vector) -> Scalar:
     Args:
         slope: How a row's value changes with the place of a body, 1
 
-    Source: DD56, srs/models/joint_step.md:20.
+    Source: DD56, srs/models/joint_step.md:22.
     """
     slope_x, slope_y = slope
     return slope_x * slope_x + slope_y * slope_y
@@ -121,7 +121,7 @@ def firmness(firm_ratio: Scalar, row_yield: Scalar) -> Scalar:
         row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
             1/kg
 
-    Source: DD57, srs/models/joint_step.md:51.
+    Source: DD57, srs/models/joint_step.md:53.
     """
     return firm_ratio / row_yield
 
@@ -136,7 +136,7 @@ def row_impulse(row_rate: Scalar, firmness: Scalar) -> Scalar:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:52.
+    Source: DD57, srs/models/joint_step.md:54.
     """
     return (-firmness) * row_rate
 
@@ -154,7 +154,7 @@ def velocity_later(
         slope: How a row's value changes with the place of a body, 1
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD57, srs/models/joint_step.md:53.
+    Source: DD57, srs/models/joint_step.md:55.
     """
     velocity_x, velocity_y = velocity
     slope_x, slope_y = slope
@@ -177,7 +177,7 @@ def angular_velocity_later(
         turning_slope: How a row's value changes with the orientation of a body, m
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD57, srs/models/joint_step.md:54.
+    Source: DD57, srs/models/joint_step.md:56.
     """
     return angular_velocity + inverse_inertia * row_impulse * turning_slope
 
@@ -192,7 +192,7 @@ def momentum_later(momentum: Vector, row_impulse: Scalar, slope: Vector) -> Vect
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         slope: How a row's value changes with the place of a body, 1
 
-    Source: DD57, srs/models/joint_step.md:56.
+    Source: DD57, srs/models/joint_step.md:58.
     """
     momentum_x, momentum_y = momentum
     slope_x, slope_y = slope
@@ -211,7 +211,7 @@ def angular_momentum_later(
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         turning_slope: How a row's value changes with the orientation of a body, m
 
-    Source: DD57, srs/models/joint_step.md:57.
+    Source: DD57, srs/models/joint_step.md:59.
     """
     return angular_momentum + row_impulse * turning_slope
 
@@ -227,7 +227,7 @@ def coupled_mass(slope_a: Vector, slope_along: Scalar, firmness: Scalar) -> Vect
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:58.
+    Source: DD57, srs/models/joint_step.md:60.
     """
     slope_a_x, slope_a_y = slope_a
     return (firmness * slope_along * slope_a_x, firmness * slope_along * slope_a_y)
@@ -244,7 +244,7 @@ def coupled_moment(turning_slope_a: Scalar, slope_b: Vector, firmness: Scalar) -
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:59.
+    Source: DD57, srs/models/joint_step.md:61.
     """
     slope_b_x, slope_b_y = slope_b
     return (firmness * turning_slope_a * slope_b_x, firmness * turning_slope_a * slope_b_y)
@@ -261,7 +261,7 @@ def coupled_lever(slope_a: Vector, turning_slope_b: Scalar, firmness: Scalar) ->
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:60.
+    Source: DD57, srs/models/joint_step.md:62.
     """
     slope_a_x, slope_a_y = slope_a
     return (firmness * turning_slope_b * slope_a_x, firmness * turning_slope_b * slope_a_y)
@@ -278,7 +278,7 @@ def coupled_inertia(turning_slope_a: Scalar, turning_slope_b: Scalar, firmness: 
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:61.
+    Source: DD57, srs/models/joint_step.md:63.
     """
     return firmness * turning_slope_b * turning_slope_a
 
@@ -292,7 +292,7 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:122.
+    Source: IM15, srs/models/joint_step.md:124.
     """
     return (1 - removed_share) * row_value
 
@@ -306,7 +306,7 @@ def drive_error(row_rate: Scalar, drive_rate: Scalar) -> Scalar:
         row_rate: Rate of a row's value, or a body's part in it, m/s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: IM15, srs/models/joint_step.md:123.
+    Source: IM15, srs/models/joint_step.md:125.
     """
     return row_rate - drive_rate
 
@@ -320,7 +320,7 @@ def row_impulse_most(row_force_most: Scalar, time_step: Scalar) -> Scalar:
         row_force_most: The most that a motor exerts, for slopes of length one, N
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:124.
+    Source: IM15, srs/models/joint_step.md:126.
     """
     return time_step * row_force_most
 
@@ -335,7 +335,7 @@ def struck_share(row_value_start: Scalar, row_value: Scalar) -> Scalar:
             m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: IM15, srs/models/joint_step.md:125.
+    Source: IM15, srs/models/joint_step.md:127.
     """
     return row_value_start / (row_value_start - row_value)
 
@@ -350,7 +350,7 @@ def struck_rate(row_rate_start: Scalar, struck_share: Scalar, row_rate: Scalar) 
         struck_share: Part of a substep after which a limit is struck, 1
         row_rate: Rate of a row's value, or a body's part in it, m/s
 
-    Source: IM15, srs/models/joint_step.md:126.
+    Source: IM15, srs/models/joint_step.md:128.
     """
     return row_rate_start + struck_share * (row_rate - row_rate_start)
 
@@ -365,7 +365,7 @@ def bounce_rate(restitution: Scalar, struck_rate: Scalar) -> Scalar:
             energy is lost), 1
         struck_rate: Rate of a row as its limit is struck, m/s
 
-    Source: IM15, srs/models/joint_step.md:127.
+    Source: IM15, srs/models/joint_step.md:129.
     """
     return (-restitution) * struck_rate
 
@@ -379,7 +379,7 @@ def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
         row_force: Force of a row of a joint, for slopes of length one, N
         row_bend: Second derivative of a row's value by the orientation of a body, m
 
-    Source: IM15, srs/models/joint_step.md:128.
+    Source: IM15, srs/models/joint_step.md:130.
     """
     return (-row_force) * row_bend
 
@@ -397,7 +397,7 @@ def inertia_held(
         time_step: Length of one step of a stepped scheme, s
         inertia_factor_most: Most times its own inertia with which a body counts in joints, 1
 
-    Source: IM15, srs/models/joint_step.md:129.
+    Source: IM15, srs/models/joint_step.md:131.
     """
     return least(largest(inertia, time_step * time_step * leaning), inertia_factor_most * inertia)
 
@@ -410,7 +410,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:130.
+    Source: IM15, srs/models/joint_step.md:132.
     """
     return sqrt(kick_decay)
 
@@ -424,7 +424,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:131.
+    Source: IM15, srs/models/joint_step.md:133.
     """
     return kick_gain / (1 + half_decay)
 
@@ -439,7 +439,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:132.
+    Source: IM15, srs/models/joint_step.md:134.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -454,7 +454,7 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:133.
+    Source: IM15, srs/models/joint_step.md:135.
     """
     return (kick_velocity - half_gain) / half_decay
 
@@ -469,7 +469,7 @@ def kept_way(kinetic_energy_start: Scalar, lift_work: Scalar, work: Scalar) -> S
         lift_work: Energy that overlaps under the weight of a body store and give back, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM15, srs/models/joint_step.md:134.
+    Source: IM15, srs/models/joint_step.md:136.
     """
     return least((-(kinetic_energy_start + lift_work)) / work, 1)
 
@@ -484,7 +484,7 @@ def spring_change(row_impulse: Scalar, row_yield: Scalar) -> Scalar:
         row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
             1/kg
 
-    Source: DD86, srs/models/joint_step.md:253.
+    Source: DD86, srs/models/joint_step.md:255.
     """
     return row_impulse * row_impulse * row_yield / 2
 
@@ -504,7 +504,7 @@ def change_most(
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:254.
+    Source: DD86, srs/models/joint_step.md:256.
     """
     return amplification * amplification * mass * rates_squared / 2 + spring_change
 
@@ -520,7 +520,7 @@ def firmness_most(mass: Scalar, row_arm: Scalar, amplification: Scalar) -> Scala
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:255.
+    Source: DD86, srs/models/joint_step.md:257.
     """
     return amplification * amplification * mass * row_arm * row_arm
 
@@ -534,7 +534,7 @@ def closing_share(row_value: Scalar, closing_way: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         closing_way: Way by which a row that has yielded may close in a substep at most, m
 
-    Source: DD86, srs/models/joint_step.md:256.
+    Source: DD86, srs/models/joint_step.md:258.
     """
     return closing_way / abs(row_value)
 
@@ -558,7 +558,7 @@ def motion_most(
         row_energy: Energy of a spring at a joint, J
         growth_ratio: By which ratio the energy of motion may grow by one solution, 1
 
-    Source: DD98, srs/models/joint_step.md:312.
+    Source: DD98, srs/models/joint_step.md:314.
     """
     return growth_ratio * kinetic_energy + mass * rates_squared / 2 + row_energy
 
@@ -575,7 +575,7 @@ def lost_velocity(row_velocity: Scalar, row_velocity_before: Scalar, restitution
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: DD96, srs/models/joint_step.md:358.
+    Source: DD96, srs/models/joint_step.md:360.
     """
     return -(row_velocity + restitution * row_velocity_before)
 
@@ -591,7 +591,7 @@ def lost_share(row_mass: Scalar, lost_velocity: Scalar, applied_impulse: Scalar)
             for, m/s
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
 
-    Source: DD96, srs/models/joint_step.md:359.
+    Source: DD96, srs/models/joint_step.md:361.
     """
     return row_mass * lost_velocity / applied_impulse
 
@@ -606,7 +606,7 @@ def row_mass_joined(row_mass: Scalar, lost_share: Scalar) -> Scalar:
         lost_share: Part that joints take of what an impulse changes in the velocity of a
             contact, 1
 
-    Source: DD96, srs/models/joint_step.md:360.
+    Source: DD96, srs/models/joint_step.md:362.
     """
     return row_mass / (1 - lost_share)
 
@@ -621,7 +621,7 @@ def overshot_share(lost_velocity: Scalar, lost_velocity_before: Scalar) -> Scala
             for, m/s
         lost_velocity_before: What joints had taken of it after the turn before, m/s
 
-    Source: DD96, srs/models/joint_step.md:361.
+    Source: DD96, srs/models/joint_step.md:363.
     """
     return least(lost_velocity / lost_velocity_before, 0)
 
@@ -641,7 +641,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:418.
+    Source: IM19, srs/models/joint_step.md:420.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -663,7 +663,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:422.
+    Source: IM19, srs/models/joint_step.md:424.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -698,7 +698,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:424.
+    Source: IM19, srs/models/joint_step.md:426.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -714,7 +714,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:425.
+    Source: IM19, srs/models/joint_step.md:427.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -728,7 +728,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:529.
+    Source: DD79, srs/models/joint_step.md:531.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -742,7 +742,7 @@ def drive_work(row_impulse: Scalar, drive_rate: Scalar) -> Scalar:
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: DD79, srs/models/joint_step.md:530.
+    Source: DD79, srs/models/joint_step.md:532.
     """
     return row_impulse * drive_rate
 
@@ -767,7 +767,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
             is negative, J
 
-    Source: DD79, srs/models/joint_step.md:531.
+    Source: DD79, srs/models/joint_step.md:533.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -786,7 +786,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:533.
+    Source: DD79, srs/models/joint_step.md:535.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -810,7 +810,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:535.
+    Source: DD79, srs/models/joint_step.md:537.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -825,7 +825,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:537.
+    Source: DD79, srs/models/joint_step.md:539.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -841,6 +841,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
             is negative, J
 
-    Source: DD79, srs/models/joint_step.md:538.
+    Source: DD79, srs/models/joint_step.md:540.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

@@ -684,7 +684,7 @@ def explicit_euler(
 
     Position and velocity both move along the slopes of the step's beginning.
 
-    Source: srs/schemes/euler.md:29; hairer1993.
+    Source: srs/schemes/euler.md:30; hairer1993.
     """
     rate_1 = acceleration(time, position, velocity)
     position_end = position + time_step * velocity
@@ -699,7 +699,7 @@ def semi_implicit_euler(
 
     The velocity takes a full kick, then the position drifts with the velocity that results.
 
-    Source: srs/schemes/euler.md:55; hairer2006.
+    Source: srs/schemes/euler.md:57; hairer2006.
     """
     velocity = velocity + time_step * acceleration(time, position, velocity)
     position = position + time_step * velocity
@@ -733,7 +733,7 @@ def legacy_2018_translation(
     """Translation in the program of 2018, of order 0.
 
     The position moves with half the velocity and with the acceleration of the step before; the
-    velocity with the mean of the accelerations before and now.
+    velocity with the mean of that and of the one of now, at the beginning of the step.
 
     Source: srs/schemes/legacy.md:19; tamias2018.
     """
@@ -749,9 +749,9 @@ def legacy_2018_rotation(
     """Rotation in the program of 2018, of order 1.
 
     The orientation moves with the full angular velocity and with the angular acceleration of
-    the step before; the angular velocity with the one of now.
+    the step before; the angular velocity with the one of now, at the beginning of the step.
 
-    Source: srs/schemes/legacy.md:35; tamias2018.
+    Source: srs/schemes/legacy.md:38; tamias2018.
     """
     return (
         position + time_step * velocity + time_step * time_step / 2 * previous,

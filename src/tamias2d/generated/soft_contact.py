@@ -16,7 +16,7 @@ def turning_arm(arm: Vector, line: Vector) -> Scalar:
     turning_arm = cross(arm, line)
 
     Args:
-        arm: Lever arm, from the centre of mass to the contact point, m
+        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
     Source: DD26, srs/models/soft_contact.md:28.
@@ -328,7 +328,7 @@ def corner_fall(gravity: Vector, time_step: Scalar) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD72, srs/models/soft_contact.md:457.
+    Source: DD72, srs/models/soft_contact.md:456.
     """
     gravity_x, gravity_y = gravity
     return 2 * sqrt(gravity_x * gravity_x + gravity_y * gravity_y) * time_step * time_step
@@ -343,7 +343,7 @@ def angular_frequency_even(time_step: Scalar) -> Scalar:
     Args:
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD76, srs/models/soft_contact.md:486.
+    Source: DD76, srs/models/soft_contact.md:484.
     """
     return 1 / time_step
 
@@ -376,7 +376,7 @@ def angular_frequency_loaded(
             does, m
         firmest: Frequency of a contact under a load, at most, over that without one, 1
 
-    Source: DD42, srs/models/soft_contact.md:524.
+    Source: DD42, srs/models/soft_contact.md:522.
     """
     angular_frequency_wanted = sqrt(
         accumulated_impulse
@@ -396,7 +396,7 @@ def shift_later(shift: Vector, velocity: Vector, time_step: Scalar) -> Vector:
         velocity: Velocity of the centre of mass, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:577.
+    Source: DD43, srs/models/soft_contact.md:574.
     """
     shift_x, shift_y = shift
     velocity_x, velocity_y = velocity
@@ -413,7 +413,7 @@ def turn_later(turn: Scalar, angular_velocity: Scalar, time_step: Scalar) -> Sca
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:578.
+    Source: DD43, srs/models/soft_contact.md:575.
     """
     return turn + time_step * angular_velocity
 
@@ -424,10 +424,10 @@ def bend(arm: Vector, line: Vector) -> Scalar:
     bend = dot(arm, line)
 
     Args:
-        arm: Lever arm, from the centre of mass to the contact point, m
+        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:601.
+    Source: DD29, srs/models/soft_contact.md:598.
     """
     arm_x, arm_y = arm
     line_x, line_y = line
@@ -465,7 +465,7 @@ def separation_later(
         bend_b: Part of an arm along the line, as far as it turns with its body; of body B, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:602.
+    Source: DD29, srs/models/soft_contact.md:599.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -491,7 +491,7 @@ def bias_velocity_later(separation: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:670.
+    Source: DD31, srs/models/soft_contact.md:667.
     """
     return largest(separation / time_step + row_velocity, 0)
 
@@ -507,7 +507,7 @@ def separation(bias_velocity_later: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:671.
+    Source: DD31, srs/models/soft_contact.md:668.
     """
     return time_step * (bias_velocity_later - row_velocity)
 
@@ -531,7 +531,7 @@ def slowest_impact(
         substeps: Number of the substeps of a step, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD93, srs/models/soft_contact.md:716.
+    Source: DD93, srs/models/soft_contact.md:713.
     """
     gravity_x, gravity_y = gravity
     return 2 * largest(
@@ -553,7 +553,7 @@ def row_acceleration(
             do not, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD102, srs/models/soft_contact.md:753.
+    Source: DD102, srs/models/soft_contact.md:750.
     """
     return (row_velocity_driven - row_velocity) / time_step
 
@@ -569,7 +569,7 @@ def impact_velocity(row_velocity: Scalar, row_acceleration: Scalar, separation: 
         row_acceleration: Acceleration of a row by forces, m/s^2
         separation: Distance between two bodies, negative where they overlap, m
 
-    Source: DD102, srs/models/soft_contact.md:754.
+    Source: DD102, srs/models/soft_contact.md:751.
     """
     return -sqrt(
         largest(row_velocity * row_velocity - 2 * row_acceleration * largest(separation, 0.0), 0.0)
@@ -588,7 +588,7 @@ def surface_speed_both(surface_speed_a: Scalar, surface_speed_b: Scalar) -> Scal
         surface_speed_b: Speed at which the surface of a body runs along itself, counter-
             clockwise around the body; of body B, m/s
 
-    Source: DD97, srs/models/soft_contact.md:790.
+    Source: DD97, srs/models/soft_contact.md:787.
     """
     return surface_speed_a + surface_speed_b
 
@@ -604,7 +604,7 @@ def surface_slip(tangential_velocity: Scalar, surface_speed_both: Scalar) -> Sca
         surface_speed_both: Speed at which the surfaces of two bodies run along the tangent of
             their contact, in sum, m/s
 
-    Source: DD97, srs/models/soft_contact.md:791.
+    Source: DD97, srs/models/soft_contact.md:788.
     """
     return tangential_velocity - surface_speed_both
 
@@ -622,7 +622,7 @@ def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar
             does, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:833.
+    Source: IM10, srs/models/soft_contact.md:830.
     """
     return (-removal_share) * extent / time_step
 
@@ -642,7 +642,7 @@ def bias_velocity(
             the least that there can be, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:834.
+    Source: IM10, srs/models/soft_contact.md:831.
     """
     return largest(
         largest(separation, 0) / time_step + bias_rate * least(separation, 0), bias_velocity_least
@@ -670,7 +670,7 @@ def soft_normal_impulse(
         mass_share: Part of a row's mass that a soft contact acts with, 1
         impulse_share: Part of its impulse that a soft contact gives back in an iteration, 1
 
-    Source: IM10, srs/models/soft_contact.md:837.
+    Source: IM10, srs/models/soft_contact.md:834.
     """
     return largest(
         accumulated_impulse
@@ -700,7 +700,7 @@ def limited_tangent_impulse(
             along itself, 1
         accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:841.
+    Source: IM10, srs/models/soft_contact.md:838.
     """
     return largest(
         least(tangent_impulse - row_mass * row_velocity, friction * accumulated_impulse),
@@ -729,7 +729,7 @@ def restitution_impulse(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:844.
+    Source: IM10, srs/models/soft_contact.md:841.
     """
     return largest(
         accumulated_impulse - row_mass * (row_velocity + restitution * row_velocity_before), 0

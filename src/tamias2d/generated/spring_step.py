@@ -93,12 +93,13 @@ def damping_held(damping: Scalar, stiffness: Scalar, row_mass: Scalar, time_step
 
 
 def arm_held(arm: Vector, half_turn: Scalar, half_turn_sine: Scalar) -> Vector:
-    """Lever arm, from the centre of mass to the contact point; held through a step (m).
+    """Lever arm, from the centre of mass to where a contact, a force or a joint acts; held through
+    a step (m).
 
     arm_held = half_turn_sine/half_turn*arm
 
     Args:
-        arm: Lever arm, from the centre of mass to the contact point, m
+        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
         half_turn: Half of the angle by which a body turns in a step, rad
         half_turn_sine: Sine of half of the angle by which a body turns in a step, 1
 
@@ -124,11 +125,11 @@ def spring_gain(tension_held: Scalar, distance: Scalar, distance_later: Scalar) 
     return tension_held * (distance_later - distance)
 
 
-def energy_unpaid(held_work: Scalar, springs_gain: Scalar) -> Scalar:
+def energy_defect(held_work: Scalar, springs_gain: Scalar) -> Scalar:
     """Energy that the bodies of a network got beyond what its springs have lost, negative if they
     got less (J).
 
-    energy_unpaid = held_work + springs_gain
+    energy_defect = held_work + springs_gain
 
     Args:
         held_work: Work of the forces that were held for the springs of a network, in a step, J
@@ -142,18 +143,18 @@ def energy_unpaid(held_work: Scalar, springs_gain: Scalar) -> Scalar:
 def balanced_share(
     kinetic_energy: Scalar,
     kinetic_energy_least: Scalar,
-    energy_unpaid: Scalar,
+    energy_defect: Scalar,
     share_largest: Scalar,
 ) -> Scalar:
     """Factor by which the motion of a network is scaled, so that its energy is right (1).
 
-    balanced_share = min(sqrt(max(kinetic_energy - kinetic_energy_least - energy_unpaid,
+    balanced_share = min(sqrt(max(kinetic_energy - kinetic_energy_least - energy_defect,
     0[J])/(kinetic_energy - kinetic_energy_least)), share_largest)
 
     Args:
         kinetic_energy: Energy of motion, turning included, J
         kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
-        energy_unpaid: Energy that the bodies of a network got beyond what its springs have
+        energy_defect: Energy that the bodies of a network got beyond what its springs have
             lost, negative if they got less, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
@@ -161,7 +162,7 @@ def balanced_share(
     """
     return least(
         sqrt(
-            largest(kinetic_energy - kinetic_energy_least - energy_unpaid, 0.0)
+            largest(kinetic_energy - kinetic_energy_least - energy_defect, 0.0)
             / (kinetic_energy - kinetic_energy_least)
         ),
         share_largest,
@@ -266,7 +267,7 @@ def early_share(early_share_a: Scalar, early_share_b: Scalar) -> Scalar:
         early_share_b: Share of half a step by which a force acts before the middle of the step,
             on the mean; of body B, 1
 
-    Source: DD53, srs/models/spring_step.md:237.
+    Source: DD53, srs/models/spring_step.md:240.
     """
     return (early_share_a + early_share_b) / 2
 
@@ -293,7 +294,7 @@ def velocity_later(
         early_share: Share of half a step by which a force acts before the middle of the step,
             on the mean, 1
 
-    Source: DD53, srs/models/spring_step.md:238.
+    Source: DD53, srs/models/spring_step.md:241.
     """
     velocity_x, velocity_y = velocity
     force_x, force_y = force
@@ -327,7 +328,7 @@ def angular_velocity_later(
         early_share: Share of half a step by which a force acts before the middle of the step,
             on the mean, 1
 
-    Source: DD53, srs/models/spring_step.md:241.
+    Source: DD53, srs/models/spring_step.md:244.
     """
     return angular_velocity + (1 - early_share) * time_step / 2 * inverse_inertia * (
         torque_later - torque
@@ -348,7 +349,7 @@ def critical_step(
         force_later: Applied force on a body, without its weight; after the bodies have moved, N
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD54, srs/models/spring_step.md:345.
+    Source: DD54, srs/models/spring_step.md:347.
     """
     force_x, force_y = force
     force_later_x, force_later_y = force_later
@@ -381,6 +382,6 @@ def critical_step_turning(
             the bodies have moved, N*m
         turn: How far a body has turned since the step began, rad
 
-    Source: DD54, srs/models/spring_step.md:348.
+    Source: DD54, srs/models/spring_step.md:350.
     """
     return 2 * sqrt(abs(turn) / largest(inverse_inertia * abs(torque_later - torque), 1e-150))

@@ -36,7 +36,7 @@ def _opened(key: str) -> int | None:
     """Open the file that is locked; it stays, since another process may be waiting for it."""
     place = storage.home_path() / "locks"
     try:
-        storage.make_private(place)
+        storage.make_own(place)
         return os.open(place / key, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o600)
     except OSError:
         return None

@@ -46,7 +46,10 @@ def plainly(text: str) -> dict[str, Any]:
 
 def is_kept(text: str) -> bool:
     """Whether a source was compiled before, as far as can be told without the compiler."""
-    return any((storage.home_path() / "kernels").glob(f"{hash_of(text)}.*"))
+    try:
+        return any((storage.home_path() / "kernels").glob(f"{hash_of(text)}.*"))
+    except OSError:  # a directory that may not be entered, or whose name is too long
+        return False
 
 
 @cache

@@ -1,17 +1,19 @@
 """Files that are whole or not used: a digest stands before what they hold.
 
 Serves: compiled code, and sources. Hides: the directory, and what may lie there instead of a file.
-What is kept is run, so nobody else may write to the directory.
+What is kept is run, so nobody else may write to the directory, nor to a file in it.
 """
 
 import hashlib
 import logging
+import os
 from functools import cache
 from pathlib import Path
 
 from tamias2d import storage
 
 _DIGEST = hashlib.sha256().digest_size
+_MODE = 0o644  # of files, whatever the umask lets others write
 
 
 def folder() -> Path:
@@ -34,7 +36,7 @@ def read(path: Path, key: bytes) -> bytes | None:
 def write(path: Path, key: bytes, payload: bytes) -> None:
     """Keep something in a file; where that cannot be done, say so once and go on."""
     try:
-        storage.make_private(path.parent)
+        storage.make_own(path.parent)
         _replace(path, _digest(key, payload) + payload)
     except OSError as fault:
         _say_not_kept(path.parent, fault.strerror or type(fault).__name__)
@@ -54,7 +56,7 @@ def _replace(path: Path, content: bytes) -> None:
         path.rmdir()
     elif not _is_plain(path):
         path.unlink(missing_ok=True)
-    storage.write_aside(path, content)
+    storage.write_aside(path, content, mode=_MODE)
 
 
 def _is_plain(path: Path) -> bool:
@@ -69,8 +71,9 @@ def _digest(key: bytes, payload: bytes) -> bytes:
 @cache
 def _say_not_kept(place: Path, why: str) -> None:
     logging.getLogger("tamias2d").warning(
-        "Compiled code cannot be kept in %s: %s. Each process compiles it again until it can, or "
+        "Compiled code cannot be %s in %s: %s. Each process compiles it again until it can, or "
         "until TAMIAS2D_HOME names another directory.",
+        "kept" if os.access(place, os.R_OK | os.X_OK) else "found or kept",
         place,
         why,
     )

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from tamias2d.errors import MissingExtraError
@@ -14,6 +15,7 @@ from tamias2d.errors import MissingExtraError
 if TYPE_CHECKING:
     from tamias2d.run_data import RunData
 
+_LIBRARIES = ("xarray", "zarr", "dask", "loky")
 TIMES, BODIES, AXES = "time", "body", "axis"
 DIMENSIONS: dict[str, tuple[str, ...]] = {
     "position": (TIMES, BODIES, AXES),
@@ -57,6 +59,14 @@ def extra() -> Iterator[None]:
             'Install it by `pip install "tamias2d[ensemble]"`.',
             extra="ensemble",
         ) from fault
+
+
+def refuse_missing_extra() -> None:
+    """Raise `MissingExtraError` if a library of the extra `ensemble` is missing; import none."""
+    with extra():
+        for name in _LIBRARIES:
+            if find_spec(name) is None:
+                raise ModuleNotFoundError(f"No module named {name!r}", name=name)
 
 
 def to_xarray(run: RunData) -> Any:

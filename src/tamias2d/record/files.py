@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -65,7 +66,7 @@ def _kind(path: Path, remedy: str = "Give the name one of these endings.") -> An
         return history
     if path.suffix == ".rrd":
         return rerun(path)
-    found = "a directory" if path.is_dir() else f"suffix {path.suffix!r}"
+    found = "a directory" if os.path.isdir(path) else f"suffix {path.suffix!r}"
     raise InputError(f"{path_text(path)}: {found}: a run is saved as .rrd or .npz (R5). {remedy}")
 
 

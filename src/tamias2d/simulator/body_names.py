@@ -22,6 +22,11 @@ class BodyNames:
         self.of_row = {row: name for name, row in rows.items()}
         """the name of each body that has one"""
 
+    def described(self, row: int) -> str:
+        """Return what a message calls a body."""
+        name = self.of_row.get(row)
+        return f"body {row}" if name is None else f"body '{name}'"
+
     def give(self, rows: Iterable[int], names: Iterable[str]) -> None:
         """Give bodies names, which are free."""
         for row, name in zip(rows, names, strict=True):

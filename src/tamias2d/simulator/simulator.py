@@ -75,7 +75,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
     in the time step where nothing touches; contacts turn with what presses on them (DD84).
     """
 
-    __slots__ = ()
+    __slots__ = ("__weakref__",)
 
     def __init__(
         self,
@@ -106,11 +106,11 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         """
         checked_scene(scene)
         self._time_step, self._substeps = checked_time_step(time_step), checked_substeps(substeps)
+        self._names = BodyNames({body.name: k for k, body in enumerate(scene.bodies)})
         moving = {k: k for k, body in enumerate(scene.bodies) if body.dynamic}
         acts = scene.springs or acts_on_all(scene) or feels_mass(scene)
-        acts = acts or not VaryingLoads(scene, moving, self._name_of, Warned()).empty
+        acts = acts or not VaryingLoads(scene, moving, self._names.described, Warned()).empty
         self._scene = deepcopy(scene) if acts else None  # what acts is all that is asked of it
-        self._names = BodyNames({body.name: k for k, body in enumerate(scene.bodies)})
         self._joints = JointSet(scene.joints)
         self._staying = set(range(len(scene)))
         engine = Engine(

@@ -229,7 +229,7 @@ class Stepping(Views):
             staying = sorted(self._staying, key=self._engine.rank.__getitem__)
             self._engine.set_springs(spring_rows(self._scene, staying))
             scene, bodies = acting_scene(self._scene, staying, self._engine)
-            varying = VaryingLoads(scene, bodies, self._name_of, self._warned)
+            varying = VaryingLoads(scene, bodies, self._names.described, self._warned)
             self._varying = None if varying.empty else varying
             self._engine.put_loads_right(varying.put_right)
         self._warned.tell(too_long_for_gravity(self._engine, self._time_step))
@@ -359,5 +359,4 @@ class Stepping(Views):
     def _name_of(self, row: int) -> str:
         if row >= self._engine.size:
             return f"body {row - self._engine.size} of those added"
-        name = self._names.of_row.get(row)
-        return f"body {row}" if name is None else f"body '{name}'"
+        return self._names.described(row)

@@ -4,8 +4,8 @@ Serves: `simulate` and the studies. Hides: how a method is chosen, and how each 
 a run.
 """
 
-from tamias2d.solve.assembly import work_limit_of
-from tamias2d.solve.following import Interrupted
+from tamias2d.solve.assembly import sampled_at, work_limit_of
+from tamias2d.solve.following import Interrupted, interruptible
 from tamias2d.solve.plan import FRAMES, planned
 from tamias2d.solve.sampling import sampler
 from tamias2d.solve.solution import StoppedError, solve, solve_halved, solve_with_error
@@ -14,7 +14,9 @@ __all__ = [
     "FRAMES",
     "Interrupted",
     "StoppedError",
+    "interruptible",
     "planned",
+    "sampled_at",
     "sampler",
     "solve",
     "solve_halved",

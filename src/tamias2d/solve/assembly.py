@@ -1,5 +1,7 @@
 """A run put together from its plan and its history, with its balance and its cost."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from tamias2d.balance import balance
@@ -8,7 +10,7 @@ from tamias2d.motion import JointEvents, Tally, joint_events
 from tamias2d.run import Impacts, Run
 from tamias2d.solve.finite import refuse_infinite
 from tamias2d.solve.plan import Plan
-from tamias2d.state import History
+from tamias2d.state import Array, History
 from tamias2d.work_limit import WORK_LIMIT
 
 NO_IMPACTS = Impacts(
@@ -47,6 +49,18 @@ def run_of(
         notes=plan.notes + notes,
         cost=cost_of(impacts, tally),
     )
+
+
+def sampled_at(run: Run, times: Array) -> Run | None:
+    """Return a run at some of its times (k,), s; None if it has no samples at others of these."""
+    rows = np.searchsorted(run.times, times)
+    rows = np.minimum(rows, len(run.times) - 1)
+    if not np.array_equal(run.times[rows], times):
+        return None
+    names = ("position", "orientation", "velocity", "angular_velocity")
+    more = ("energy", "momentum", "angular_momentum")
+    parts = {name: getattr(run, name)[rows] for name in (*names, *more)}
+    return replace(run, times=times, **parts)
 
 
 def cost_of(impacts: Impacts, tally: Tally, *, contacts: int = 0) -> Cost:

@@ -1,10 +1,16 @@
 """A run followed up to its end, with a progress bar, and stopped by Ctrl-C without being lost."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import cached_property
 from typing import Protocol
 
+import numpy as np
+
+from tamias2d.motion import Tally
 from tamias2d.run import Run
+from tamias2d.solve.assembly import NO_IMPACTS, run_of, sampled_at, start_of
+from tamias2d.solve.plan import Plan
 
 
 class Interrupted(KeyboardInterrupt):
@@ -21,6 +27,35 @@ class Interrupted(KeyboardInterrupt):
 
     def __str__(self) -> str:
         return f"Run of {self.run.duration:g} s: interrupted at {self.run.times[-1]:.6g} s."
+
+
+@contextmanager
+def interruptible(plan: Plan) -> Iterator[None]:
+    """Let whatever is done for a plan end by `Interrupted`, and by no bare `KeyboardInterrupt`.
+
+    Its `run` is the history that was being made for the plan, or the start alone: pilots and
+    companions, which go another way or have other samples, are none.
+    """
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        raise _interrupted(stop, plan) from None
+
+
+def _interrupted(stop: KeyboardInterrupt, plan: Plan) -> Interrupted:
+    def reached() -> Run:
+        if isinstance(stop, Interrupted) and (known := _known(stop.run, plan)) is not None:
+            return known
+        start = plan._replace(times=np.zeros(1))
+        return run_of(start, start_of(plan), NO_IMPACTS, (), Tally())
+
+    return Interrupted(reached)
+
+
+def _known(run: Run, plan: Plan) -> Run | None:
+    """Return a run at the first of the times of a plan; None if it has none, or another scene."""
+    times = plan.times[plan.times <= run.times[-1]]
+    return sampled_at(run, times) if run.scene is plan.scene and len(times) else None
 
 
 class Solver(Protocol):

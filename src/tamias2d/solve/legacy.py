@@ -7,9 +7,8 @@ from tamias2d.contact import refuse_contact
 from tamias2d.errors import InputError
 from tamias2d.motion import Legacy2018, Tally
 from tamias2d.run import Run
-from tamias2d.solve.assembly import NO_IMPACTS, run_of, start_of
+from tamias2d.solve.assembly import NO_IMPACTS, run_of
 from tamias2d.solve.finite import refuse_infinite
-from tamias2d.solve.following import Interrupted
 from tamias2d.solve.plan import Plan
 
 
@@ -19,13 +18,8 @@ def run_by_legacy(plan: Plan, method: Legacy2018) -> Run:
     Raises:
         InputError: samples are asked for at other times than the ends of steps.
         UnlocatedContactError: bodies meet.
-        Interrupted: the user stopped it; its `run` is the start alone.
     """
-    try:
-        times, history = method.history(plan.scene, plan.duration, plan.time_step or plan.duration)
-    except KeyboardInterrupt:
-        start = plan._replace(times=np.zeros(1))
-        raise Interrupted(lambda: run_of(start, start_of(plan), NO_IMPACTS, (), Tally())) from None
+    times, history = method.history(plan.scene, plan.duration, plan.time_step or plan.duration)
     if not np.array_equal(times, plan.times):
         raise InputError(
             f"times of the run: found {len(plan.times)} of them beside {method}: it knows its "

@@ -26,6 +26,7 @@ from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve.assembly import start_of
 from tamias2d.solve.error_through_impacts import error_through_impacts
 from tamias2d.solve.finite import refuse_infinite, within_range
+from tamias2d.solve.following import interruptible
 from tamias2d.solve.legacy import run_by_legacy
 from tamias2d.solve.located import are_many, run_by_paths
 from tamias2d.solve.plan import Plan, planned
@@ -56,7 +57,7 @@ def solve(
     Arguments and errors are those of `simulate`, except `ToleranceError`.
     """
     plan = planned(scene, duration, method, time_step, times, work_limit)
-    with within_range(plan.duration):
+    with within_range(plan.duration), interruptible(plan):
         try:
             return _run(plan, progress, asked=method is not None)
         except _UNDECIDED as refusal:

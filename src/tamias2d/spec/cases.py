@@ -44,7 +44,7 @@ def _answers(
 ) -> Iterator[tuple[tuple[str | int, ...], str, Type]]:
     for number, text in enumerate(item.data.get("impacts", {}).get("times", [])):
         yield ("impacts", "times", number), text, Type("scalar", SECOND)
-    for key in ("exact", "final", "worlds"):
+    for key in ("exact", "final", "stepped", "worlds"):
         for body, quantities in item.data.get(key, {}).get("bodies", {}).items():
             for name, text in quantities.items():
                 path = (key, "bodies", body, name)

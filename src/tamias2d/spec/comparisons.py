@@ -46,6 +46,15 @@ COMPARISONS = {
     "conserves": _comparison(
         momentum=_TREND, angular_momentum=_TREND, energy=_TREND, schemes=_MAPPING
     ),
+    "stepped": _comparison(
+        "time_step",
+        time_step=TEXT,
+        bodies=_MAPPING,
+        momentum=_TREND,
+        angular_momentum=_TREND,
+        energy=_TREND,
+        centre_of_mass={"enum": ["uniform"]},
+    ),
     "reference": _comparison("scenes", scenes=_MAPPING),
     "worlds": _comparison(
         "vary",
@@ -61,10 +70,11 @@ COMPARISONS = {
     ),
     "values": _comparison("module", "calls", module=TEXT, calls=_LIST),
     "refuses": _comparison("scenes", scenes=_MAPPING),
+    "notes": _comparison("scenes", scenes=_MAPPING),
     "pace": _comparison(),
     "survey": mapping(
         ("questions", "answers"), task=TEXT, questions=_LIST, answers=WHOLE, limit=TEXT
     ),
 }
-WITHOUT_RUN = ("reference", "values", "refuses", "survey")
+WITHOUT_RUN = ("reference", "values", "refuses", "notes", "survey")
 """Comparisons that ask for no run of the case's scene; all others do, and for how long."""

@@ -28,6 +28,7 @@ class Code(Enum):
     UNKNOWN_UNIT = "unknown-unit", "no unit has this name"
     UNIT_MISMATCH = "unit-mismatch", "the two sides have different units"
     SHAPE_MISMATCH = "shape-mismatch", "a vector stands where a scalar must, or the reverse"
+    SAME_LETTER = "same-letter", "two quantities of a chapter have the same letter"
     BAD_RANGE = "bad-range", "a range of a symbol cannot be read"
     DERIVATION_GAP = "derivation-gap", "a step does not follow from the one before"
     CLOSED_FORM = "closed-form", "the closed form does not solve the model's equations"

@@ -182,9 +182,13 @@ class _Trial:
         return (_plus(position[0], x), _plus(position[1], y)), (u, w)
 
     def two_level(self) -> tuple[State, State]:
-        """`previous` is the acceleration at the start of the step, `current` the one at its end."""
-        previous = self.field(self.at(0), *self.start)
-        current = self.field(self.at(1), *self.solution)
+        """`current` is the acceleration at the start of the step, `previous` the one a step before.
+
+        The step before is taken to have been exact.
+        """
+        position, velocity = self.solution
+        previous = self.field(self.at(-1), _reflected(position), _reflected(velocity))
+        current = self.field(self.at(0), *self.start)
         squared = [(_by_h(a[0]), _by_h(a[1])) for a in (previous, current)]
         moved = self.combined(self.start[0], self.scheme.position, [self.start[1], *squared])
         return moved, self.combined(self.start[1], self.scheme.velocity, [previous, current])
@@ -196,6 +200,12 @@ def _plus(*terms: Series) -> Series:
 
 def _scaled(factor: Number, series: Series) -> Series:
     return tuple(factor * c for c in series)
+
+
+def _reflected(state: State) -> State:
+    """A state as a series in -h."""
+    first, second = (tuple(-c if k % 2 else c for k, c in enumerate(axis)) for axis in state)
+    return first, second
 
 
 def _by_h(series: Series) -> Series:

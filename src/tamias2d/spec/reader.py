@@ -16,6 +16,7 @@ from tamias2d.errors import SpecError
 from tamias2d.spec.chapter import Chapter, Item, read_chapter
 from tamias2d.spec.formulas import check_item
 from tamias2d.spec.kinds import KINDS
+from tamias2d.spec.letters import check_letters
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.symbols import Index, Range, Symbol, SymbolTable, parse_range
@@ -44,7 +45,7 @@ class _Reader:
         self.faults.append(fault)
 
     def read(self) -> Specification:
-        """All chapters, checked in this order: form, declarations, links, sources, formulas.
+        """All chapters, checked in order: form, declarations, links, sources, formulas, letters.
 
         What a fault of form or of a declaration hides would give faults elsewhere: they wait.
         """
@@ -63,6 +64,8 @@ class _Reader:
         self.check_sources(specification)
         for item in specification.items.values():
             self.faults += check_item(item, specification.items, specification.table)
+        self.stop_at_faults()
+        self.faults += check_letters(specification.items.values(), specification.table)
         self.stop_at_faults()
         return specification
 

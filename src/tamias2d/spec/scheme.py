@@ -43,9 +43,9 @@ class Scheme:
     kick: Row = ()
     drift: Row = ()
     position: Row = ()
-    """Of v h, and of the previous and current a h^2."""
+    """Of v h, and of a h^2: with a of the step before, and of the start of this one."""
     velocity: Row = ()
-    """Of the previous and current a h."""
+    """Of a h, likewise."""
 
     @property
     def coefficients(self) -> Iterator[Fraction]:

@@ -9,8 +9,9 @@ from tamias2d.motion.error_equation import Watch
 from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.solve import solve, solve_halved, solve_with_error
+from tamias2d.solve import sampled_at, solve, solve_halved, solve_with_error
 from tamias2d.state import Array
+from tamias2d.study.looks import with_looks
 from tamias2d.study.pilot import Estimate
 
 
@@ -32,6 +33,16 @@ class Asked(NamedTuple):
         return self._replace(
             tolerance=tolerance or self.tolerance, duration=duration, times=times, progress=False
         )
+
+    def looked_at(self) -> "Asked":
+        """Return the same with samples also when a run is looked at."""
+        return self._replace(times=with_looks(self.times, self.duration))
+
+    def sampled(self, run: Run) -> Run:
+        """Return a run with those samples only that are asked for."""
+        found = sampled_at(run, self.times)
+        assert found is not None
+        return found
 
     def run(self, estimate: Estimate) -> Run:
         """Return the run that was estimated."""

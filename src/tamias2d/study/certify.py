@@ -10,11 +10,14 @@ from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import shown
+from tamias2d.solve import sampled_at
 from tamias2d.state import Array
 from tamias2d.study.bound import Bound, NoBoundError, Way, companion_of
+from tamias2d.study.companion import RefusedError, companion, limit_beside
 from tamias2d.study.embedded import embedded, looser_than, of_halves, of_tighter, whole_beside
 from tamias2d.study.error import scale
 from tamias2d.study.exact_bound import exact
+from tamias2d.study.looks import looked_at, with_looks
 from tamias2d.study.path_error import HOW, error_beside, has_error_equation, of_error
 from tamias2d.study.penetration import crowded, penetrations
 from tamias2d.study.perturbed import LOST, MOVED, growth, horizon
@@ -44,7 +47,25 @@ def certify(run: Run) -> Run:
         raise InputError(f"run: found {shown(run)}: must be a Run (R5). Give one of `simulate`.")
     if isinstance(run.method, Stepped):
         return certify_steps(run)
-    return _certified(run, lambda: _way(run), told=True)
+    return replace(run, certificate=_certificate(_looked_at(run)))
+
+
+def _certificate(run: Run) -> Certificate | None:
+    return _certified(run, lambda: _way(run), told=True).certificate
+
+
+def _looked_at(run: Run) -> Run:
+    """Return a run with samples also when it is looked at, if it can be made again with these."""
+    if looked_at(run) is not None or isinstance(run.method, Legacy2018 | Stepped):
+        return run
+    limit, times = limit_beside(run), with_looks(run.times, run.duration)
+    given = {"method": run.method, "time_step": run.time_step, "work_limit": limit}
+    try:
+        whole = companion(run.scene, duration=run.duration, times=times, **given)
+    except RefusedError:
+        return run
+    same = sampled_at(whole, run.times)
+    return run if same is None or same.digest() != run.digest() else whole
 
 
 def certify_with_error(run: Run, error: Array | None) -> Run:
@@ -95,6 +116,7 @@ def certify_as(run: Run, told: Certificate) -> Run:
         return certify_quality(run)
     if isinstance(run.method, Stepped):
         return _certify_steps_as(run, told)
+    run = _looked_at(run)
     if told.how.endswith(HOW) and has_error_equation(run.scene, run.method, run.duration):
         return certify_with_error(run, error_beside(run))
     usual, method = certify(run), run.method
@@ -182,11 +204,12 @@ def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
     """
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=of_penetration(run, fault))
-    lost_at = None
+    lost_at, seen = None, looked_at(run) is not None
     try:
         shorter = shorter or shorter_runs(run)
         lost_at = shorter.horizon(LOST)
-        certificate = of_positions(run, against_shorter(run, shorter))
+        found = against_shorter(run, shorter)
+        certificate = of_positions(run, found, None if seen else float(shorter.length[-1]))
     except NoBoundError as reason:
         certificate = of_energy(run, str(reason), lost_at)
     return replace(run, certificate=certificate)

@@ -5,7 +5,7 @@ from typing import Any
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.solve import Interrupted, solve
+from tamias2d.solve import solve
 from tamias2d.work_limit import WORK_LIMIT
 
 
@@ -33,7 +33,5 @@ def companion(scene: Scene, **inputs: Any) -> Run:
     """Return a run as `simulate` does; raise `RefusedError` where that refuses one."""
     try:
         return solve(scene, **inputs)
-    except Interrupted:
-        raise
     except (SimulationError, SceneError) as fault:
         raise RefusedError(str(fault)) from fault

@@ -14,13 +14,10 @@ def holding(
     """Return a refusal whose offers hold.
 
     `meet` does what was asked for at another tolerance, or at the same if it is None, and for a
-    duration in s; it raises `ToleranceError` if it cannot. Who stops it hears of no offer.
+    duration in s; it raises `ToleranceError` if it cannot.
     """
-    try:
-        reachable = _held(refused.reachable, lambda it: meet(it, duration), lambda it: it.reachable)
-        until = _held(refused.until, lambda it: meet(None, it), lambda it: it.until)
-    except KeyboardInterrupt:
-        reachable = until = None
+    reachable = _held(refused.reachable, lambda it: meet(it, duration), lambda it: it.reachable)
+    until = _held(refused.until, lambda it: meet(None, it), lambda it: it.until)
     return refused.offering(reachable, until)
 
 

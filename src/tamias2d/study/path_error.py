@@ -15,7 +15,7 @@ from tamias2d.solve import StoppedError, solve_with_error
 from tamias2d.state import Array
 from tamias2d.study.bound import Bound, NoBoundError, Way, rounding
 from tamias2d.study.companion import limit_beside
-from tamias2d.study.error import radii, scale, scale_of
+from tamias2d.study.error import radii, scale, scale_of, swung
 
 HOW = "and the equation of its error"
 _TIGHTEST, _JOINTED = 3e-12, 1e-10
@@ -23,7 +23,7 @@ _TIGHTEST, _JOINTED = 3e-12, 1e-10
 joints, where chaotic motion lets the rounding of their rows grow."""
 _SURE, _TRUSTED = 1.5, 2.3  # times the error that was integrated: a small one, and a larger one
 _SMALL = 1e-4  # of the scale: up to there more than the small one is believed
-_SLOWED, _TINY = (1.5, 3.0), 1e-6
+_SLOWED, _TINY = (1.75, 3.0), 1e-6
 """The same where bodies are only slowed: of an error that is larger than this share of the scale,
 and of the smallest. Rates within a step are known badly, and steps of high order feel that most."""
 _FEW, _LUCKY = 24, 10.0
@@ -103,7 +103,7 @@ def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
     known: list[tuple[float, float]] = []
 
     def watch(time: float, error: Array, extent: Array) -> None:
-        far = scale_of(scene, _farthest(extent, scene), place)
+        far = scale_of(scene, _way(extent, scene), place)
         share = _trusted(scene, error, far) / far
         known.append((time, share))
         if not _EARLY * duration <= time < duration:
@@ -138,10 +138,20 @@ def _trusted(scene: Scene, error: Array, length: float) -> float:
     return times * farthest * (1 + share / _FAR)
 
 
-def _farthest(moved: Array, scene: Scene) -> float:
-    """Return how far the worst point of the bodies that move goes, m, by coordinates (n, 3)."""
-    x, y, turn = moved.T
+def _way(extent: Array, scene: Scene) -> float:
+    """Return how far the body goes that goes farthest, m, by extents (n, 3), as `error.way`."""
+    x, y, turn = extent.T
+    turned = swung(turn, _reach(len(extent), scene))
+    return float((np.hypot(x, y) + turned).max(initial=0.0))
+
+
+def _farthest(error: Array, scene: Scene) -> float:
+    """Return how far the worst point of the bodies that move is off, m, by errors (n, 3)."""
+    x, y, turn = error.T
+    return float((np.hypot(x, y) + turn * _reach(len(error), scene)).max(initial=0.0))
+
+
+def _reach(count: int, scene: Scene) -> Array:
+    """Return (count,), m: how far bodies reach, all of them or those that move."""
     reach = radii(scene)
-    if len(moved) < len(reach):
-        reach = reach[[body.dynamic for body in scene.bodies]]
-    return float((np.hypot(x, y) + turn * reach).max(initial=0.0))
+    return reach if count == len(reach) else reach[[body.dynamic for body in scene.bodies]]

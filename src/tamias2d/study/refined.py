@@ -17,11 +17,12 @@ import numpy as np
 
 from tamias2d.errors import InputError, SimulationError
 from tamias2d.scene import Scene
+from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.restart import restarted
 from tamias2d.simulator import states_at
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError
-from tamias2d.study.error import distance, radii
+from tamias2d.study.error import distance, radii, swung
 
 _RUNS = ((1.0, 1.0), (1.25, 1.5), (1.5, 3.0), (2.0, 2.0))
 """How many steps and substeps they have for one of the first. The last has the shortest steps."""
@@ -32,6 +33,9 @@ _NUDGE = 1e-9
 """Of the largest radius: by how much the starts of all runs but the last one are moved."""
 SUBSTEPS = 4
 _ROUNDED = 1e-9  # of a step
+_PER_STEP, _PER_LAW = 400.0, 2000.0
+"""The same of a whole step, and of one under laws, which are not compiled: all that few bodies
+cost."""
 _OVERHEAD = 4
 """Substeps that the rest of a step costs as much as, measured on piles and stacks."""
 
@@ -121,11 +125,18 @@ def refined(
 
 
 def refinements(
-    scene: Scene, *, duration: float, times: Array, time_step: float, work: float
+    scene: Scene,
+    *,
+    duration: float,
+    times: Array,
+    time_step: float,
+    work: float,
+    per_step: float = 0.0,
 ) -> Iterator[Refined]:
     """Yield what ever shorter steps say, each time half as long, as far as some work goes.
 
-    All of them divide the first time step, s.
+    All of them divide the first time step, s. Besides their substeps of one body, steps may be
+    said to cost as many each.
 
     Raises:
         RefusedError: the first runs go beyond float64.
@@ -133,9 +144,9 @@ def refinements(
     grid = time_step
     while True:
         found = refined(scene, duration=duration, times=times, time_step=time_step, grid=grid)
-        work -= found.work
+        work -= (effort := found.work + per_step * found.steps)
         yield found
-        if work < 2 * found.work:
+        if work < 2 * effort:
             return
         time_step /= 2
 
@@ -175,13 +186,18 @@ def work_of(scene: Scene, duration: float, time_step: float, substeps: int) -> f
     return moving * math.ceil(duration / time_step) * (_OVERHEAD + substeps)
 
 
+def step_alone(scene: Scene) -> float:
+    """Return what a step costs whatever its bodies and substeps, in substeps of one body."""
+    return _PER_LAW if varying_loads(scene) else _PER_STEP
+
+
 def _lengths(scene: Scene, history: History) -> Array:
     """Return (k,), m: the way of the farthest body up to each time, or the largest radius."""
     largest = float(radii(scene).max(initial=0.0)) or math.ulp(0.0)
     low = np.minimum.accumulate(history.position, axis=0)
     high = np.maximum.accumulate(history.position, axis=0)
     turned = np.maximum.accumulate(history.orientation, axis=0)
-    turned = (turned - np.minimum.accumulate(history.orientation, axis=0)) * radii(scene)
-    ways = np.linalg.norm(high - low, axis=-1) + turned
+    turned = turned - np.minimum.accumulate(history.orientation, axis=0)
+    ways = np.linalg.norm(high - low, axis=-1) + swung(turned, radii(scene))
     lengths: Array = np.maximum(ways.max(axis=1, initial=0.0), largest)
     return lengths

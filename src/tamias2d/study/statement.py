@@ -37,17 +37,20 @@ def with_rule(certificate: Certificate, run: Run) -> Certificate:
     return replace(certificate, does_not_claim=certificate.does_not_claim + told)
 
 
-def of_positions(run: Run, found: Bound) -> Certificate:
-    """Return the certificate of a bound; raise `NoBoundError` if it is larger than the motion."""
+def of_positions(run: Run, found: Bound, far: float | None = None) -> Certificate:
+    """Return the certificate of a bound; raise `NoBoundError` if it is larger than the motion.
+
+    How far the farthest body goes, m, may be known from another run of more samples.
+    """
     stepped = isinstance(run.method, Stepped)
-    length, of = scale(run), "that the farthest one goes"
-    if length != way(run.scene, run):
+    length, of = far or scale(run), "that the farthest one goes"
+    if far is None and length != way(run):
         of = "taken where nothing moves"
     if stepped and length < (largest := float(radii(run.scene).max(initial=0.0))):
         length, of = largest, "around the largest one"  # what only sinks in goes nowhere
     if found.value > length:
         raise NoBoundError(f"a bound by {found.kind} would be larger than the motion itself")
-    until = f"at all {len(run.times)} samples up to {run.times[-1]:g} s"
+    until = f"at all samples up to {run.times[-1]:g} s"
     return Certificate(
         kind=found.kind,
         measure=f"{_STEPPED_MEASURE if stepped else MEASURE}, relative to the {length:.6g} m {of}",

@@ -20,7 +20,7 @@ from tamias2d.solve import FRAMES, solve
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.pilot import Estimate
-from tamias2d.study.refined import Refined, refined, refinements, stepped, work_of
+from tamias2d.study.refined import Refined, refined, refinements, step_alone, stepped, work_of
 from tamias2d.study.refusal import BOUND_LESS, LOOSEST, ToleranceError, rounded_up, sooner
 from tamias2d.study.step_doubling import shortest_told
 
@@ -184,7 +184,14 @@ def _refined(
     share = _SHARE * tolerance
     try:
         before = None
-        for found in refinements(scene, duration=duration, times=times, time_step=step, work=work):
+        for found in refinements(
+            scene,
+            duration=duration,
+            times=times,
+            time_step=step,
+            work=work,
+            per_step=step_alone(scene),
+        ):
             seen.append(found if before is None else found.after(before))
             if (before and seen[-1].share <= share) or _stale(seen, share):
                 break

@@ -10,10 +10,11 @@ from tamias2d.motion import Dop853
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
-from tamias2d.solve import Interrupted
 from tamias2d.state import Array
 from tamias2d.study.asked import Asked
+from tamias2d.study.bound import rounding
 from tamias2d.study.certify import certify_by_companion, certify_steps
+from tamias2d.study.error import scale
 from tamias2d.study.offers import holding
 from tamias2d.study.path_error import has_error_equation
 from tamias2d.study.pilot import Estimate
@@ -54,9 +55,7 @@ def _within(asked: Asked) -> Run:
     reason = steps_because(scene, duration)
     if reason is None:
         try:
-            return _located(asked)
-        except Interrupted:
-            raise
+            return asked.sampled(_located(asked.looked_at()))
         except ToleranceError as refused:
             if refused.reachable is not None:
                 raise
@@ -118,7 +117,7 @@ def _aimed(asked: Asked) -> Run:
                 return _noted(run, tolerance, attempt)
             reached = min(reached, reached_by(run.certificate))
             lost = min(lost, _lost(run.certificate))
-            rounded = rounded or _is_rounding(run)
+            rounded = rounded or _is_rounding(run, tolerance)
             finer = _finer(estimate, reached_by(run.certificate) / tolerance)
             if finer is None:
                 break
@@ -128,9 +127,12 @@ def _aimed(asked: Asked) -> Run:
     raise refusal(tolerance, reached, too_short=rounded)
 
 
-def _is_rounding(run: Run) -> bool:
-    """Return whether a run errs by rounding alone: the farther bodies go, the less it counts."""
-    return bool(run.certificate and run.certificate.kind == "exact" and not len(run.impacts))
+def _is_rounding(run: Run, tolerance: float) -> bool:
+    """Return whether rounding is too much: the farther bodies go, the less it counts."""
+    if len(run.impacts):
+        return False
+    exact = run.certificate is not None and run.certificate.kind == "exact"
+    return exact or rounding(run) > tolerance * scale(run)
 
 
 def _lost(certificate: Certificate | None) -> float:

@@ -22,12 +22,13 @@ def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
     schemes = given.get("schemes", {})
     for scheme, steps in schemes.items():
         run = run_by(case, scheme, int(steps))
-        yield from _kept(case, given, run, f" by {scheme}")
+        yield from kept(case, given, run, f" by {scheme}")
     if not schemes:
-        yield from _kept(case, given, case.run, "")
+        yield from kept(case, given, case.run, "")
 
 
-def _kept(case: Case, given: Mapping[str, Any], run: Run, by: str) -> Iterator[Outcome]:
+def kept(case: Case, given: Mapping[str, Any], run: Run, by: str) -> Iterator[Outcome]:
+    """What a run keeps, of the quantities that are given."""
     for quantity in _QUANTITIES:
         if quantity in given:
             rule = given[quantity]

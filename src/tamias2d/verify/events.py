@@ -1,6 +1,7 @@
 """An independent simulation: scipy integrates, finds the impacts, and solves for the velocities.
 
-It shares no formula with the generated models, so that it can judge them: distances come from
+It takes from the library the scene, with the inertias and restitutions in it, and shares no formula
+of motion or impact with the generated models, so that it can judge them: distances come from
 geometry, motion from Newton's law, and the velocities after an impact from a system of linear
 equations (both momentum balances and Newton's law of restitution). It knows discs against discs and
 half-planes, and polygons against half-planes.

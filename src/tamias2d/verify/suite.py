@@ -18,6 +18,7 @@ from tamias2d.verify import (
     refuses,
     results,
     schemes,
+    stepped,
     values,
     worlds,
 )
@@ -35,10 +36,12 @@ COMPARISONS: dict[str, Comparison] = {
     "schemes": schemes.compare,
     "certified": certified.compare,
     "published": published.compare,
+    "stepped": stepped.compare,
     "reference": reference.compare,
     "worlds": worlds.compare,
     "values": values.compare,
     "refuses": refuses.compare,
+    "notes": refuses.compare_notes,
     "pace": pace.compare,
     "survey": people.compare,
 }

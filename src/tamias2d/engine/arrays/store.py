@@ -161,6 +161,17 @@ class Store:
         for values in self._by_slot:
             values[slots] = 0
 
+    def wake(self, rows: NDArray[np.integer]) -> None:
+        """Wake bodies that sleep, with their islands."""
+        self.world.control.counts[tb.ALL_ASLEEP] = 0
+        if not len(rows):
+            return
+        links = self.world.islands.links
+        asleep = links[self.world.state.slot_of_body[rows], tb.SLEEP_ID]
+        if asleep.any():
+            woken = np.isin(links[:, tb.SLEEP_ID], asleep[asleep > 0])
+            links[woken, tb.SLEEP_ID] = links[woken, tb.SLOW_STEPS] = 0
+
     def forget_pairs(self) -> None:
         """Look for pairs anew at the next step."""
         self.world.broad_phase.counts[tb.LIST_HOLDS] = 0

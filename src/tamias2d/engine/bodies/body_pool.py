@@ -49,7 +49,7 @@ class BodyPool:
         absent = np.flatnonzero(store.world.state.kind[: store.size] == tb.ABSENT)
         self._free: list[int] = absent[::-1].tolist()
         self._shapes = ShapePool(store)
-        self._contacts = ListedContacts(store, self.wake)
+        self._contacts = ListedContacts(store)
         self._order = self._ranked_shapes()
         self._new: dict[int, _New] = {}  # bodies without a rank
         self._leaving: list[int] = []  # removed since the pool was settled
@@ -112,7 +112,7 @@ class BodyPool:
         self._propagators.forget_unused()
         self.store.copy_to_slots(rows)
         self.store.world.touching.counts[[tb.ARRANGED, tb.ISLANDS_KNOWN]] = 0  # knows masses
-        self.wake(rows)
+        self.store.wake(rows)
         self.store.revision += 1
 
     def set_shapes(self, rows: IntArray, shapes: Sequence[Shape]) -> None:
@@ -124,7 +124,7 @@ class BodyPool:
             CarriedTouch(self.store, self._contacts.owners(), rows),
             self._stated_pairs(),
         )
-        self.wake(touch.beside)
+        self.store.wake(touch.beside)
         self.store.set_pair_overrides(np.zeros((0, 4)))
         state, table = self.store.world.state, self.store.world.shapes
         changed = self._marked(rows)
@@ -169,7 +169,7 @@ class BodyPool:
     def _begin_anew(self, rows: IntArray) -> None:
         """Let bodies touch others as if they were new: they wake, and wake what they touch."""
         state, links = self.store.world.state, self.store.world.islands.links
-        self.wake(rows)
+        self.store.wake(rows)
         still = rows[state.kind[rows] != tb.DYNAMIC]
         links[state.slot_of_body[still], tb.SLOW_STEPS] = 0
         self.store.forget_pairs()
@@ -241,17 +241,6 @@ class BodyPool:
     def drop_pairs(self, pairs: set[tuple[int, int]]) -> None:
         """Take pairs of bodies, the lower row first, out of the list of contacts; wake them."""
         self._contacts.drop_pairs(pairs)
-
-    def wake(self, rows: NDArray[np.integer]) -> None:
-        """Wake bodies that sleep, with their islands."""
-        self.store.world.control.counts[tb.ALL_ASLEEP] = 0
-        if not len(rows):
-            return
-        links = self.store.world.islands.links
-        asleep = links[self.store.world.state.slot_of_body[rows], tb.SLEEP_ID]
-        if asleep.any():
-            woken = np.isin(links[:, tb.SLEEP_ID], asleep[asleep > 0])
-            links[woken, tb.SLEEP_ID] = links[woken, tb.SLOW_STEPS] = 0
 
     # -- rows
 

@@ -1,7 +1,5 @@
 """Contacts on the list between two steps: those of pairs that go, or may not touch, leave it."""
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,9 +11,8 @@ from tamias2d.state import IntArray
 class ListedContacts:
     """The contacts that the next step finds on the list."""
 
-    def __init__(self, store: Store, wake: Callable[[IntArray], None]) -> None:
-        """Look at a store; `wake` wakes bodies, given by rows."""
-        self._store, self._wake = store, wake
+    def __init__(self, store: Store) -> None:
+        self._store = store
 
     def drop_pairs(self, pairs: set[tuple[int, int]]) -> None:
         """Take pairs of bodies, the lower row first, out of the list; wake them."""
@@ -62,7 +59,7 @@ class ListedContacts:
         counts, buffers = self._store.world.broad_phase.counts, self._store.world.buffers
         side, size = counts[tb.BUFFER], counts[tb.CONTACTS]
         points = buffers.flags[side, :size, tb.POINT_COUNT] > 0
-        self._wake(self.owners()[left & points].ravel())
+        self._store.wake(self.owners()[left & points].ravel())
         first = int(np.argmax(left))  # those before it stay where they are
         kept = first + np.flatnonzero(~left[first:])
         for values in (buffers.pairs, buffers.manifolds, buffers.axes, buffers.flags):

@@ -26,7 +26,7 @@ from tamias2d.generated.island_energy import (
 )
 from tamias2d.generated.spring_step import (
     balanced_share,
-    energy_unpaid,
+    energy_defect,
     spring_gain,
     tension_held,
 )
@@ -66,7 +66,7 @@ def balance_network(n: int, bodies: Bodies, springs: Springs, islands: Islands) 
     Returns whether that is a small part of its energy. The row of energies of its first free body
     serves for the sums.
     """
-    unpaid = unpaid_of_network(n, bodies, springs)
+    defect = defect_of_network(n, bodies, springs)
     first, last = springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]
     root = first_free(n, bodies, springs)
     row = islands.energy[root]
@@ -74,14 +74,14 @@ def balance_network(n: int, bodies: Bodies, springs: Springs, islands: Islands) 
     energy = 0.0
     for k in range(first, last):
         energy += energy_of_member(k, root, bodies, springs, row)
-    if energy > 0.0 and unpaid != 0.0:
-        share = balanced_share(energy, 0.0, unpaid, MOST_RETURNED)
+    if energy > 0.0 and defect != 0.0:
+        share = balanced_share(energy, 0.0, defect, MOST_RETURNED)
         for k in range(first, last):
             scale_member(k, root, share, bodies, springs, row)
-    return bool(abs(unpaid) <= VIOLENT * energy)
+    return bool(abs(defect) <= VIOLENT * energy)
 
 
-def unpaid_of_network(n: int, bodies: Bodies, springs: Springs) -> float:
+def defect_of_network(n: int, bodies: Bodies, springs: Springs) -> float:
     """Return what held forces gave the bodies of a network beyond what its springs lost, J.
 
     With dampers it is less by what these take, so that nothing is given back there.
@@ -97,8 +97,8 @@ def unpaid_of_network(n: int, bodies: Bodies, springs: Springs) -> float:
         )
         gained += spring_gain(tension, spring[tb.LENGTH], later)
         damped = damped or spring[tb.DAMPER] > 0.0
-    unpaid = energy_unpaid(done, gained)
-    return float(max(unpaid, 0.0) if damped else unpaid)
+    defect = energy_defect(done, gained)
+    return float(max(defect, 0.0) if damped else defect)
 
 
 def held_work_on(k: int, bodies: Bodies, springs: Springs) -> float:
