@@ -19,7 +19,7 @@ def point_velocity(velocity: Vector, angular_velocity: Scalar, arm: Vector) -> V
     Args:
         velocity: Velocity of the centre of mass, m/s
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
-        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
+        arm: Lever arm, from the centre of mass to the point where something acts on a body, m
 
     Source: DD9, srs/definitions.md:71.
     """
@@ -34,7 +34,7 @@ def torque(arm: Vector, force: Vector) -> Scalar:
     torque = cross(arm, force)
 
     Args:
-        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
+        arm: Lever arm, from the centre of mass to the point where something acts on a body, m
         force: Applied force on a body, without its weight, N
 
     Source: DD13, srs/definitions.md:88.
@@ -258,7 +258,7 @@ def inertia_compound(inertia_i: Scalar, mass_i: Scalar, arm_i: Vector) -> Scalar
         inertia_i: Moment of inertia about the centre of mass; of each particle, body or vertex
             in turn, kg*m^2
         mass_i: Mass of a body; of each particle, body or vertex in turn, kg
-        arm_i: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_i: Lever arm, from the centre of mass to the point where something acts on a body;
             of each particle, body or vertex in turn, m
 
     Source: DD25, srs/definitions.md:195.

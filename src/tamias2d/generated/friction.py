@@ -27,11 +27,11 @@ def tangential_velocity(
     Args:
         velocity_a: Velocity of the centre of mass; of body A, m/s
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
-        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_a: Lever arm, from the centre of mass to the point where something acts on a body;
             of body A, m
         velocity_b: Velocity of the centre of mass; of body B, m/s
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
@@ -65,11 +65,11 @@ def cross_coupling(
     Args:
         inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
             1/(kg*m^2)
-        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_a: Lever arm, from the centre of mass to the point where something acts on a body;
             of body A, m
         inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
             1/(kg*m^2)
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
@@ -105,12 +105,12 @@ def inverse_sliding_mass(
         inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
         inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
             1/(kg*m^2)
-        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_a: Lever arm, from the centre of mass to the point where something acts on a body;
             of body A, m
         inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
         inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
             1/(kg*m^2)
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         inverse_effective_mass: Change of the normal velocity for one unit of impulse, 1/kg
 
@@ -290,7 +290,7 @@ def angular_velocity_a_after(
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
         inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
             1/(kg*m^2)
-        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_a: Lever arm, from the centre of mass to the point where something acts on a body;
             of body A, m
         impulse_vector: Integral of a force over the time in which it acts, N*s
 
@@ -335,7 +335,7 @@ def angular_velocity_b_after(
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
         inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
             1/(kg*m^2)
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         impulse_vector: Integral of a force over the time in which it acts, N*s
 
@@ -365,11 +365,11 @@ def tangential_acceleration(
     Args:
         acceleration_a: Acceleration of the centre of mass; of body A, m/s^2
         angular_acceleration_a: Rate of change of the angular velocity; of body A, rad/s^2
-        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_a: Lever arm, from the centre of mass to the point where something acts on a body;
             of body A, m
         acceleration_b: Acceleration of the centre of mass; of body B, m/s^2
         angular_acceleration_b: Rate of change of the angular velocity; of body B, rad/s^2
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
@@ -427,10 +427,10 @@ def tangential_acceleration_turning(
         tangential_acceleration: Rate of change of the tangential velocity of a contact that
             lasts, m/s^2
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
-        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_a: Lever arm, from the centre of mass to the point where something acts on a body;
             of body A, m
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
 

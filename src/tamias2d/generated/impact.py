@@ -24,11 +24,11 @@ def normal_velocity(
     Args:
         velocity_a: Velocity of the centre of mass; of body A, m/s
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
-        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_a: Lever arm, from the centre of mass to the point where something acts on a body;
             of body A, m
         velocity_b: Velocity of the centre of mass; of body B, m/s
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
@@ -63,12 +63,12 @@ def coupling(
     Args:
         inverse_mass: One over the mass, zero for a static body, 1/kg
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
-        arm_first: Lever arm, from the centre of mass to where a contact, a force or a joint
-            acts; of the first of two contacts, m
+        arm_first: Lever arm, from the centre of mass to the point where something acts on a
+            body; of the first of two contacts, m
         normal_first: Unit normal of a contact, from body A to body B; of the first of two
             contacts, 1
-        arm_second: Lever arm, from the centre of mass to where a contact, a force or a joint
-            acts; of the second of two contacts, m
+        arm_second: Lever arm, from the centre of mass to the point where something acts on a
+            body; of the second of two contacts, m
         normal_second: Unit normal of a contact, from body A to body B; of the second of two
             contacts, 1
 
@@ -103,12 +103,12 @@ def inverse_effective_mass(
         inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
         inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
             1/(kg*m^2)
-        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_a: Lever arm, from the centre of mass to the point where something acts on a body;
             of body A, m
         inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
         inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
             1/(kg*m^2)
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
@@ -180,7 +180,7 @@ def angular_velocity_a_after(
     Args:
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
         impulse: Size of the impulse of a contact along its normal, N*s
-        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_a: Lever arm, from the centre of mass to the point where something acts on a body;
             of body A, m
         normal: Unit normal of a contact, from body A to body B, 1
         inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
@@ -233,7 +233,7 @@ def angular_velocity_b_after(
     Args:
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
         impulse: Size of the impulse of a contact along its normal, N*s
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
         inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,

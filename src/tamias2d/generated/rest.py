@@ -24,11 +24,11 @@ def normal_acceleration(
     Args:
         acceleration_a: Acceleration of the centre of mass; of body A, m/s^2
         angular_acceleration_a: Rate of change of the angular velocity; of body A, rad/s^2
-        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_a: Lever arm, from the centre of mass to the point where something acts on a body;
             of body A, m
         acceleration_b: Acceleration of the centre of mass; of body B, m/s^2
         angular_acceleration_b: Rate of change of the angular velocity; of body B, rad/s^2
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
@@ -71,7 +71,7 @@ def gap_acceleration_side(
             m/s^2
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
         slip: Velocity at which a corner of B moves along a side of A, or past a corner of it,
@@ -109,10 +109,10 @@ def gap_acceleration_corner(
         normal_acceleration: Rate of change of the normal velocity of a contact that rests,
             m/s^2
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
-        arm_a: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_a: Lever arm, from the centre of mass to the point where something acts on a body;
             of body A, m
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
-        arm_b: Lever arm, from the centre of mass to where a contact, a force or a joint acts;
+        arm_b: Lever arm, from the centre of mass to the point where something acts on a body;
             of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
         slip: Velocity at which a corner of B moves along a side of A, or past a corner of it,

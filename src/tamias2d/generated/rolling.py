@@ -16,7 +16,7 @@ def inverse_rolling_mass(inverse_mass: Scalar, inverse_inertia: Scalar, arm: Vec
     Args:
         inverse_mass: One over the mass, zero for a static body, 1/kg
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
-        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
+        arm: Lever arm, from the centre of mass to the point where something acts on a body, m
 
     Source: DD85, srs/models/friction.md:481.
     """

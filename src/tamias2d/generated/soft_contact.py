@@ -16,7 +16,7 @@ def turning_arm(arm: Vector, line: Vector) -> Scalar:
     turning_arm = cross(arm, line)
 
     Args:
-        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
+        arm: Lever arm, from the centre of mass to the point where something acts on a body, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
     Source: DD26, srs/models/soft_contact.md:28.
@@ -424,7 +424,7 @@ def bend(arm: Vector, line: Vector) -> Scalar:
     bend = dot(arm, line)
 
     Args:
-        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
+        arm: Lever arm, from the centre of mass to the point where something acts on a body, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
     Source: DD29, srs/models/soft_contact.md:598.

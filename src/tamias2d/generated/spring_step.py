@@ -93,13 +93,13 @@ def damping_held(damping: Scalar, stiffness: Scalar, row_mass: Scalar, time_step
 
 
 def arm_held(arm: Vector, half_turn: Scalar, half_turn_sine: Scalar) -> Vector:
-    """Lever arm, from the centre of mass to where a contact, a force or a joint acts; held through
+    """Lever arm, from the centre of mass to the point where something acts on a body; held through
     a step (m).
 
     arm_held = half_turn_sine/half_turn*arm
 
     Args:
-        arm: Lever arm, from the centre of mass to where a contact, a force or a joint acts, m
+        arm: Lever arm, from the centre of mass to the point where something acts on a body, m
         half_turn: Half of the angle by which a body turns in a step, rad
         half_turn_sine: Sine of half of the angle by which a body turns in a step, 1
 

@@ -827,7 +827,7 @@ SYMBOLS: dict[str, Symbol] = {
     "arm": Symbol(
         "arm",
         "m",
-        "lever arm, from the centre of mass to where a contact, a force or a joint acts",
+        "lever arm, from the centre of mass to the point where something acts on a body",
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
