@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tamias2d.contact import LastingContactError, UndecidedContactError
-from tamias2d.motion import Reference
+from tamias2d.contact import UndecidedContactError
+from tamias2d.motion import Dop853, Reference
 from tamias2d.scene import Box, Disc, HalfPlane, Scene
 from tamias2d.simulate import simulate
 
@@ -91,16 +91,26 @@ def test_a_hit_elsewhere_frees_a_ball_through_a_damper() -> None:
     np.testing.assert_allclose(found, true, rtol=1e-9)
 
 
-def test_bodies_on_each_other_under_loads_that_vary_are_refused_by_name() -> None:
-    scene = Scene(gravity=(0, -10))
-    scene.add_body(Box(width=1, height=1), mass=1, position=(0, 0.5), restitution=0, name="lower")
-    scene.add_body(Box(width=1, height=1), mass=1, position=(0, 1.5), restitution=0, name="upper")
-    scene.add_field(force=(0, "1[N]*sin(1[rad/s]*time)"), bodies=["upper"])
-    scene.add_static(FLOOR)
-    with pytest.raises(
-        LastingContactError, match=r"'lower' and 'upper' at 0\.0 s: .* while loads vary"
-    ):
-        simulate(scene, duration=1, method=Reference())
+@pytest.mark.parametrize("friction", [None, 0.5])
+def test_a_box_is_lifted_off_another_where_a_force_that_varies_bears_it(
+    friction: float | None,
+) -> None:
+    """Where 14 N sin(2 t) is its weight of 10 N; the other stays, and so do both before."""
+    scene, cube = Scene(gravity=(0, -10)), Box(width=1, height=1)
+    rubs = {} if friction is None else {"friction": friction}
+    scene.add_body(cube, mass=1, position=(0, 0.5), restitution=0, **rubs)
+    scene.add_body(cube, mass=1, position=(0, 1.5), restitution=0, name="upper", **rubs)
+    scene.add_field(force=(0, "14[N]*sin(2[rad/s]*time)"), bodies=["upper"])
+    scene.add_static(FLOOR, **rubs)
+    lifts = math.asin(10 / 14) / 2
+    run = simulate(scene, duration=1, times=[lifts, 1], method=Reference())
+    np.testing.assert_allclose(run.position[:, 0], [(0, 0.5)] * 2, rtol=0, atol=1e-13)
+    assert run.position[0, 1, 1] == pytest.approx(1.5, abs=1e-13)
+    flight = solve_ivp(
+        lambda t, y: (y[1], 14 * math.sin(2 * t) - 10), (lifts, 1), (1.5, 0),
+        method="DOP853", rtol=1e-13, atol=1e-15,
+    )  # fmt: skip
+    assert run.position[1, 1, 1] == pytest.approx(flight.y[0, -1], abs=1e-11)
 
 
 def test_a_stack_at_rest_in_the_air_stands() -> None:
@@ -122,3 +132,25 @@ def test_a_box_that_a_growing_torque_tips_is_refused_when_it_tips() -> None:
     with pytest.raises(UndecidedContactError, match="contacts last or open") as caught:
         simulate(scene, duration=4, method=Reference())
     assert caught.value.time == pytest.approx(2.5, abs=1e-9)
+
+
+@pytest.mark.parametrize("method", [Reference(), Dop853(rtol=1e-8)])
+def test_a_box_that_a_spring_pulls_off_a_free_disc_leaves_it_where_nothing_presses(
+    method: Reference | Dop853,
+) -> None:
+    """Along the line of both the spring presses as long as it is longer than at rest.
+
+    Together they are 2 kg on it from 0.25 m: the contact opens after a quarter of the period.
+    """
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(Disc(radius=0.5), mass=1, position=(0, 0), restitution=0)
+    scene.add_body(Box(width=0.5, height=0.2), mass=1, position=(0, 0.6), restitution=0)
+    scene.add_spring(1, (0.0, -1.0), stiffness=10, rest_length=1.35)
+    opens = math.pi / 2 / math.sqrt(10 / 2)
+    run = simulate(scene, duration=1.2, times=[0.0, opens, 1.2], method=method)
+    speed = 0.25 * math.sqrt(10 / 2)
+    turn = math.sqrt(10) * (1.2 - opens)
+    assert run.velocity[1, :, 1] == pytest.approx([-speed, -speed], rel=1e-8)
+    assert run.velocity[2, :, 1] == pytest.approx([-speed, -speed * math.cos(turn)], abs=1e-8)
+    height = 0.35 - speed / math.sqrt(10) * math.sin(turn)
+    assert run.position[2, 1, 1] == pytest.approx(height, abs=1e-8)

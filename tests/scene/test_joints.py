@@ -321,3 +321,18 @@ def test_what_is_not_given_is_as_at_the_start() -> None:
     assert made.joints[1].name == "gear"
     assert not made.collides(0, 1)
     assert made.collides(0, 3)
+
+
+@pytest.mark.parametrize("speed", [1e-300, 6.5e-45, 1e-14])
+def test_what_rounding_leaves_of_rest_tears_no_joint(speed: float) -> None:
+    made = Scene(gravity=(0, -9.81))
+    made.add_body(t2.Disc(radius=0.1), mass=1, position=(2, 0), velocity=(speed, 0))
+    made.add_joint(t2.Weld(), (0, 0), 0, at=(0, 0))
+    assert t2.simulate(made, duration=0.1, times=[0.1]).velocity[0, 0].tolist() == [0.0, 0.0]
+
+
+def test_more_than_rounding_tears_a_joint() -> None:
+    made = Scene(gravity=(0, -9.81))
+    made.add_body(t2.Disc(radius=0.1), mass=1, position=(2, 0), velocity=(1e-13, 0))
+    with pytest.raises(InputError, match=r"tear it: it is left at 1e-13 m/s"):
+        made.add_joint(t2.Weld(), (0, 0), 0, at=(0, 0))

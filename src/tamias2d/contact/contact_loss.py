@@ -7,9 +7,9 @@ import numpy as np
 from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.friction_constraint import FrictionConstraint, TurningFrictionConstraint
 from tamias2d.contact.frictional_rest import island_of, slides_on
-from tamias2d.contact.gap import EPSILON, axes, resolution
-from tamias2d.contact.manifold import LASTING_NOISE, Contact, manifold, refreshed, speed_scale
-from tamias2d.contact.pair_friction import PairFriction
+from tamias2d.contact.gap import axes, resolution
+from tamias2d.contact.manifold import Contact, manifold, refreshed
+from tamias2d.contact.pair_friction import LastingFriction
 from tamias2d.contact.refusal import Refusal
 from tamias2d.contact.rolling_island import RollingConstraint
 from tamias2d.path import Piece
@@ -30,16 +30,16 @@ class ContactLossWatch:
         supports: Mapping[int, State],
         free: Callable[[float], Acceleration],
         slight: float,
-        friction_and_senses: tuple[Callable[[int, int], float], Mapping[tuple[int, int], int]],
+        friction: LastingFriction,
     ) -> None:
-        """Take, among others, the friction of pairs, and the senses in which they slide."""
+        """Take, among others, the friction of pairs, and an opening that is not seen."""
         self._cores = cores
         self._body = body
         self._contacts = contacts
         self._supports = supports
         self._free = free
         self._slight = slight
-        self._friction, self._senses = friction_and_senses
+        self._friction = friction
 
     def first_loss(self, path: Piece, constraint: Constraint) -> float | None:
         """Return the first time in s at which the contacts change, or None."""
@@ -101,34 +101,22 @@ class ContactLossWatch:
             _feature_ids(contact) for contact in self._contacts
         ]:
             return False
-        friction_and_senses = PairFriction(
-            time, self._friction, lambda contact: self._noise(contact, states)
-        )
+        friction, senses = self._friction.at(time, states), self._friction.of_contacts(now)
         free = {self._body: self._free(time)}
         if len(now) == 1 and isinstance(constraint, TurningFrictionConstraint):
-            sense = slides_on(self._cores, placed, now[0], free, self._slight, friction_and_senses)
-            if sense and self._senses_now == {(now[0].a, now[0].b): sense}:
+            sense = slides_on(self._cores, placed, now[0], free, self._slight, friction)
+            if sense and senses == {(now[0].a, now[0].b): sense}:
                 return True
         try:
-            island = island_of(self._cores, placed, now, free, self._slight, friction_and_senses)
+            island = island_of(self._cores, placed, now, free, self._slight, friction)
         except Refusal:
             return False
-        if len(island.lasting) < len(now) or island.senses != self._senses_now:
+        if len(island.lasting) < len(now) or island.senses != senses:
             return False
         return (
             constraint.state_dependent
             or not island.constraints(states, time)[self._body].state_dependent
         )
-
-    @property
-    def _senses_now(self) -> dict[tuple[int, int], int]:
-        pairs = dict.fromkeys((contact.a, contact.b) for contact in self._contacts)
-        return {pair: self._senses[pair] for pair in pairs if pair in self._senses}
-
-    def _noise(self, contact: Contact, states: Mapping[int, State]) -> float:
-        sticks = self._senses.get((contact.a, contact.b)) == 0
-        speed = speed_scale(contact, states[contact.a], states[contact.b])
-        return speed * (LASTING_NOISE if sticks else 64 * EPSILON)
 
     def _refreshed(self, placed: Mapping[int, Placed]) -> list[Contact]:
         """Return the contacts whose axis still is the best one of its pair."""

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from tamias2d.errors import SceneError
 from tamias2d.scene import Body, Chain, Compound, Disc, HalfPlane, Scene
-from tamias2d.scene.acting import groups, timed_loads, varying_loads
+from tamias2d.scene.acting import groups, timed_loads, varying_loads, welded
 from tamias2d.scene.chain import Piece
 from tamias2d.scene.filters import Filtered
 from tamias2d.state import State, Vector
@@ -41,11 +41,12 @@ class Core:
         timed: bool = False,
         group: frozenset[int] = frozenset(),
         jointed: bool = False,
+        welded: frozenset[int] = frozenset(),
     ) -> None:
         """Take a body, whether its loads are constant, whether they change at rest, and its group.
 
         The group holds the bodies on whose states its loads depend, itself included. It is jointed
-        where it moves and a joint holds it.
+        where it moves and a joint holds it, and may be `welded` to others for good.
         """
         shape = body.shape
         self.index = index
@@ -58,6 +59,7 @@ class Core:
         self.timed = timed
         self.group = group
         self.jointed = jointed
+        self.welded = welded
         self.inverse_mass = body.inverse_mass
         self.inverse_inertia = body.inverse_inertia
         self.corners: tuple[Vector, ...] = ((0.0, 0.0),)
@@ -84,6 +86,7 @@ def cores_of(scene: Scene) -> list[Core]:
     varying, timed = varying_loads(scene), timed_loads(scene)
     group_of = {i: frozenset(group) for group in groups(scene) for i in group}
     jointed = {i for joint in scene.joints for i in joint.bodies}
+    welded_to = {i: frozenset(bodies) for bodies in welded(scene) for i in bodies}
     return [
         Core(
             i,
@@ -92,6 +95,7 @@ def cores_of(scene: Scene) -> list[Core]:
             timed=i in timed,
             group=group_of.get(i, frozenset()),
             jointed=i in jointed and body.dynamic,
+            welded=welded_to.get(i, frozenset()),
         )
         for i, body in enumerate(scene.bodies)
     ]

@@ -69,7 +69,8 @@ class CoupledIsland(Island):
         self._patches = pair_friction.patches(contacts, placed, free)
         if self._stands(pair_friction.noise):
             self._rest()
-        elif self._moves_on(self._states) or self._rubs():
+        if self._goes_on(contacts):
+            self._rests = False
             self._decide()
             while stopped := self._turned_round():
                 self.stopped |= stopped
@@ -80,13 +81,19 @@ class CoupledIsland(Island):
                 self._decide()
         self.senses.update(_senses(self._mode))
 
+    def _goes_on(self, contacts: Sequence[Contact]) -> bool:
+        """Whether accelerations change from here on while contacts last."""
+        if self._rests or not (self._moves_on(self._states) or self._rubs()):
+            return len(self.lasting) == len(contacts) and not self._steady(self._states)
+        return True
+
     def _rubs(self) -> bool:
         """Whether something presses, so that friction may act."""
         return bool(self._pressed) and any(patch.coefficient for patch in self._patches)
 
     @property
     def _constant(self) -> bool:
-        """Whether nothing turns or rubs, so that the accelerations stay what they are."""
+        """Whether nothing turns, rubs or varies, so that the accelerations stay what they are."""
         return not self._mode
 
     def projected(self, states: Mapping[int, State]) -> dict[int, State]:
@@ -132,10 +139,9 @@ class CoupledIsland(Island):
         """Return the constraint of each body by its lasting contacts.
 
         Raises:
-            LastingContactError: loads vary by what is not in contact, or a support may end.
+            LastingContactError: what is not in contact pulls bodies that move on.
         """
         if self._rests:
-            self._refuse_unsteady(states, time)
             return {i: Constant(_STILL) for i in self.bodies}
         if self._constant:
             return super().constraints(states, time)

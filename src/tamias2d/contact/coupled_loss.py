@@ -6,8 +6,10 @@ import numpy as np
 
 from tamias2d.contact.core import Core, place
 from tamias2d.contact.coupled_constraint import CoupledConstraint
+from tamias2d.contact.frictional_rest import island_of
 from tamias2d.contact.gap import resolution
-from tamias2d.contact.manifold import Contact, manifold
+from tamias2d.contact.manifold import Contact, manifold, refreshed
+from tamias2d.contact.pair_friction import LastingFriction
 from tamias2d.contact.refusal import Refusal
 from tamias2d.path import Piece
 from tamias2d.state import Acceleration, Array, State
@@ -25,13 +27,20 @@ class CoupledLossWatch:
         contacts: Sequence[Contact],
         paths: Mapping[int, Piece],
         free: Callable[[int, float], Acceleration],
+        slight: float,
+        friction: LastingFriction,
     ) -> None:
-        """Take the paths of all bodies in contact, and the accelerations by loads alone."""
+        """Take the paths of all bodies in contact, and the accelerations by loads alone.
+
+        An opening by less than `slight`, m/s^2, is not seen.
+        """
         self._cores = cores
         self._constraint = constraint
         self._contacts = contacts
         self._paths = paths
         self._free = free
+        self._slight = slight
+        self._friction = friction
         self._slack: list[float] = []
 
     def first_loss(self) -> float | None:
@@ -56,8 +65,25 @@ class CoupledLossWatch:
         return self._constraint.slides_on(self._own(time), self._slack)
 
     def _holds(self, time: float) -> bool:
-        """Return whether forces obey Coulomb's law."""
-        return self._constraint.holds(self._loads(time), self._own(time))
+        """Return whether forces obey Coulomb's law, but for an opening that is not seen."""
+        return self._constraint.holds(self._loads(time), self._own(time)) or self._stays(time)
+
+    def _stays(self, time: float) -> bool:
+        """Return whether an instant would decide that all goes on as it does.
+
+        Else the contacts that it keeps would be lost again, as soon as time gets on.
+        """
+        states = {i: path.at(time) for i, path in self._paths.items()}
+        placed = {i: place(self._cores[i], state) for i, state in states.items()}
+        now = [refreshed(c, placed[c.a], placed[c.b]) for c in self._contacts]
+        free = {i: self._free(i, time) for i in self._constraint.bodies}
+        friction = self._friction.at(time, states)
+        try:
+            island = island_of(self._cores, placed, now, free, self._slight, friction)
+        except Refusal:
+            return False
+        same = island.senses == self._friction.of_contacts(now)
+        return same and len(island.lasting) == len(now)
 
     def _own(self, time: float) -> list[State]:
         return [self._paths[i].at(time) for i in self._constraint.bodies]

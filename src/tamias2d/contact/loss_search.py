@@ -9,6 +9,8 @@ from tamias2d.contact.core import Core, place
 from tamias2d.contact.coupled_constraint import CoupledConstraint
 from tamias2d.contact.coupled_loss import CoupledLossWatch
 from tamias2d.contact.gap import slight_opening
+from tamias2d.contact.manifold import Contact
+from tamias2d.contact.pair_friction import LastingFriction
 from tamias2d.path import Paths
 from tamias2d.state import Acceleration
 
@@ -39,33 +41,45 @@ class LossSearch:
         """
         constraint = self._active.constraints[body]
         if isinstance(constraint, CoupledConstraint):
-            return self._first_coupled(constraint) if body == constraint.bodies[0] else None
+            first = body == constraint.bodies[0]
+            return self._first_coupled(constraint, now, until) if first else None
         contacts = self._active.on([body])
         others = dict.fromkeys(i for c in contacts for i in (c.a, c.b) if i != body)
         supports = {i: self._paths.state(i, now) for i in others}
         if constraint is None or any(self._cores[i].dynamic for i in supports):
             return None
-        placed = place(self._cores[body], self._paths.state(body, now))
-        slight = min(
-            slight_opening(placed, place(self._cores[i], state), now, until)
-            for i, state in supports.items()
-        )
         watch = ContactLossWatch(
             self._cores,
             body,
             contacts,
             supports,
             lambda time: self._free(body, time),
-            slight,
-            (self._friction, self._active.senses),
+            self._slight(contacts, now, until),
+            LastingFriction(self._friction, self._active.senses),
         )
         return watch.first_loss(self._paths.path(body), constraint)
 
-    def _first_coupled(self, constraint: CoupledConstraint) -> float | None:
+    def _first_coupled(
+        self, constraint: CoupledConstraint, now: float, until: float
+    ) -> float | None:
         contacts = self._active.on(constraint.bodies)
         bodies = {*constraint.bodies, *(i for c in contacts for i in (c.a, c.b))}
-        paths = {i: self._paths.path(i) for i in sorted(bodies)}
-        return CoupledLossWatch(self._cores, constraint, contacts, paths, self._free).first_loss()
+        watch = CoupledLossWatch(
+            self._cores,
+            constraint,
+            contacts,
+            {i: self._paths.path(i) for i in sorted(bodies)},
+            self._free,
+            self._slight(contacts, now, until),
+            LastingFriction(self._friction, self._active.senses),
+        )
+        return watch.first_loss()
+
+    def _slight(self, contacts: Sequence[Contact], now: float, until: float) -> float:
+        """Return the acceleration, m/s^2, by which contacts open too little to be seen."""
+        bodies = dict.fromkeys(i for c in contacts for i in (c.a, c.b))
+        placed = {i: place(self._cores[i], self._paths.state(i, now)) for i in bodies}
+        return min(slight_opening(placed[c.a], placed[c.b], now, until) for c in contacts)
 
     def _free(self, body: int, time: float) -> Acceleration:
         return self._motion.free(body, time, lambda i: self._paths.state(i, time))

@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 from tamias2d.contact.core import Placed
 from tamias2d.contact.gap import EPSILON
-from tamias2d.contact.manifold import Contact, tangential_velocity
+from tamias2d.contact.manifold import LASTING_NOISE, Contact, speed_scale, tangential_velocity
 from tamias2d.contact.modes import Patch
 from tamias2d.contact.touching import PairOf
-from tamias2d.state import Acceleration
+from tamias2d.state import Acceleration, State
 
 
 class PairFriction(NamedTuple):
@@ -47,3 +47,26 @@ class PairFriction(NamedTuple):
             slides = coefficient > 0 and abs(speed) > self.unseen(own[0]) + unseen
             found.append(Patch(own, coefficient, int(math.copysign(1, speed)) if slides else 0))
         return found
+
+
+class LastingFriction(NamedTuple):
+    """The friction of pairs in lasting contact, while they slide as they did."""
+
+    of: Callable[[int, int], float]
+    """The coefficient of friction of a pair."""
+    senses: Mapping[PairOf, int]
+    """Of pairs with friction: 0 if they stick, else the sense in which they slide."""
+
+    def at(self, time: float, states: Mapping[int, State]) -> PairFriction:
+        """Return the friction of all pairs at a time in s."""
+        return PairFriction(time, self.of, lambda contact: self._noise(contact, states))
+
+    def of_contacts(self, contacts: Sequence[Contact]) -> dict[PairOf, int]:
+        """Return the senses of the pairs of some contacts."""
+        pairs = dict.fromkeys((contact.a, contact.b) for contact in contacts)
+        return {pair: self.senses[pair] for pair in pairs if pair in self.senses}
+
+    def _noise(self, contact: Contact, states: Mapping[int, State]) -> float:
+        sticks = self.senses.get((contact.a, contact.b)) == 0
+        speed = speed_scale(contact, states[contact.a], states[contact.b])
+        return speed * (LASTING_NOISE if sticks else 64 * EPSILON)

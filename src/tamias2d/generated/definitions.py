@@ -580,7 +580,7 @@ def joint_spring_force(
         damping: Force of a spring's damper for each unit of the extension's rate, kg/s
         stretch_rate: Rate of a joint's stretch, m/s
 
-    Source: DD64, srs/models/joints.md:353.
+    Source: DD64, srs/models/joints.md:365.
     """
     return (-stiffness) * stretch - damping * stretch_rate
 
@@ -594,7 +594,7 @@ def joint_spring_energy(stiffness: Scalar, stretch: Scalar) -> Scalar:
         stiffness: Force of a spring for each unit of extension, N/m
         stretch: How far a joint is beyond the place at which its spring is at rest, m
 
-    Source: DD64, srs/models/joints.md:354.
+    Source: DD64, srs/models/joints.md:366.
     """
     return stiffness * stretch * stretch / 2
 
@@ -612,7 +612,7 @@ def joint_spring_torque(
         rotary_damping: Torque of a joint's damper for each unit of the twist's rate, N*m*s/rad
         twist_rate: Rate of a joint's twist, rad/s
 
-    Source: DD65, srs/models/joints.md:368.
+    Source: DD65, srs/models/joints.md:380.
     """
     return (-rotary_stiffness) * twist - rotary_damping * twist_rate
 
@@ -626,6 +626,6 @@ def rotary_spring_energy(rotary_stiffness: Scalar, twist: Scalar) -> Scalar:
         rotary_stiffness: Torque of a joint's spring for each unit of its twist, N*m/rad
         twist: How far a joint is turned beyond the angle at which its spring is at rest, rad
 
-    Source: DD65, srs/models/joints.md:369.
+    Source: DD65, srs/models/joints.md:381.
     """
     return rotary_stiffness * twist * twist / 2

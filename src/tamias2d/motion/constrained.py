@@ -37,7 +37,7 @@ class ConstrainedMotion:
     ) -> Piece:
         """Return one step of the path of a body from `start` towards `end`, s."""
         if body not in self._integrators:
-            scale = self._scale(body, start, lambda _: state)
+            scale = self._scale(body, start, end, lambda _: state)
             self._integrators[body] = ScipyDop853(_TOLERANCE, scale, self._resolution)
         field = MemoisedField(
             self._loads.field([body], [constraint]), [body], [constraint], self._tally
@@ -64,7 +64,7 @@ class ConstrainedMotion:
                 for body, now in zip(bodies, states, strict=True)
             }
         if bodies not in self._coupled:
-            scales = [self._scale(i, start, state) for i in bodies]
+            scales = [self._scale(i, start, end, state) for i in bodies]
             scale = min(length for length, _ in scales), min(time for _, time in scales)
             self._coupled[bodies] = ScipyDop853(_TOLERANCE, scale, self._resolution)
         loads = self._loads.free_field(bodies)
@@ -79,10 +79,14 @@ class ConstrainedMotion:
         work.step(step.end)
         return {body: step.piece(k) for k, body in enumerate(bodies)}
 
-    def _scale(self, body: int, time: float, state: StateOf) -> tuple[float, float]:
-        """Return the body's size, m, and the time in which it moves by as much, s."""
+    def _scale(self, body: int, start: float, end: float, state: StateOf) -> tuple[float, float]:
+        """Return the body's size, m, and the time in which it moves by as much, s.
+
+        For one that nothing moves yet that is the time to the `end`.
+        """
         shape, now = self._scene.bodies[body].shape, state(body)
         size = shape.bounding_radius if shape else 1.0
-        pull = math.hypot(*self._loads.acceleration(body, time, state)[:2])
+        pull = math.hypot(*self._loads.acceleration(body, start, state)[:2])
         speed = math.hypot(*now.velocity) + abs(now.angular_velocity) * size
-        return size, size / (speed + math.sqrt(pull * size))
+        moves = speed + math.sqrt(pull * size)
+        return size, size / moves if moves > 0 else end - start

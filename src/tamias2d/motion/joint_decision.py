@@ -20,6 +20,7 @@ from tamias2d.state import Array
 
 _NOISE = 1e-10  # of the speeds that make up a rate
 _ROUNDING = 1e-14  # of the speeds that there have been
+_SHARE = 1e-12  # of the largest force, or of the most that a motor exerts: more is no rounding
 
 
 def begin(mechanism: LimitedMechanism, now: Now) -> Array:
@@ -55,20 +56,44 @@ class Decision:
         self._noise = self._noises()
 
     def disturbed(self) -> bool:
-        """Whether a limit is struck or left, or a motor lost, by something beside the joints."""
+        """Whether something beside the joints has ended what they do, such as an impact.
+
+        They would have told of the end of it themselves before it came about.
+        """
         mode = self._base
-        for of, side in self._mechanism.sides(mode):
-            rate, noise = self._rate(of), self._noise[self._mechanism.row[of]]
-            if (of, side) in mode.held:
-                if abs(rate) > noise:
-                    return True
-            elif self._touches(of, side) and side * rate > noise:
-                return True
-        return any(
-            not sense and abs(self._lag(of)) > self._noise[self._mechanism.row[of]]
-            for of, sense in mode.driven
-            if of[0] not in mode.broken
+        return (
+            any(self._moved(of, side) for of, side in self._mechanism.sides(mode))
+            or any(self._turned(of, how) for of, how in mode.driven if of[0] not in mode.broken)
+            or self._overpressed()
+            or bool(self._mechanism.overloaded(self._now, mode))
         )
+
+    def _moved(self, of: Of, side: int) -> bool:
+        """Whether a limit is struck, or left by a rate."""
+        rate, noise = self._rate(of), self._noise_of(of)
+        if (of, side) in self._base.held:
+            return abs(rate) > noise
+        return self._touches(of, side) and side * rate > noise
+
+    def _turned(self, of: Of, sense: int) -> bool:
+        """Whether a motor lags where it kept its speed, or is past it where it pushed."""
+        lag, noise = self._lag(of), self._noise_of(of)
+        if not sense:
+            return abs(lag) > noise
+        at_limit = self._base.held & {(of, -1), (of, 1)}  # which keeps it where it is
+        return not at_limit and sense * lag < -noise
+
+    def _overpressed(self) -> bool:
+        """Whether a limit that holds would have to pull, or a motor to push beyond its maximum."""
+        shares = self._mechanism.shares(self._now, self._base)
+        slight = _SHARE * max(map(abs, shares.values()), default=0.0)
+        for pusher, share in shares.items():
+            if pusher[0] == "limit":
+                if share < -slight:
+                    return True
+            elif abs(share) > self._mechanism.most(pusher[1]) * (1 + _SHARE):
+                return True
+        return False
 
     def impacts(self) -> tuple[Array, list[JointEvent[int]]]:
         """Return the velocities (n, 3) after limits were struck, and the events."""

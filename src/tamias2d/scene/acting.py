@@ -1,6 +1,6 @@
 """The loads on each body, those that vary, and the groups of bodies that act on each other."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import TypeAlias
 
@@ -124,8 +124,21 @@ def groups(scene: SceneData) -> list[list[int]]:
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
     if scene.attraction is not None and moving:
         return [moving]
+    pairs = [*(s.bodies for s in scene.springs), *(j.bodies for j in scene.joints)]
+    return _connected(moving, pairs)
+
+
+def welded(scene: SceneData) -> list[list[int]]:
+    """Return the bodies that move in groups: those of one are welded to each other for good."""
+    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
+    welds = [j.bodies for j in scene.joints if j.model == "weld" and not j.breaks]
+    return _connected(moving, welds)
+
+
+def _connected(moving: Sequence[int], connections: Iterable[Sequence[int]]) -> list[list[int]]:
+    """Return the groups of bodies that connections make of those that move."""
     group_of = {k: [k] for k in moving}
-    for bodies in (*(s.bodies for s in scene.springs), *(j.bodies for j in scene.joints)):
+    for bodies in connections:
         held = [k for k in bodies if k in group_of]
         for one, other in pairwise(held):
             if group_of[one] is not group_of[other]:

@@ -20,6 +20,8 @@ from tamias2d.spec.constraint import ENDS
 _FITS = 1e-6
 """Of the joint's size, and of the speeds: by so much a joint may be off at the start, as written
 numbers are; the run begins with what fits."""
+_ROUNDING = 2.0**-46
+"""Of the joint's size in a second: speeds below it are what rounding leaves of rest."""
 
 _NO_FORCE = {"angle", "gear"}
 _NO_TORQUE = {"revolute", "distance", "pulley"}
@@ -264,7 +266,8 @@ def _refuse_unfit(start: Start, of: str, *, at_rest: bool = False) -> None:
             "them at one place of the world.",
             "between",
         )
-    if not at_rest and start.way(start.rates) > _FITS * start.speed:
+    slight = max(_FITS * start.speed, _ROUNDING * start.size)
+    if not at_rest and start.way(start.rates) > slight:
         raise RuleError(
             f"{of}: the velocities at the start tear it: it is left at "
             f"{start.worst(start.rates, '/s')} (TM7). Give its bodies velocities that fit.",

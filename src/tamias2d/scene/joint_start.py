@@ -67,7 +67,11 @@ class Start:
     def size(self) -> float:
         """A length that is not small in it, m."""
         places = [body.position for body in self._held.values()]
-        reach = [math.hypot(*at) for k, at in enumerate(self.joint.anchors) if self.joint.ends[k]]
+        reach = [
+            math.hypot(*at)
+            for k, at in enumerate(self.joint.anchors)
+            if self.joint.ends[k] is not None
+        ]
         reach += [math.dist(one, other) for one in places for other in places]
         reach += [body.shape.bounding_radius for body in self._held.values() if body.shape]
         reach += [
