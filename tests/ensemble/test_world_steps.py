@@ -137,3 +137,54 @@ def test_what_was_put_beyond_a_limit_is_told_of_its_world() -> None:
     together.orientation[2, rod] = np.pi / 2
     with pytest.warns(t2.StepWarning, match="world 2: joint 'hinge'.*beyond its upper limit by"):
         together.step()
+
+
+def thrown(world: int, random: np.random.Generator) -> t2.Scene:
+    """Boxes, discs and capsules on strings between walls: near nothing for a while."""
+    del world
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    for normal, offset in (((0.0, 1.0), 0.0), ((1.0, 0.0), -2.0), ((-1.0, 0.0), -2.0)):
+        wall = t2.HalfPlane(normal=normal, offset=offset)
+        scene.add_static(wall, restitution=0.6, friction=0.4)
+    shapes = t2.Disc(radius=0.15), t2.Box(width=0.3, height=0.2), t2.Capsule(length=0.2, radius=0.1)
+    velocity = tuple(random.normal(0.0, 2.0, 2).tolist())
+    for k in range(4):
+        scene.add_body(
+            shapes[k % 3],
+            mass=1.0 + k,
+            position=(random.uniform(-1.5, 1.5), 0.4 + 0.4 * k),
+            velocity=velocity,
+            restitution=0.5,
+            friction=0.4,
+        )
+    if random.random() < 0.5:
+        scene.add_joint(t2.Distance(), 3, 4, anchor=(0.0, 0.0), other_anchor=(0.0, 0.0))
+    return scene
+
+
+def test_worlds_that_are_near_nothing_have_the_bits_of_each_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """They are ballistic as alone: other steps leave something else for later ones."""
+    for seed in range(8):
+        together = t2.Simulators(thrown, worlds=WORLDS, seed=seed, threads=1)
+        alone = [t2.Simulator(thrown(k, t2.random_stream(seed, k))) for k in range(WORLDS)]
+        for steps in (1, 1, 2, 4, 1, 1, 4, 1, 1, 2, 33, 1, 33):
+            together.step(steps)
+            for sim in alone:
+                sim.step(steps)
+            check(together, alone)
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(t2.Disc(radius=0.1), mass=1.0, position=(0.0, 0.0), velocity=(1.0, 0.0))
+    flying = t2.Simulators(scene, worlds=WORLDS, threads=1)
+    flying.step()
+    called: list[int] = []
+    plain: Callable[..., None] = Stepping.step
+
+    def step(self: Any, count: int = 1) -> None:
+        called.append(count)
+        plain(self, count)
+
+    monkeypatch.setattr(Stepping, "step", step)
+    flying.step()
+    assert called == [1] * WORLDS

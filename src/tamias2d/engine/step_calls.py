@@ -158,13 +158,18 @@ class StepCalls(Store):
         step: Callable[..., int] = self._entries.step
         return step
 
+    @property
+    def alone(self) -> bool:
+        """Whether bodies may be near nothing: the next step is ballistic if they are."""
+        return self._alone
+
     def begin_together(self, events: ContactEvents | None) -> None:
         """Begin steps that a call takes together with those of other worlds.
 
         Of several steps the `events` are taken as they end.
         """
         _ = self.argument
-        self._alone = self._course_known = False
+        self._course_known = False
         if events is not None:
             events.ask(self)
 

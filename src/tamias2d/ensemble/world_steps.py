@@ -1,8 +1,8 @@
 """A step of many worlds, in as few calls of compiled code as can be.
 
 Serves: `Simulators`. Hides: which worlds can take it in one call, and which take it by themselves:
-those that are new or were changed by hand, and those with loads that vary. After a call Python
-looks at those worlds only in which there is something to tell.
+those that are new, near nothing or changed by hand, and those with loads that vary. After a call
+Python looks at those worlds only in which there is something to tell.
 """
 
 from collections.abc import Iterator, Sequence
@@ -12,7 +12,7 @@ import numpy as np
 
 from tamias2d.engine.interruption import end_if_asked
 from tamias2d.engine.steps_per_call import StepsPerCall
-from tamias2d.engine.tables import CLEAR, DONE, LIMIT_CHANGES, LIMITS, STEPS_LEFT
+from tamias2d.engine.tables import DONE, LIMIT_CHANGES, LIMITS, STEPS_LEFT
 from tamias2d.ensemble.shared_arrays import SharedArrays
 from tamias2d.errors import InputError, SimulationError, TamiasError
 from tamias2d.simulator import Simulator
@@ -93,7 +93,7 @@ class WorldSteps:
         """End the steps of those worlds in which there is something to do or to tell."""
         self._left[worlds] = self._pose[worlds]
         counts = np.stack([each[worlds] for each in self._counts])
-        other = ((ends != DONE) & (ends != CLEAR)) | (counts != self._known[:, worlds]).any(axis=0)
+        other = (ends != DONE) | (counts != self._known[:, worlds]).any(axis=0)
         other |= steps > 1  # whose events are taken
         self._known[:, worlds] = counts
         for world, status in zip(worlds[other].tolist(), ends[other].tolist(), strict=True):

@@ -191,6 +191,7 @@ class Stepping(Views):
             or self._earlier
             or self._scene is not None
             or not self._engine.compiled
+            or self._engine.alone
             or self._pushed is not None
             or (self._jointed and self._joints.watched)
         )
