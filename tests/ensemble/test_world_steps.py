@@ -175,7 +175,14 @@ def test_worlds_that_are_near_nothing_have_the_bits_of_each_alone(
                 sim.step(steps)
             check(together, alone)
     scene = t2.Scene(gravity=(0.0, 0.0))
-    scene.add_body(t2.Disc(radius=0.1), mass=1.0, position=(0.0, 0.0), velocity=(1.0, 0.0))
+    for k in range(24):  # of few bodies, all pairs are listed
+        scene.add_body(
+            t2.Box(width=0.2, height=0.2),
+            mass=1.0,
+            position=(10.0 * k, 0.0),
+            velocity=(1.0, 0.0),
+            restitution=1.0,
+        )
     flying = t2.Simulators(scene, worlds=WORLDS, threads=1)
     flying.step()
     called: list[int] = []
