@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.engine.step_calls import StepCalls
+from tamias2d.engine.tables import EVENTS_TOLD
 from tamias2d.simulator.stepping import Stepping
 from tests.ensemble.test_simulators import batch, check
 
@@ -195,3 +197,22 @@ def test_worlds_that_are_near_nothing_have_the_bits_of_each_alone(
     monkeypatch.setattr(Stepping, "step", step)
     flying.step()
     assert called == [1] * WORLDS
+
+
+def test_events_are_not_logged_on_after_ctrl_c(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A log that fills up ends steps early."""
+    together, _ = batch("boxes", worlds=WORLDS, threads=1)
+    together.step()
+    together.step()
+
+    def interrupted(*_: object) -> int:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr(StepCalls, "step_function", property(lambda _: interrupted))
+        with pytest.raises(KeyboardInterrupt):
+            together.step(3)
+    counts = [sim._engine.world.control.counts for sim in together._sims]
+    assert any(each[EVENTS_TOLD] for each in counts)
+    together.step()
+    assert not any(each[EVENTS_TOLD] for each in counts)

@@ -170,6 +170,7 @@ class StepCalls(Store):
         """
         _ = self.argument
         self._course_known = False
+        self.world.control.counts[tb.EVENTS_TOLD] = 0  # as Ctrl-C may have left it
         if events is not None:
             events.ask(self)
 

@@ -18,7 +18,7 @@ from tamias2d.errors import InputError, SimulationError, TamiasError
 from tamias2d.simulator import Simulator
 from tamias2d.state import IntArray
 
-MOST_STEPS = 32  # of one call of `step`: of more, what Python does besides is little
+_MOST_STEPS = 32  # of one call of `step`: of more, what Python does besides is little
 _FEWEST_WORLDS = 4  # of fewer, it is as much
 
 
@@ -43,7 +43,7 @@ class WorldSteps:
     def take(self, steps: int, part: range, faults: dict[int, TamiasError]) -> None:
         """Let some worlds take some steps; note the faults of those that cannot."""
         alone = set(part)
-        if steps <= MOST_STEPS and len(part) >= _FEWEST_WORLDS:
+        if steps <= _MOST_STEPS and len(part) >= _FEWEST_WORLDS:
             together = np.array(list(self._ready(part)), dtype=np.int64)
             alone.difference_update(together.tolist())
             self._take_together(steps, together, part.start, faults)
