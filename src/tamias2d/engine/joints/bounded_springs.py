@@ -74,7 +74,7 @@ def soften_springs(n: int, substep: float, joints: Joints) -> bool:
     changed = False
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         if is_bounded(j, joints):
-            share, ratio = joints.numbers[j, tb.J_EXERTED], ratio_given(j, substep, joints)
+            share, ratio = joints.numbers[j, tb.J_EXERTED], ratio_given(n, j, substep, joints)
             less = share < 1.0 and ratio < 1.0 - SLIGHTLY_BEYOND
             if ratio > 1.0 + SLIGHTLY_BEYOND or less:
                 let_exert(j, 1.0 / softness_tried_next(j, ratio, joints), joints)
@@ -99,8 +99,11 @@ def softness_tried_next(j: int, ratio: float, joints: Joints) -> float:
     return max(found, 1.0)
 
 
-def ratio_given(j: int, substep: float, joints: Joints) -> float:
-    """Return how many times its maximum a spring has given in a substep, s."""
+def ratio_given(n: int, j: int, substep: float, joints: Joints) -> float:
+    """Return how many times its maximum a spring of a mechanism has given in a substep, s.
+
+    In the first substep of a step that leaves nothing to give, what contacts left counts with it.
+    """
     numbers, other = joints.numbers[j], joints.joints[j, tb.J_PAIR]
     given, left, share = numbers[tb.J_GIVEN], numbers[tb.J_LEFT], numbers[tb.J_SHARE]
     across = across_left = 0.0
@@ -111,6 +114,8 @@ def ratio_given(j: int, substep: float, joints: Joints) -> float:
     whole = row_pull_size(whole_impulse(given, share), whole_impulse(across, across_share))
     most = row_impulse_most(joints.laws[j, tb.LAW_MOST], substep)
     room = impulse_room(most, row_pull_size(left, across_left))
+    if joints.mechanisms[n, tb.M_HALF] == 1:
+        most = room
     return max(whole / most, row_pull_size(given, across) / room)
 
 
@@ -121,7 +126,7 @@ def bound_springs(n: int, substep: float, bodies: Bodies, joints: Joints) -> Non
     """
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         if is_bounded(j, joints):
-            ratio, other = ratio_given(j, substep, joints), joints.joints[j, tb.J_PAIR]
+            ratio, other = ratio_given(n, j, substep, joints), joints.joints[j, tb.J_PAIR]
             soft = joints.numbers[j, tb.J_EXERTED] < 1.0
             if ratio > 1.0 or (soft and ratio >= 1.0 - SLIGHTLY_BEYOND):
                 back = 1.0 / ratio - 1.0
