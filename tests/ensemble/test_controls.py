@@ -63,8 +63,10 @@ def limits(lower: Any = None, upper: Any = None) -> t2.Limits:
     return t2.Limits(restitution=0.0, lower=lower, upper=upper)
 
 
-def spring(stiffness: Any, damping: Any = 0.0, rest: Any = None) -> t2.JointSpring:
-    return t2.JointSpring(stiffness=stiffness, damping=damping, rest=rest)
+def spring(
+    stiffness: Any, damping: Any = 0.0, rest: Any = None, maximum: Any = None
+) -> t2.JointSpring:
+    return t2.JointSpring(stiffness=stiffness, damping=damping, rest=rest, maximum=maximum)
 
 
 DRIVES: dict[str, tuple[Drive, Drive]] = {

@@ -69,9 +69,12 @@ def let_exert(j: int, share: float, joints: Joints) -> None:
 def soften_springs(n: int, substep: float, joints: Joints) -> bool:
     """Make the springs softer that give more than they can in a substep, s; return if any changed.
 
-    Those that give less are made stiffer, up to what they are by themselves.
+    Those that give less are made stiffer, up to what they are by themselves. In a mesh, which is
+    solved once only, they stay as they are.
     """
     changed = False
+    if joints.mechanisms[n, tb.M_MESHED] == 1:
+        return changed
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         if is_bounded(j, joints):
             share, ratio = joints.numbers[j, tb.J_EXERTED], ratio_given(n, j, substep, joints)
@@ -102,7 +105,8 @@ def softness_tried_next(j: int, ratio: float, joints: Joints) -> float:
 def ratio_given(n: int, j: int, substep: float, joints: Joints) -> float:
     """Return how many times its maximum a spring of a mechanism has given in a substep, s.
 
-    In the first substep of a step that leaves nothing to give, what contacts left counts with it.
+    Where contacts touch that, what was left to give counts with what is given, and in the first
+    substep after they did, too.
     """
     numbers, other = joints.numbers[j], joints.joints[j, tb.J_PAIR]
     given, left, share = numbers[tb.J_GIVEN], numbers[tb.J_LEFT], numbers[tb.J_SHARE]
@@ -115,8 +119,10 @@ def ratio_given(n: int, j: int, substep: float, joints: Joints) -> float:
     most = row_impulse_most(joints.laws[j, tb.LAW_MOST], substep)
     room = impulse_room(most, row_pull_size(left, across_left))
     if joints.mechanisms[n, tb.M_HALF] == 1:
-        most = room
-    return max(whole / most, row_pull_size(given, across) / room)
+        return whole / room
+    if joints.mechanisms[n, tb.M_STATUS] == tb.IN_CONTACT:
+        return max(whole / most, row_pull_size(given, across) / room)
+    return whole / most
 
 
 def bound_springs(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
