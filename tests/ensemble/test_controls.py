@@ -102,6 +102,10 @@ DRIVES: dict[str, tuple[Drive, Drive]] = {
         lambda sims, _: sims.set_spring("prop", 10 * MOST, damping=9, rest=SHORTEST),
         lambda sim, w: sim.set_spring("prop", spring(10 * MOST[w], 9.0, SHORTEST[w])),
     ),
+    "springs with a maximum": (
+        lambda sims, _: sims.set_spring("prop", 10 * MOST, damping=9, maximum=MOST),
+        lambda sim, w: sim.set_spring("prop", spring(10 * MOST[w], 9.0, maximum=MOST[w])),
+    ),
     "one spring": (
         lambda sims, _: sims.set_spring("prop", 2e3),
         lambda sim, _: sim.set_spring("prop", spring(2e3)),

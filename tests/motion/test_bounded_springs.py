@@ -36,7 +36,10 @@ def solved(pull: Pull, inertia: float, start: list[float], duration: float) -> A
         beyond.direction = -1 if bounded else 1  # type: ignore[attr-defined]
         found = solve_ivp(
             *(rate, (time, duration), state, "DOP853"),
-            **{"events": beyond, "args": (bounded,), "rtol": 1e-12, "atol": 1e-14},
+            events=beyond,
+            args=(bounded,),
+            rtol=1e-12,
+            atol=1e-14,
         )
         time, state, bounded = found.t[-1], found.y[:, -1], not bounded
     return state

@@ -1,4 +1,4 @@
-"""Springs of joints with a maximum in the frame loop, against Newton's law by hand (DD103, DD104)."""
+"""Springs of joints with a maximum in steps, against Newton's law by hand (DD103, DD104)."""
 
 import math
 from collections.abc import Callable
@@ -10,6 +10,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints import rows
 from tamias2d.scene import Scene
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array
@@ -124,9 +125,7 @@ def test_dragged_box_slides_where_the_pull_is_more_than_friction(force: float) -
 
 def test_what_is_pinned_presses_with_the_maximum() -> None:
     sim = plain(Scene(gravity=(0.0, 0.0)), time_step=1 / 60)
-    sim.add_static(
-        t2.Box(width=1, height=4), position=(1.0, 0.0), restitution=0.0, friction=0.0
-    )
+    sim.add_static(t2.Box(width=1, height=4), position=(1.0, 0.0), restitution=0.0, friction=0.0)
     box = sim.add(
         t2.Box(width=1, height=1), mass=MASS, position=(0, 0), restitution=0.0, friction=0.0
     )
@@ -170,7 +169,9 @@ def random_mechanism(seed: int) -> tuple[Simulator, Callable[[], float]]:
     spread = [(k, 0.0) for k in range(count)]
     for place in spread:
         box = t2.Box(width=1.0, height=0.3)
-        sim.add(box, mass=10 ** random.uniform(-0.5, 0.5), position=place, restitution=0.0, group=-1)
+        sim.add(
+            box, mass=10 ** random.uniform(-0.5, 0.5), position=place, restitution=0.0, group=-1
+        )
     weight = G * sim.mass.sum()
     elbows: list[tuple[int, int, t2.JointSpring]] = []
     for one, other in zip(above, range(1, count), strict=True):
@@ -278,3 +279,28 @@ def test_a_maximum_that_is_never_reached_changes_nothing() -> None:
         sim.step(60)
         ends.append(sim.position)
     assert ends[0] == pytest.approx(ends[1], abs=1e-12)
+
+
+@pytest.mark.parametrize("maximum", [None, 100.0])
+def test_net_of_rods_is_pulled_alike_by_iteration(
+    maximum: float | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A mesh, which is solved by iteration, gives way to springs as what is solved directly does."""
+    found = []
+    for few in (rows.FEW, 0):
+        monkeypatch.setattr(rows, "FEW", few)
+        monkeypatch.setattr(rows, "LOOPED", rows.LOOPED if few else 0)
+        sim = plain(Scene(gravity=(0.0, -G)), time_step=1 / 60)
+        for x, y in np.ndindex(4, 4):
+            sim.add(t2.Disc(radius=0.1), mass=1.0, position=(x, y), restitution=0.0, group=-1)
+        for x, y in np.ndindex(4, 4):
+            for to_x, to_y in ((x + 1, y), (x, y + 1)):
+                if to_x < 4 and to_y < 4:
+                    sim.add_joint(t2.Distance(), 4 * x + y, 4 * to_x + to_y)
+        for corner, x in ((3, 0.0), (15, 3.0)):
+            sim.add_joint(t2.Target(spring=most(1e3, 10.0, maximum)), (x, 4.5), corner)
+        sim.step(10)
+        assert bool(sim._engine.world.joints.mechanisms[0, tb.M_MESHED]) == (few == 0)
+        assert forces(sim).max() <= 1 + 1e-12
+        found.append(np.hstack([sim.reactions.force[-1, 1], 100 * sim.position.ravel()]))
+    assert found[1] == pytest.approx(found[0], abs=40.0)

@@ -70,7 +70,9 @@ def kinked(scene: SceneData) -> bool:
 
     The spring of a joint has one where it comes to exert its maximum.
     """
-    if any(each.spring and each.spring.maximum for joint in scene.joints for each in joint.freedoms):
+    if any(
+        each.spring and each.spring.maximum for joint in scene.joints for each in joint.freedoms
+    ):
         return True
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
     return any(law.kinked for _, law in varying_laws(scene, moving))
