@@ -1,4 +1,4 @@
-"""Springs of joints with a maximum in steps, against Newton's law by hand (DD103, DD104)."""
+"""Springs of joints with a maximum in steps, against Newton's law by hand (DD103, DD105)."""
 
 import math
 from collections.abc import Callable

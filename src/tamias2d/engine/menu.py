@@ -10,6 +10,7 @@ from tamias2d.engine.motion.ballistic import integrate_ballistic, note_course
 from tamias2d.engine.query.overlap import build_query_tree, shapes_in_box
 from tamias2d.engine.query.overlap_shape import shapes_in_shape
 from tamias2d.engine.query.ray_cast import cast_rays
+from tamias2d.engine.query.shape_cast import cast_core
 from tamias2d.engine.step import step
 from tamias2d.engine.world_batch import step_worlds
 from tamias2d.kernels import Library
@@ -17,7 +18,7 @@ from tamias2d.kernels import Library
 _STEPS = (step, integrate_ballistic, note_course)
 CONTACT = Library("contact engine", (*_STEPS, step_worlds), without=JOINT_STAGES)
 JOINTED = Library("contact engine with joints", _STEPS)
-QUERY = Library("queries", (build_query_tree, cast_rays, shapes_in_box, shapes_in_shape))
+QUERY = Library("queries", (build_query_tree, cast_rays, cast_core, shapes_in_box, shapes_in_shape))
 MENU: tuple[Library, ...] = (CONTACT, JOINTED, QUERY)
 
 

@@ -1,11 +1,11 @@
-"""Queries of an engine: what rays meet first, and which bodies reach into a box.
+"""Queries of an engine: what rays and shapes meet first, and which bodies reach into a box.
 
 The tree that is asked is not that of the step, because users move bodies between steps. Cost:
 n log n for a tree after a body was moved, added or removed, then log n for each query.
 """
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,9 +13,14 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.arrays.store import Store
 from tamias2d.engine.menu import QUERY, functions
+from tamias2d.engine.query.ray_cast import NO_HIT
 from tamias2d.engine.tables import World
+from tamias2d.kernels.arrays import Bytes
 from tamias2d.kernels.groups import addresses
 from tamias2d.state import Array, IntArray
+
+Piece: TypeAlias = tuple[Array, float]
+"""All within a radius of a convex core (c, 2), m."""
 
 
 class QueryTree:
@@ -43,6 +48,28 @@ class QueryTree:
         met[met >= 0] = owner[met[met >= 0]]
         return met, hits
 
+    def cast_pieces(
+        self, pieces: Sequence[Piece], ways: Array, mask: int, ignored: Bytes
+    ) -> tuple[IntArray, Array]:
+        """Return the body (k,) that pieces around a place meet first on its ways (k, 4), and where.
+
+        A way is from a place to a place, m. Where it ends is told by (k, 5): the fraction of the
+        way, 2 for none, the outward normal and the point, m. Bodies that are ignored, those that
+        share no bit with the mask and sensors are not met.
+        """
+        world = self._store.world
+        best, hits = np.full(len(ways), -1, dtype=np.int64), np.zeros((len(ways), 5))
+        hits[:, 0] = NO_HIT
+        for core, radius in pieces:
+            met, found = np.empty_like(best), np.empty_like(hits)
+            room = self._room()
+            self._library.cast_core(
+                self._argument, ways, core, radius, mask, ignored, room, met, found
+            )
+            nearer = found[:, 0] < hits[:, 0]
+            best[nearer], hits[nearer] = world.state.body_of_shape[met[nearer]], found[nearer]
+        return best, hits
+
     def bodies_in_box(self, low: Array, high: Array, mask: int) -> IntArray:
         """Return the bodies (k,) that reach into a box between two corners (2,), m, by rank."""
         world = self._store.world
@@ -52,18 +79,19 @@ class QueryTree:
         )
         return self._bodies_of(found[:total])
 
-    def bodies_in_shape(self, pieces: Sequence[tuple[Array, float]], mask: int) -> IntArray:
-        """Return the bodies (k,) that reach into pieces in the world, by rank.
-
-        A piece is all within a radius of a convex core (c, 2), m.
-        """
+    def bodies_in_shape(self, pieces: Sequence[Piece], mask: int) -> IntArray:
+        """Return the bodies (k,) that reach into pieces in the world, by rank."""
         world, found = self._store.world, []
         for core, radius in pieces:
-            room = np.empty((int(world.shapes.vertex_count.max(initial=1)), 2))
+            room = self._room()
             shapes = np.empty(len(world.state.body_of_shape), dtype=np.uint32)
             total = self._library.shapes_in_shape(self._argument, core, radius, mask, room, shapes)
             found.append(shapes[:total])
         return self._bodies_of(np.unique(np.concatenate(found)))
+
+    def _room(self) -> Array:
+        """Return room for the corners of any shape."""
+        return np.empty((int(self._store.world.shapes.vertex_count.max(initial=1)), 2))
 
     def _bodies_of(self, shapes: NDArray[np.uint32]) -> IntArray:
         """Return the bodies (k,) of shapes, each once, by rank."""

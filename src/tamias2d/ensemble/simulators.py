@@ -18,6 +18,7 @@ from tamias2d.ensemble.execution import cores
 from tamias2d.ensemble.sampling import Design
 from tamias2d.ensemble.shared_arrays import SharedArrays, shared_arrays
 from tamias2d.ensemble.thread_pool import ThreadPool
+from tamias2d.ensemble.world_joints import WorldJoints
 from tamias2d.ensemble.world_reports import WorldReports, in_world, warn_of
 from tamias2d.ensemble.world_steps import WorldSteps
 from tamias2d.ensemble.worlds import Maker, VariedWorlds, refuse_other_bodies, worlds_of
@@ -42,7 +43,14 @@ class Simulators(Controls, WorldReports):
     and `gravity` (worlds, 2). What is written counts from the next step on.
     """
 
-    __slots__ = ("__weakref__", "_joint_names", "_shared", "_starts", "_steps", "_threads")
+    __slots__ = (
+        "__weakref__",
+        "_jointed",
+        "_shared",
+        "_starts",
+        "_steps",
+        "_threads",
+    )
 
     def __init__(
         self,
@@ -86,9 +94,7 @@ class Simulators(Controls, WorldReports):
             sim._warned.keep_back()
         self._sims = sims
         self._starts = starts or tuple(sim._start() for sim in sims)
-        self._joint_names = tuple(
-            dict.fromkeys(joint.name for start in self._starts for joint in start.joints)
-        )
+        self._jointed = WorldJoints(sims, [start.joints for start in self._starts])
         self._engine: Any = shared_arrays(sims)
         self._shared: SharedArrays = self._engine
         self._steps = WorldSteps(sims, self._shared)

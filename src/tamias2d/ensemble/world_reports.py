@@ -5,20 +5,19 @@ worlds may have other joints.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tamias2d.engine.reports.contact_report import Contacts
 from tamias2d.engine.tables import STEPS_TAKEN
 from tamias2d.ensemble.shared_arrays import SharedArrays
+from tamias2d.ensemble.world_joints import WorldJoints, WorldReactions
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.read_only import read_only
 from tamias2d.simulator import Simulator
 from tamias2d.simulator.exclusive import between_calls, exclusive
-from tamias2d.simulator.joint_reactions import Reactions
 from tamias2d.simulator.told_only import REMEDIES, refuses_assignment
 from tamias2d.simulator.views import Views
 from tamias2d.simulator.warned import warn_caller
@@ -45,14 +44,6 @@ class WorldContacts(Contacts):
     """(m,)"""
 
 
-@dataclass(frozen=True, kw_only=True)
-class WorldReactions(Reactions):
-    """Reactions with an axis of worlds before all others, such as `force` (worlds, j, 3, 2).
-
-    Where a world does not have a joint, as where it broke, its numbers are nan and its limit 0.
-    """
-
-
 @refuses_assignment
 class WorldReports(Views):
     """Worlds that tell what happened in them."""
@@ -60,7 +51,7 @@ class WorldReports(Views):
     __slots__ = ()
     _remedies = _REMEDIES
     _sims: tuple[Simulator, ...]
-    _joint_names: tuple[str, ...]
+    _jointed: WorldJoints
     _shared: SharedArrays
 
     @property
@@ -96,13 +87,13 @@ class WorldReports(Views):
     @property
     def joints(self) -> tuple[str, ...]:
         """The names of all joints that any world has at its start, as they were added."""
-        return self._joint_names
+        return self._jointed.names
 
     @property
     @exclusive
     def reactions(self) -> WorldReactions:
         """What the `joints` exerted in the last step, and how well they hold now."""
-        return _stacked([sim.reactions for sim in self._sims], self._joint_names)
+        return self._jointed.reactions()
 
     @property
     @between_calls
@@ -147,31 +138,3 @@ def _gathered(found: list[Contacts]) -> WorldContacts:
 def _worlds(found: list[Any]) -> IntArray:
     """Return the number of its world for each row of some that were found in all of them."""
     return np.repeat(np.arange(len(found)), [len(one) for one in found])
-
-
-def _stacked(found: list[Reactions], names: tuple[str, ...]) -> WorldReactions:
-    """Return the reactions of worlds, in which each joint has its place by name."""
-    place = {name: k for k, name in enumerate(names)}
-    rows = [[place[name] for name in one.names] for one in found]
-    columns = {
-        field.name: _in_rows([getattr(one, field.name) for one in found], rows, len(names))
-        for field in fields(Reactions)
-        if field.name != "names"
-    }
-    return WorldReactions(
-        names=names,
-        **{
-            name: read_only(values, f"{name} of the reactions", REMEDIES["reactions"])
-            for name, values in columns.items()
-        },
-    )
-
-
-def _in_rows(found: list[NDArray[Any]], rows: list[list[int]], count: int) -> NDArray[Any]:
-    """Return the values of worlds in the rows that are theirs of so many, (worlds, count, ...)."""
-    like = found[0]
-    missing = np.nan if like.dtype.kind == "f" else 0
-    whole = np.full((len(found), count, *like.shape[1:]), missing, dtype=like.dtype)
-    for world, values in enumerate(found):
-        whole[world, rows[world]] = values
-    return whole

@@ -732,7 +732,7 @@ def row_pull(
         row_damping: Force of a damper for a row's rate, kg/s
         row_rate: Rate of a row's value, or a body's part in it, m/s
 
-    Source: DD104, srs/models/joint_step.md:521.
+    Source: DD105, srs/models/joint_step.md:521.
     """
     return (-row_stiffness) * row_value - row_damping * row_rate
 
@@ -746,7 +746,7 @@ def row_pull_size(row_pull: Scalar, row_pull_across: Scalar) -> Scalar:
         row_pull: Force of a row's spring and damper without their maximum, N
         row_pull_across: The same of the other row of a target, N
 
-    Source: DD104, srs/models/joint_step.md:522.
+    Source: DD105, srs/models/joint_step.md:522.
     """
     return sqrt(row_pull * row_pull + row_pull_across * row_pull_across)
 
@@ -760,7 +760,7 @@ def row_share(row_force_most: Scalar, row_pull_size: Scalar) -> Scalar:
         row_force_most: The most that a motor or a spring exerts, for slopes of length one, N
         row_pull_size: Size of that of both, N
 
-    Source: DD104, srs/models/joint_step.md:523.
+    Source: DD105, srs/models/joint_step.md:523.
     """
     return row_force_most / largest(row_pull_size, row_force_most)
 
@@ -774,7 +774,7 @@ def whole_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: DD104, srs/models/joint_step.md:524.
+    Source: DD105, srs/models/joint_step.md:524.
     """
     return row_given / implicit_share
 
@@ -789,7 +789,7 @@ def impulse_room(row_impulse_most: Scalar, impulse_left: Scalar) -> Scalar:
             length one, N*s
         impulse_left: Size of what a spring at a joint had left of the substep before, N*s
 
-    Source: DD104, srs/models/joint_step.md:525.
+    Source: DD105, srs/models/joint_step.md:525.
     """
     return row_impulse_most - least(impulse_left, row_impulse_most / 2)
 
@@ -803,7 +803,7 @@ def row_energy_bounded(row_share: Scalar, row_energy: Scalar) -> Scalar:
         row_share: Share of its pull that a row's spring with a maximum exerts, 1
         row_energy: Energy of a spring at a joint, J
 
-    Source: DD104, srs/models/joint_step.md:526.
+    Source: DD105, srs/models/joint_step.md:526.
     """
     return row_share * (2 - row_share) * row_energy
 

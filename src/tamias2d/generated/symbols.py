@@ -2102,6 +2102,14 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1303,
     ),
+    "support_energy": Symbol(
+        "support_energy",
+        "J",
+        "energy that a support gives by the impulses of a contact",
+        tex="E_{\\text{support}}",
+        file="srs/symbols.md",
+        line=1308,
+    ),
     "total_impulse": Symbol(
         "total_impulse",
         "N*s",
@@ -2109,7 +2117,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1308,
+        line=1312,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2117,7 +2125,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1313,
+        line=1317,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2125,7 +2133,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_{\\mathrm{sup}}",
         file="srs/symbols.md",
-        line=1317,
+        line=1321,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2134,7 +2142,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1321,
+        line=1325,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2142,7 +2150,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1327,
+        line=1331,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2151,7 +2159,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1331,
+        line=1335,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2160,7 +2168,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1336,
+        line=1340,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2169,7 +2177,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1341,
+        line=1345,
     ),
     "rising_energy_left": Symbol(
         "rising_energy_left",
@@ -2178,7 +2186,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1346,
+        line=1350,
     ),
     "velocity_rising_reduced": Symbol(
         "velocity_rising_reduced",
@@ -2187,7 +2195,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1351,
+        line=1355,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2195,7 +2203,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1356,
+        line=1360,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2204,7 +2212,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1362,
+        line=1366,
     ),
     "energy_along_given_left": Symbol(
         "energy_along_given_left",
@@ -2213,7 +2221,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1367,
+        line=1371,
     ),
     "velocity_reduced": Symbol(
         "velocity_reduced",
@@ -2222,7 +2230,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1372,
+        line=1376,
     ),
     "angular_velocity_reduced": Symbol(
         "angular_velocity_reduced",
@@ -2230,7 +2238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1377,
+        line=1381,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2239,7 +2247,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1381,
+        line=1385,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2247,7 +2255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1386,
+        line=1390,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2256,7 +2264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1390,
+        line=1394,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2264,7 +2272,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1395,
+        line=1399,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2273,7 +2281,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1400,
+        line=1404,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2282,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1405,
+        line=1409,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2291,7 +2299,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1410,
+        line=1414,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2299,7 +2307,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1415,
+        line=1419,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2307,7 +2315,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1419,
+        line=1423,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2315,7 +2323,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1423,
+        line=1427,
     ),
     "energy_defect": Symbol(
         "energy_defect",
@@ -2323,7 +2331,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1427,
+        line=1431,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2332,7 +2340,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1433,
+        line=1437,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2341,7 +2349,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1438,
+        line=1442,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2350,7 +2358,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1445,
+        line=1449,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2359,7 +2367,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1450,
+        line=1454,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2367,7 +2375,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1455,
+        line=1459,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2375,7 +2383,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\ell_v",
         file="srs/symbols.md",
-        line=1460,
+        line=1464,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2383,7 +2391,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1466,
+        line=1470,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2392,7 +2400,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_L",
         file="srs/symbols.md",
-        line=1470,
+        line=1474,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2401,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1477,
+        line=1481,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2410,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1482,
+        line=1486,
     ),
     "energy": Symbol(
         "energy",
@@ -2418,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1487,
+        line=1491,
     ),
     "radius": Symbol(
         "radius",
@@ -2427,7 +2435,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1496,
+        line=1500,
     ),
     "length": Symbol(
         "length",
@@ -2436,7 +2444,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1501,
+        line=1505,
     ),
     "width": Symbol(
         "width",
@@ -2445,7 +2453,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1508,
+        line=1512,
     ),
     "height": Symbol(
         "height",
@@ -2454,7 +2462,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1513,
+        line=1517,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2463,7 +2471,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1518,
+        line=1522,
     ),
     "center": Symbol(
         "center",
@@ -2472,7 +2480,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1523,
+        line=1527,
     ),
     "offset": Symbol(
         "offset",
@@ -2480,7 +2488,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1528,
+        line=1532,
     ),
     "area": Symbol(
         "area",
@@ -2489,7 +2497,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1532,
+        line=1536,
     ),
     "way": Symbol(
         "way",
@@ -2498,7 +2506,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_c",
         file="srs/symbols.md",
-        line=1537,
+        line=1541,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2506,7 +2514,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha_c",
         file="srs/symbols.md",
-        line=1542,
+        line=1546,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2515,7 +2523,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1546,
+        line=1550,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2524,7 +2532,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1551,
+        line=1555,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2532,7 +2540,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta_e",
         file="srs/symbols.md",
-        line=1556,
+        line=1560,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2540,7 +2548,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1560,
+        line=1564,
     ),
     "lean": Symbol(
         "lean",
@@ -2548,7 +2556,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1564,
+        line=1568,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2556,7 +2564,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho_c",
         file="srs/symbols.md",
-        line=1568,
+        line=1572,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2564,7 +2572,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1572,
+        line=1576,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2573,7 +2581,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1578,
+        line=1582,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2581,7 +2589,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1591,
+        line=1595,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2589,7 +2597,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1595,
+        line=1599,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2597,7 +2605,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1599,
+        line=1603,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2605,7 +2613,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1603,
+        line=1607,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2614,7 +2622,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta_C",
         file="srs/symbols.md",
-        line=1607,
+        line=1611,
     ),
     "slope": Symbol(
         "slope",
@@ -2623,7 +2631,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}",
         file="srs/symbols.md",
-        line=1612,
+        line=1616,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2632,7 +2640,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}_0",
         file="srs/symbols.md",
-        line=1617,
+        line=1621,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2641,7 +2649,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta G^2",
         file="srs/symbols.md",
-        line=1622,
+        line=1626,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2650,7 +2658,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="G^2",
         file="srs/symbols.md",
-        line=1627,
+        line=1631,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2658,7 +2666,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="G_\\varphi",
         file="srs/symbols.md",
-        line=1632,
+        line=1636,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2666,7 +2674,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1636,
+        line=1640,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2674,7 +2682,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e_G",
         file="srs/symbols.md",
-        line=1640,
+        line=1644,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2683,7 +2691,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_G",
         file="srs/symbols.md",
-        line=1644,
+        line=1648,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2691,7 +2699,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="G_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1649,
+        line=1653,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2699,7 +2707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_G",
         file="srs/symbols.md",
-        line=1653,
+        line=1657,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2707,7 +2715,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1657,
+        line=1661,
     ),
     "inertia_factor_most": Symbol(
         "inertia_factor_most",
@@ -2715,7 +2723,7 @@ SYMBOLS: dict[str, Symbol] = {
         "most times its own inertia with which a body counts in joints",
         tex="\\kappa_{\\max}",
         file="srs/symbols.md",
-        line=1661,
+        line=1665,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2723,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1665,
+        line=1669,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2731,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1669,
+        line=1673,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2739,7 +2747,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1673,
+        line=1677,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2747,7 +2755,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1677,
+        line=1681,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2755,7 +2763,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1681,
+        line=1685,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2763,7 +2771,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1685,
+        line=1689,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2772,7 +2780,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1689,
+        line=1693,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2780,7 +2788,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda_l",
         file="srs/symbols.md",
-        line=1694,
+        line=1698,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2789,7 +2797,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1698,
+        line=1702,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2797,7 +2805,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1703,
+        line=1707,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2806,7 +2814,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1707,
+        line=1711,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2815,7 +2823,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1712,
+        line=1716,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2824,7 +2832,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1717,
+        line=1721,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2833,7 +2841,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1722,
+        line=1726,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2841,7 +2849,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1727,
+        line=1731,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2850,7 +2858,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1731,
+        line=1735,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2858,7 +2866,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1736,
+        line=1740,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2866,7 +2874,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1740,
+        line=1744,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2875,7 +2883,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1744,
+        line=1748,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2884,7 +2892,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1749,
+        line=1753,
     ),
     "row_pull": Symbol(
         "row_pull",
@@ -2892,7 +2900,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row's spring and damper without their maximum",
         tex="P_C",
         file="srs/symbols.md",
-        line=1754,
+        line=1758,
     ),
     "row_pull_across": Symbol(
         "row_pull_across",
@@ -2900,7 +2908,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the same of the other row of a target",
         tex="P_\\bot",
         file="srs/symbols.md",
-        line=1758,
+        line=1762,
     ),
     "row_pull_size": Symbol(
         "row_pull_size",
@@ -2909,7 +2917,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_\\sigma",
         file="srs/symbols.md",
-        line=1762,
+        line=1766,
     ),
     "row_share": Symbol(
         "row_share",
@@ -2918,7 +2926,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=1767,
+        line=1771,
     ),
     "whole_impulse": Symbol(
         "whole_impulse",
@@ -2926,7 +2934,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a spring at a joint for all of a substep",
         tex="\\Lambda_\\Theta",
         file="srs/symbols.md",
-        line=1772,
+        line=1776,
     ),
     "impulse_left": Symbol(
         "impulse_left",
@@ -2935,7 +2943,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_<",
         file="srs/symbols.md",
-        line=1776,
+        line=1780,
     ),
     "impulse_room": Symbol(
         "impulse_room",
@@ -2944,7 +2952,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{room}",
         file="srs/symbols.md",
-        line=1781,
+        line=1785,
     ),
     "row_energy_bounded": Symbol(
         "row_energy_bounded",
@@ -2953,7 +2961,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\sigma",
         file="srs/symbols.md",
-        line=1786,
+        line=1790,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2961,7 +2969,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1791,
+        line=1795,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2970,7 +2978,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1795,
+        line=1799,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2978,7 +2986,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1800,
+        line=1804,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2986,7 +2994,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1804,
+        line=1808,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2995,7 +3003,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1808,
+        line=1812,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -3004,7 +3012,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1813,
+        line=1817,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -3013,7 +3021,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1818,
+        line=1822,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -3022,7 +3030,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1823,
+        line=1827,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -3031,7 +3039,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1828,
+        line=1832,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -3040,7 +3048,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1833,
+        line=1837,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -3049,7 +3057,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=1838,
+        line=1842,
     ),
     "change_most": Symbol(
         "change_most",
@@ -3058,7 +3066,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=1843,
+        line=1847,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -3067,7 +3075,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=1848,
+        line=1852,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -3076,7 +3084,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1853,
+        line=1857,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -3085,7 +3093,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1858,
+        line=1862,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -3093,7 +3101,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1863,
+        line=1867,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -3102,7 +3110,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1867,
+        line=1871,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -3111,7 +3119,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1872,
+        line=1876,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -3120,7 +3128,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1877,
+        line=1881,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -3128,7 +3136,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1882,
+        line=1886,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -3137,7 +3145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=1886,
+        line=1890,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -3145,7 +3153,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1891,
+        line=1895,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3153,7 +3161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=1895,
+        line=1899,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3162,7 +3170,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1899,
+        line=1903,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3171,7 +3179,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1904,
+        line=1908,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3180,7 +3188,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1909,
+        line=1913,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3188,7 +3196,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1914,
+        line=1918,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3196,7 +3204,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1918,
+        line=1922,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3204,7 +3212,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1922,
+        line=1926,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3213,7 +3221,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=1926,
+        line=1930,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3222,7 +3230,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=1931,
+        line=1935,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3231,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1936,
+        line=1940,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3240,7 +3248,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1941,
+        line=1945,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3249,7 +3257,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=1946,
+        line=1950,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3258,7 +3266,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=1951,
+        line=1955,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3267,7 +3275,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=1956,
+        line=1960,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3276,7 +3284,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=1961,
+        line=1965,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3284,7 +3292,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1966,
+        line=1970,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3293,7 +3301,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1970,
+        line=1974,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3301,7 +3309,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1975,
+        line=1979,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3310,7 +3318,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1979,
+        line=1983,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3319,7 +3327,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1984,
+        line=1988,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3328,7 +3336,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1989,
+        line=1993,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3337,7 +3345,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1994,
+        line=1998,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3346,7 +3354,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=1999,
+        line=2003,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3354,7 +3362,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=2004,
+        line=2008,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3363,7 +3371,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=2008,
+        line=2012,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3372,7 +3380,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=2013,
+        line=2017,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3381,7 +3389,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=2018,
+        line=2022,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3390,7 +3398,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=2023,
+        line=2027,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3398,7 +3406,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=2028,
+        line=2032,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3406,7 +3414,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=2032,
+        line=2036,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3415,7 +3423,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=2036,
+        line=2040,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3424,7 +3432,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=2041,
+        line=2045,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3433,7 +3441,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=2046,
+        line=2050,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3442,7 +3450,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=2051,
+        line=2055,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3451,7 +3459,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=2056,
+        line=2060,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3460,7 +3468,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=2061,
+        line=2065,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3469,7 +3477,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=2066,
+        line=2070,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3478,7 +3486,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=2071,
+        line=2075,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3487,7 +3495,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=2076,
+        line=2080,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3495,7 +3503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2081,
+        line=2085,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3503,7 +3511,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2085,
+        line=2089,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3512,7 +3520,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2089,
+        line=2093,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3520,7 +3528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2094,
+        line=2098,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3528,7 +3536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2098,
+        line=2102,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3537,7 +3545,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2102,
+        line=2106,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3546,7 +3554,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2107,
+        line=2111,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3555,7 +3563,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2112,
+        line=2116,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3563,7 +3571,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2117,
+        line=2121,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3572,7 +3580,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2121,
+        line=2125,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3580,7 +3588,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2126,
+        line=2130,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3589,7 +3597,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2130,
+        line=2134,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3597,7 +3605,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2135,
+        line=2139,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3606,7 +3614,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2139,
+        line=2143,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3614,7 +3622,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2144,
+        line=2148,
     ),
     "change": Symbol(
         "change",
@@ -3623,7 +3631,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2148,
+        line=2152,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3632,7 +3640,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2153,
+        line=2157,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3641,7 +3649,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2158,
+        line=2162,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3649,7 +3657,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2163,
+        line=2167,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3658,7 +3666,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2167,
+        line=2171,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3666,7 +3674,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2172,
+        line=2176,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3674,7 +3682,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2176,
+        line=2180,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3682,7 +3690,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2180,
+        line=2184,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3691,7 +3699,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2184,
+        line=2188,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3699,7 +3707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2189,
+        line=2193,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3708,6 +3716,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2193,
+        line=2197,
     ),
 }

@@ -15,6 +15,7 @@ from tamias2d.simulator.queries import (
     bodies_in_box,
     bodies_in_shape,
     cast_rays,
+    cast_shape,
 )
 from tamias2d.simulator.selection import Bodies
 from tamias2d.simulator.stepping import Stepping
@@ -136,6 +137,31 @@ class Asking(Stepping):
         """
         self._settle_between()
         return cast_rays(self._engine, start, end, mask)
+
+    @exclusive
+    def shape_cast(
+        self,
+        shape: Shape,
+        start: object,
+        end: object,
+        *,
+        orientation: object = 0.0,
+        ignoring: Bodies = (),
+        mask: int | None = None,
+    ) -> Hits:
+        """Return what a shape meets first as its position goes from points to points, m.
+
+        They are (2,) or (k, 2) each; it is turned by rad, and no body. Where it touches a body at
+        the start, or reaches into it, it meets that at once if it would go deeper, and not if it
+        slides along or leaves. It meets no sensor, none of the bodies that it is `ignoring`, and,
+        if a `mask` is given, none whose category shares no bit with it.
+
+        Raises:
+            InputError: it is a half-plane, a way has no length, or a value breaks a rule (R4).
+        """
+        self._settle_between()
+        ignored = self._rows(ignoring)
+        return cast_shape(self._engine, shape, start, end, orientation, ignored, mask)
 
     @exclusive
     def at_point(self, point: object, *, mask: int | None = None) -> IntArray:

@@ -19,8 +19,9 @@ from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.motion.joint_events import BREAKS, CLICKS, LEAVES, STRIKES, JointEvent
 from tamias2d.scene.freedoms import last_tooth
 from tamias2d.scene.joints import Joint
+from tamias2d.simulator.joint_columns import Held, with_plane
 from tamias2d.simulator.joint_layout import JointLayout
-from tamias2d.simulator.joint_reactions import Held, forces_and_torques
+from tamias2d.simulator.joint_reactions import forces_and_torques
 from tamias2d.simulator.joint_rows import rows_by_law
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
@@ -76,7 +77,7 @@ class JointWatch:
         over = np.hypot(*(impulses[:, 0, :2] / time_step).T) > self._force_most
         if len(self._twisted):
             twisting = impulses[self._twisted]
-            _, torque = forces_and_torques(self._held, twisting, pose, time_step)
+            _, torque = forces_and_torques(self._held, twisting, with_plane(pose), time_step)
             over[self._twisted] |= np.abs(torque[:, 0]) > self._torque_most[self._twisted]
         return [joint for joint, too_much in zip(self._breaking, over, strict=True) if too_much]
 

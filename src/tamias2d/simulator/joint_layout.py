@@ -19,6 +19,7 @@ from tamias2d.engine.joints.rows import mechanism_of, move_anchor, set_law
 from tamias2d.generated.joint_rows import MOST_ROWS
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import Vector
+from tamias2d.simulator.joint_columns import JointColumns, with_plane
 from tamias2d.simulator.joint_rows import (
     joint_rows,
     laws_of,
@@ -34,6 +35,8 @@ _SLOPES = tb.J_ROW + np.array([1, 2, 4, 5])  # of the first row, which tell by h
 # numbers of a joint that a step leaves to the next
 _KEPT = np.concatenate((np.arange(tb.J_STEP_TOTAL, tb.J_GAINED + 1), _SLOPES))
 KEPT_COUNT = len(_KEPT)
+TOTAL_COUNT = tb.J_PUSHED + 1 - tb.J_STEP_TOTAL
+"""The first of these, which tell what a row gave."""
 _PULLED = tb.J_PULLED - tb.J_STEP_TOTAL
 APART = 1e-3
 """Of the size of a joint, or rad: one that is farther apart is told."""
@@ -134,6 +137,11 @@ class JointLayout:
         kept[:, _PULLED] = np.maximum(kept[:, _PULLED], self._pulled_since())
         return kept
 
+    def totals(self) -> Array:
+        """Return what the last step gave in each row, as `kept` begins, of those that it knows."""
+        totals: Array = self.numbers[self.places, tb.J_STEP_TOTAL : tb.J_STEP_TOTAL + TOTAL_COUNT]
+        return totals
+
     def _pulled_since(self) -> Array:
         """Return for how many substeps rows follow what nothing pushes, moved since the step."""
         joints = self._engine.world.joints
@@ -206,7 +214,8 @@ def _pulled_apart(joints: Sequence[Joint], engine: Engine, left: Array) -> Array
 
     What has come since then may have been moved, too.
     """
-    lengths, angles = separations(joints, engine.pose, engine.time)
+    times = np.full(len(joints), engine.time)
+    lengths, angles = separations(JointColumns(joints), with_plane(engine.pose), times)
     sizes = np.array([size_of_joint(joint, engine) for joint in joints])
     apart = np.maximum(lengths / sizes, angles) > APART
     moved, known = engine.kind != tb.DYNAMIC, min(len(left), engine.size)

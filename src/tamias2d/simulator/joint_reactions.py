@@ -1,18 +1,17 @@
 """What joints exerted in the last step, and how well they hold."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
 from tamias2d.read_only import read_only
-from tamias2d.scene.joints import Joint
 from tamias2d.scene.springs import arm
+from tamias2d.simulator.joint_columns import Held, JointColumns, with_plane
 from tamias2d.simulator.joint_drives import drives_of, limits_reached
-from tamias2d.simulator.joint_rows import row_count
 from tamias2d.simulator.joint_separations import separations
 from tamias2d.simulator.told_only import REMEDIES
 from tamias2d.spec.constraint import ENDS
@@ -52,58 +51,44 @@ class Reactions:
         return self.names.index(name)
 
 
-class Held(NamedTuple):
-    """What joints hold, and where: the plane is the body after the last one."""
-
-    bodies: NDArray[np.intp]
-    """(j, 3)"""
-    anchors: Array
-    """(j, 3, 2), m"""
-
-    @classmethod
-    def by(cls, joints: Sequence[Joint]) -> "Held":
-        """Return what is held by joints (j,)."""
-        bodies = [[-1 if body is None else body for body in joint.ends] for joint in joints]
-        anchors = np.array([joint.anchors for joint in joints], dtype=np.float64)
-        shape = (len(joints), len(ENDS))
-        return cls(np.array(bodies, dtype=np.intp).reshape(shape), anchors.reshape(*shape, 2))
-
-
 def forces_and_torques(
     held: Held, impulses: Array, pose: Array, time_step: float
 ) -> tuple[Array, Array]:
     """Return the mean forces (j, 3, 2), N, and torques about anchors (j, 3), N m, of a step, s.
 
-    The impulses (j, 3, 3), N s, N s and N m s, are about the centres of bodies at poses (n, 3).
+    The impulses (j, 3, 3), N s, N s and N m s, are about the centres of bodies at poses
+    (n + 1, 3), the last one that of the plane.
     """
     force = impulses[:, :, :2] / time_step
-    turns = np.append(pose[:, 2], 0.0)[held.bodies.ravel()]
+    turns = pose[held.bodies.ravel(), 2]
     anchor_x, anchor_y = held.anchors.reshape(-1, 2).T
     x, y = np.reshape(arm((anchor_x, anchor_y), turns), (2, *held.bodies.shape))
     return force, impulses[:, :, 2] / time_step - (x * force[..., 1] - y * force[..., 0])
 
 
 def reactions_of(
-    joints: Sequence[Joint],
+    joints: JointColumns,
     totals: Array,
     pose: Array,
     velocity: Array,
     *,
-    time: float,
+    time: float | Array,
     time_step: float,
-) -> Reactions:
+) -> dict[str, NDArray[Any]]:
     """Return what joints (j,) exerted, from what a step of so many s left of each of their rows.
 
-    It ended at a time, s, with bodies at poses and velocities (n, 3).
+    It ended at a time, s, for all or for each, with bodies at poses and velocities (n, 3). The keys
+    are the names in `Reactions`.
     """
-    owner = np.repeat(np.arange(len(joints)), [row_count(joint) for joint in joints])
-    impulses = np.zeros((len(joints), len(ENDS), 3))
+    count = len(joints.names)
+    impulses = np.zeros((count, len(ENDS), 3))
     of_rows = totals[:, : 3 * len(ENDS)].reshape(-1, len(ENDS), 3)
-    np.add.at(impulses, owner, of_rows)
-    force, torque = forces_and_torques(Held.by(joints), impulses, pose, time_step)
-    lengths, angles = separations(joints, pose, time)
+    np.add.at(impulses, joints.owner, of_rows)
+    pose, velocity = with_plane(pose), with_plane(velocity)
+    force, torque = forces_and_torques(joints.held, impulses, pose, time_step)
+    lengths, angles = separations(joints, pose, np.broadcast_to(time, (count,)))
     speed, power = drives_of(joints, of_rows, pose, velocity, time_step)
-    told = {
+    return {
         "impulse": impulses[:, :, :2].copy(),
         "force": force,
         "torque": torque,
@@ -113,10 +98,12 @@ def reactions_of(
         "power": power,
         "limit": limits_reached(joints, totals[:, tb.J_PUSHED - tb.J_STEP_TOTAL]),
     }
-    return Reactions(
-        names=tuple(joint.name for joint in joints),
-        **{
-            name: read_only(values, f"{name} of the reactions", REMEDIES["reactions"])
-            for name, values in told.items()
-        },
-    )
+
+
+def told(names: tuple[str, ...], values: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
+    """Return names of joints and what is told of them, which cannot be written to."""
+    protected = {
+        key: read_only(array, f"{key} of the reactions", REMEDIES["reactions"])
+        for key, array in values.items()
+    }
+    return {"names": names, **protected}

@@ -1,17 +1,16 @@
 """How far apart joints are, beside how large they are."""
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
-from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.definitions import gyration_radius
 from tamias2d.scene.joint_start import numbers_of, steepness
 from tamias2d.scene.joints import Joint
+from tamias2d.simulator.joint_columns import JointColumns
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
 
@@ -39,43 +38,34 @@ def arm_of_joint(joint: Joint, engine: Engine) -> float:
     return max(radii, default=1.0)
 
 
-def separations(joints: Sequence[Joint], pose: Array, time: float) -> tuple[Array, Array]:
-    """Return by how much joints (j,) are apart, m, and turned, rad, at poses (n, 3) and a time, s.
+def separations(joints: JointColumns, pose: Array, time: Array) -> tuple[Array, Array]:
+    """Return by how much joints (j,) are apart, m, and turned, rad, at times (j,), s.
 
-    An equation of its own is apart by the way, or the turn, on which its value would change by
-    what it is; nan where it has none.
+    Poses are (n + 1, 3), the last one that of the plane. An equation of its own is apart by the
+    way, or the turn, on which its value would change by what it is; nan where it has none.
     """
-    lengths, angles = np.zeros(len(joints)), np.zeros(len(joints))
-    of_model: dict[str, list[int]] = {}
-    poses = np.vstack((pose, np.zeros((1, 3))))  # the last one is the plane's
-    for k, joint in enumerate(joints):
-        if joint.equations:
-            lengths[k], angles[k] = _way_and_turn(joint, poses, time)
-        elif joint.rigid:
-            of_model.setdefault(joint.model, []).append(k)
-    for model, own in of_model.items():
-        values: dict[str, Any] = {}
-        for name in CONSTRAINTS[model].parameters:
-            given = np.array([joints[k].given[name] for k in own])
-            values[name] = tuple(given.T) if given.ndim == 2 else given
-        for i, end in enumerate(ENDS):
-            bodies = [joints[k].ends[i] for k in own]
-            x, y, turn = poses[[-1 if body is None else body for body in bodies]].T
-            values[f"position_{end}"], values[f"orientation_{end}"] = (x, y), turn
+    lengths, angles = np.zeros(len(joints.names)), np.zeros(len(joints.names))
+    for k in joints.own:
+        lengths[k], angles[k] = _way_and_turn(
+            joints.joints[k], pose[joints.held.bodies[k]], float(time[k])
+        )
+    for kept in joints.kept:
         with np.errstate(all="ignore"):
-            rows = np.array(CONSTRAINTS[model].constraint(values))
-        kinds = np.array(CONSTRAINTS[model].units)
-        lengths[own] = np.hypot.reduce(rows[kinds == "m"], axis=0)
-        angles[own] = np.hypot.reduce(rows[kinds == "1"], axis=0)
+            rows = np.array(kept.functions.constraint(kept.values(pose)))
+        kinds = np.array(kept.functions.units)
+        lengths[kept.number] = np.hypot.reduce(rows[kinds == "m"], axis=0)
+        angles[kept.number] = np.hypot.reduce(rows[kinds == "1"], axis=0)
     return lengths, angles
 
 
 def _way_and_turn(joint: Joint, poses: Array, time: float) -> tuple[float, float]:
-    """Return by how much a joint with equations of its own is apart, m, and turned, rad."""
+    """Return by how much a joint with equations of its own is apart, m, and turned, rad.
+
+    The poses are those of its three ends.
+    """
     functions = joint.functions
     values: dict[str, Any] = {"time": time, **joint.given}
-    for end, body in zip(ENDS, joint.ends, strict=True):
-        x, y, turn = poses[-1 if body is None else body].tolist()
+    for end, (x, y, turn) in zip(ENDS, poses.tolist(), strict=True):
         values[f"position_{end}"], values[f"orientation_{end}"] = (x, y), turn
     held = [end for end, body in zip(ENDS, joint.ends, strict=True) if body is not None]
     count = len(functions.units)

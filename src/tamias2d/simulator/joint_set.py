@@ -22,6 +22,7 @@ from tamias2d.scene.freedoms import (
 from tamias2d.scene.joint_checks import checked_joint
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, Vector, shown
+from tamias2d.simulator.joint_columns import JointColumns
 from tamias2d.simulator.joint_events import (
     JointWatch,
     LimitEvents,
@@ -29,8 +30,8 @@ from tamias2d.simulator.joint_events import (
     tooth_of,
     tooth_reached,
 )
-from tamias2d.simulator.joint_layout import JointLayout, by_joint, kept_of_new
-from tamias2d.simulator.joint_reactions import Reactions, reactions_of
+from tamias2d.simulator.joint_layout import TOTAL_COUNT, JointLayout, by_joint, kept_of_new
+from tamias2d.simulator.joint_reactions import Reactions, reactions_of, told
 from tamias2d.simulator.joint_rows import refuse_unknown
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
@@ -72,6 +73,7 @@ class JointSet:
         self._fresh: set[str] = set()  # joints of which the engine has not been told
         self._moved: set[str] = set()  # joints whose point was moved since the engine was told
         self._restored = kept is not None
+        self._columns: JointColumns | None = None  # once reactions were asked for
         self.new = bool(self._joints)
         """Whether the engine has to be told of them."""
 
@@ -330,14 +332,23 @@ class JointSet:
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
         """Return what joints exerted in the last step, and how well they hold now."""
-        return reactions_of(
-            list(self),
-            self.kept(engine, engine.pose),
+        if self._columns is None or not self._columns.are(list(self)):
+            self._columns = JointColumns(list(self))
+        values = reactions_of(
+            self._columns,
+            self.totals(engine),
             engine.pose,
             engine.velocity,
             time=engine.time,
             time_step=time_step,
         )
+        return Reactions(**told(self.names, values))
+
+    def totals(self, engine: Engine) -> Array:
+        """Return what the last step gave in each row, as `JointLayout.totals` does."""
+        if self._layout is not None and not self.new:
+            return self._layout.totals()
+        return self.kept(engine, engine.pose)[:, :TOTAL_COUNT]
 
     def _change(self) -> None:
         """Note that the engine has to be told of joints."""

@@ -1,4 +1,4 @@
-"""Queries about places: what a ray meets first, what lies at a point or in a box."""
+"""Queries about places: what a ray or a shape meets first, what lies at a point or in a box."""
 
 import math
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.query_tree import QueryTree
+from tamias2d.engine.query_tree import Piece, QueryTree
 from tamias2d.engine.state import LARGEST
 from tamias2d.scene import Box, Capsule, Chain, Compound, Disc, Polygon, Segment
 from tamias2d.scene.compound import pieces_of
@@ -21,16 +21,16 @@ _POINT = "Give (x, y) in m."
 
 @dataclass(frozen=True, kw_only=True)
 class Hits:
-    """What k rays met first."""
+    """What k rays, or ways of a shape, met first."""
 
     body: IntArray
-    """(k,), index, or -1 where a ray met nothing"""
+    """(k,), index, or -1 where nothing was met"""
     point: Array
-    """(k, 2), where it was met, m; the end of the ray where that met nothing"""
+    """(k, 2), where it was met, m, on its surface; the end of the way where nothing was"""
     normal: Array
-    """(k, 2), unit, out of the body; (0, 0) where the ray met nothing"""
+    """(k, 2), unit, out of the body; (0, 0) where nothing was met"""
     fraction: Array
-    """(k,), of the ray up to there; 1 where it met nothing"""
+    """(k,), of the way up to there; 1 where nothing was met"""
 
     def __len__(self) -> int:
         return len(self.body)
@@ -43,20 +43,7 @@ def cast_rays(engine: Engine, start: object, end: object, mask: object) -> Hits:
         InputError: a ray has no length, or a value breaks a rule (R4).
     """
     of = "the rays"
-    count = max(_rows(start, "start", of), _rows(end, "end", of))
-    ends = [
-        vectors(points, key, of, _POINT, count=count, symbol="position", each="ray")
-        for key, points in (("start", start), ("end", end))
-    ]
-    for key, points in zip(("start", "end"), ends, strict=True):
-        _refuse_far(points, key, of)
-    still = np.flatnonzero((ends[0] == ends[1]).all(axis=1))
-    if len(still):
-        raise RuleError(
-            f"end[{still[0]}] of the rays: found the start: must be another point (R4). Give "
-            "rays with a length, or ask at_point.",
-            "end",
-        )
+    ends = _ways(start, end, "ray", of, "Give rays with a length, or ask at_point.")
     bits = checked_mask(mask, of)
     body, hits = _tree(engine).cast_rays(np.hstack(ends), bits)
     fraction = np.minimum(hits[:, 0], 1.0)
@@ -66,6 +53,54 @@ def cast_rays(engine: Engine, start: object, end: object, mask: object) -> Hits:
         normal=hits[:, 1:].copy(),
         fraction=fraction,
     )
+
+
+def cast_shape(
+    engine: Engine,
+    shape: object,
+    start: object,
+    end: object,
+    orientation: object,
+    ignored: IntArray,
+    mask: object,
+) -> Hits:
+    """Return what a shape meets first on its ways from places to places, (2,) or (k, 2) each, m.
+
+    Raises:
+        InputError: it is a half-plane or no shape, a way has no length, or a value breaks a rule
+            (R4).
+    """
+    of = "the shape cast"
+    pieces = _pieces(shape, (0.0, 0.0), orientation, of)
+    ends = _ways(start, end, "way", of, "Give ways with a length, or ask in_shape.")
+    bits = checked_mask(mask, of)
+    without = np.zeros(len(engine.pose), dtype=np.int8)
+    without[ignored] = 1
+    body, hits = _tree(engine).cast_pieces(pieces, np.hstack(ends), bits, without)
+    met = body >= 0
+    return Hits(
+        body=body,
+        point=np.where(met[:, None], hits[:, 3:], ends[1]),
+        normal=hits[:, 1:3].copy(),
+        fraction=np.minimum(hits[:, 0], 1.0),
+    )
+
+
+def _ways(start: object, end: object, each: str, of: str, remedy: str) -> tuple[Array, Array]:
+    """Return starts and ends (k, 2), checked."""
+    count = max(_rows(start, "start", of), _rows(end, "end", of))
+    first, last = (
+        vectors(points, key, of, _POINT, count=count, symbol="position", each=each)
+        for key, points in (("start", start), ("end", end))
+    )
+    for key, points in (("start", first), ("end", last)):
+        _refuse_far(points, key, of)
+    still = np.flatnonzero((first == last).all(axis=1))
+    if len(still):
+        raise RuleError(
+            f"end[{still[0]}] of {of}: found the start: must be another point (R4). {remedy}", "end"
+        )
+    return first, last
 
 
 def bodies_in_box(engine: Engine, low: object, high: object, mask: object) -> IntArray:
@@ -93,6 +128,12 @@ def bodies_in_shape(
         InputError: it is a half-plane or no shape, or a value breaks a rule (R4).
     """
     of = "the question"
+    pieces = _pieces(shape, position, orientation, of)
+    return _tree(engine).bodies_in_shape(pieces, checked_mask(mask, of))
+
+
+def _pieces(shape: object, position: object, orientation: object, of: str) -> list[Piece]:
+    """Return the pieces of a shape that is bounded at a position, turned by rad."""
     if not isinstance(shape, _BOUNDED):
         raise RuleError(
             f"shape of {of}: found {shown(shape)}: must be bounded (R4). Give a shape such as "
@@ -103,11 +144,10 @@ def bodies_in_shape(
     angle = number(orientation, "orientation", of, "Give it in rad.", at=("orientation",))
     c, s = math.cos(angle), math.sin(angle)
     turn = np.array([[c, s], [-s, c]])
-    pieces = [
+    return [
         (np.array(piece.core) @ turn + place, float(piece.shape.rounding))
         for piece in pieces_of(shape)
     ]
-    return _tree(engine).bodies_in_shape(pieces, checked_mask(mask, of))
 
 
 def bodies_at_point(engine: Engine, point: object, mask: object) -> IntArray:

@@ -1,4 +1,4 @@
-"""Springs that exert no more than a maximum (DD104): softer ones, of which none gives more.
+"""Springs that exert no more than a maximum (DD105): softer ones, of which none gives more.
 
 Of each it is found how soft it is; the mechanism is solved, and what it gives looked at again.
 Cost: for each time that one is made softer, a factorization, as for a choice.

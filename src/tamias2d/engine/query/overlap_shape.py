@@ -51,13 +51,21 @@ def overlaps_core(
         for k in range(1, len(core)):
             nearest = min(nearest, core[k, 0] * nx + core[k, 1] * ny)
         return bool(nearest - offset <= radius)
-    count, pose = shapes.vertex_count[s], state.pose[state.body_of_shape[s]]
+    place_corners(s, 0.0, 0.0, state, shapes, room)
+    return cores_within(core, room[: shapes.vertex_count[s]], radius + shapes.radius[s])
+
+
+def place_corners(
+    s: int, x: float, y: float, state: BodyState, shapes: Shapes, room: Array
+) -> None:
+    """Write where the corners of a shape are from a place, m."""
+    pose = state.pose[state.body_of_shape[s]]
     c, d = cosine_sine(pose[tb.ANGLE])
-    for k in range(count):
-        at = shapes.first[s] + k
-        x, y = shapes.local_vertices[at, 0], shapes.local_vertices[at, 1]
-        room[k, 0], room[k, 1] = pose[tb.X] + (c * x - d * y), pose[tb.Y] + (d * x + c * y)
-    return cores_within(core, room[:count], radius + shapes.radius[s])
+    from_x, from_y = pose[tb.X] - x, pose[tb.Y] - y
+    for k in range(shapes.vertex_count[s]):
+        corner = shapes.local_vertices[shapes.first[s] + k]
+        room[k, 0] = from_x + (c * corner[0] - d * corner[1])
+        room[k, 1] = from_y + (d * corner[0] + c * corner[1])
 
 
 def cores_within(a: Array, b: Array, distance: float) -> bool:
@@ -106,9 +114,14 @@ def lines_within(by: Vector, start: Vector, end: Vector, distance: float) -> boo
 
 def distance_to_line(point: Vector, start: Vector, by: Vector) -> float:
     """Return how far a point is from a line that goes from a start by (x, y)."""
+    x, y = from_line(point, start, by)
+    return sqrt(x * x + y * y)
+
+
+def from_line(point: Vector, start: Vector, by: Vector) -> Vector:
+    """Return the way to a point from the nearest one of a line, from a start by (x, y)."""
     x, y = point[0] - start[0], point[1] - start[1]
     size = by[0] * by[0] + by[1] * by[1]
     share = (x * by[0] + y * by[1]) / size if size > 0.0 else 0.0
     share = min(max(share, 0.0), 1.0)
-    x, y = x - share * by[0], y - share * by[1]
-    return sqrt(x * x + y * y)
+    return x - share * by[0], y - share * by[1]

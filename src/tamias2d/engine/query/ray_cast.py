@@ -33,6 +33,8 @@ class Ray(NamedTuple):
     y: float
     dx: float
     dy: float
+    half_x: float  # of a box that is moved in place of a point, or 0
+    half_y: float
 
 
 def cast_rays(
@@ -51,7 +53,7 @@ def cast_rays(
     """
     for k in range(len(rays)):
         x, y = rays[k, 0], rays[k, 1]
-        ray = Ray(x, y, rays[k, 2] - x, rays[k, 3] - y)
+        ray = Ray(x, y, rays[k, 2] - x, rays[k, 3] - y, 0.0, 0.0)
         shape_hit[k] = -1
         entries[k, 0], entries[k, 1], entries[k, 2] = NO_HIT, 0.0, 0.0
         inside = shapes_in_box(world, x, y, x, y, mask, found)
@@ -132,14 +134,15 @@ def crosses(bounds: Array, ray: Ray, most: float) -> bool:
     x, y, dx, dy = ray.x, ray.y, ray.dx, ray.dy
     to_x, to_y = 0.5 * bounds[0] + 0.5 * bounds[2] - x, 0.5 * bounds[1] + 0.5 * bounds[3] - y
     slack = SLACK * (abs(to_x) + abs(to_y))  # rounding in a body's axes displaces a ray from afar
+    more_x, more_y = slack + ray.half_x, slack + ray.half_y
     end_x, end_y = x + most * dx, y + most * dy
-    if max(x, end_x) < bounds[0] - slack or min(x, end_x) > bounds[2] + slack:
+    if max(x, end_x) < bounds[0] - more_x or min(x, end_x) > bounds[2] + more_x:
         return False
-    if max(y, end_y) < bounds[1] - slack or min(y, end_y) > bounds[3] + slack:
+    if max(y, end_y) < bounds[1] - more_y or min(y, end_y) > bounds[3] + more_y:
         return False
     half_x, half_y = 0.5 * bounds[2] - 0.5 * bounds[0], 0.5 * bounds[3] - 0.5 * bounds[1]
     aside = abs(dy * to_x - dx * to_y)
-    most_aside = abs(dy) * (half_x + slack) + abs(dx) * (half_y + slack)
+    most_aside = abs(dy) * (half_x + more_x) + abs(dx) * (half_y + more_y)
     return not aside > most_aside
 
 
@@ -177,6 +180,8 @@ def enter(s: int, ray: Ray, state: BodyState, shapes: Shapes) -> Entry:
         c * from_y - d * from_x,
         c * ray.dx + d * ray.dy,
         c * ray.dy - d * ray.dx,
+        0.0,
+        0.0,
     )
     fraction, x, y = enter_bounded(
         local,
