@@ -113,16 +113,19 @@ def find_residual(
 def largest_residual(n: int, sparse: Integers, factors: Array) -> float:
     """Return the largest momentum that a node has left, as a part of the impulses, squared.
 
-    Angular momentum counts by what it is at the radius of gyration.
+    Angular momentum counts by what it is at the radius of gyration; what does not turn takes any,
+    and none is left.
     """
     largest = 0.0
     for node in range(sparse[n, tb.I_NODE], sparse[n + 1, tb.I_NODE]):
+        mass, inertia = factors[node, tb.NODE_MASS], factors[node, tb.NODE_INERTIA]
+        if inertia == 0.0:
+            factors[node, tb.CHANGE + 2] = 0.0
         x, y, turn = (
             factors[node, tb.CHANGE],
             factors[node, tb.CHANGE + 1],
             factors[node, tb.CHANGE + 2],
         )
-        mass, inertia = factors[node, tb.NODE_MASS], factors[node, tb.NODE_INERTIA]
         gyration = inertia / mass if mass > 0.0 else 0.0
         rim = turn * turn / gyration if gyration > 0.0 else 0.0
         largest = max(largest, x * x + y * y + rim)
