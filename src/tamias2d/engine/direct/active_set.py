@@ -6,6 +6,7 @@ does not go to and fro. Source: Rockafellar (1976), proximal point.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.contacts import add_to_nodes, point_speed
+from tamias2d.engine.direct.tree_energy import STIFF
 from tamias2d.engine.tables import Bodies, Constraints, Direct, Integers
 from tamias2d.generated.firm_contact import (
     accumulated_impulse_wanted,
@@ -21,6 +22,7 @@ from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 SLIGHT = 1e-7  # of the largest impulse: no reason to leave a state
+UNLIKE = 100.0  # largest mass over that mean: what is so uneven is tried once, and then told
 COARSE = 100.0  # times what counts as rounding, where the first try did not converge
 SLIGHT_SPEED = 1e-5  # of the speed that it gives: rounding of a solution may close a gap so fast
 
@@ -67,6 +69,11 @@ def guess_state(
     return normal
 
 
+def is_uneven(n: int, factors: Array) -> bool:
+    """Return whether the masses of an island are so uneven that rounding may decide."""
+    return bool(factors[n, tb.LARGEST_MASS] * STIFF > UNLIKE * factors[n, tb.FIRM_MASS])
+
+
 def share_of(k: int, state: int, contact: int, factors: Array) -> float:
     """Return the share of a point in the friction of a contact."""
     if state & BOTH == BOTH:
@@ -101,6 +108,7 @@ def find_residual(
         )
     firm, scale = factors[n, tb.FIRM_MASS], coarseness * factors[n, tb.IMPULSE_SCALE]
     slight, closing = SLIGHT * scale, SLIGHT_SPEED * scale / factors[n, tb.LARGEST_MASS]
+    closing = 0.0 if is_uneven(n, factors) else closing  # of which a light body knows nothing
     changed = 0
     for contact in range(sparse[n, tb.I_CONTACT], sparse[n + 1, tb.I_CONTACT]):
         normal = propose_normal(

@@ -21,6 +21,7 @@ from tamias2d.engine.direct.active_set import (
     change_worst_friction,
     find_residual,
     guess_state,
+    is_uneven,
 )
 from tamias2d.engine.direct.cholesky import factor, substitute
 from tamias2d.engine.direct.contacts import (
@@ -49,7 +50,6 @@ NEARLY = 1e-3  # of the largest difference of velocity: a point that parts more 
 NOISE = 1e-5  # of the impulse that stops the heaviest body: less is what rounding has left
 CONVERGED = 1e-10  # residual as a part of the impulses, squared
 ACCEPTED = 1e-6  # the same: an island with more is not solved
-UNLIKE = 100.0  # largest mass over that mean: what is so uneven the substeps do not hold
 WILD = 100.0  # impulses for each contact, in units of those that stop the island: not accepted
 
 NOT_FACTORED, FACTORED, LEFT_TO_SUBSTEPS = 0, 1, -1  # status of an island
@@ -124,13 +124,14 @@ def solve_tree(
         n, relaxing, 0.0 if relaxing else 1.0, substep, bodies, constraints, direct
     )
     pressed = any_presses(n, constraints, direct)
+    uneven = is_uneven(n, direct.factors)
     solved = True
     if pressed:
         note_velocities(n, bodies, direct)
         before = energy_without_contacts(n, constraints, direct)
         residual = iterate_tree(n, bodies, constraints, direct)
         restore_velocities(n, bodies, direct)
-        if residual > ACCEPTED:
+        if residual > ACCEPTED and not uneven:
             open_contacts(n, relaxing, COARSE, substep, bodies, constraints, direct)
             residual = iterate_patiently(n, bodies, constraints, direct)
             restore_velocities(n, bodies, direct)
@@ -144,7 +145,7 @@ def solve_tree(
         harden(contact, solved, rate, constraints, direct)
     if not solved:
         direct.sparse[n, tb.I_STATUS] = LEFT_TO_SUBSTEPS
-        if direct.factors[n, tb.LARGEST_MASS] * STIFF > UNLIKE * direct.factors[n, tb.FIRM_MASS]:
+        if uneven:
             direct.counts[tb.UNSOLVED] = direct.sparse[direct.sparse[n, tb.I_NODE], tb.N_BODY] + 1
     elif relaxing:
         for contact in contacts:
@@ -174,7 +175,8 @@ def open_contacts(
         fastest, apart = max(fastest, speed), apart - bias
     stopping = direct.factors[n, tb.LARGEST_MASS] * fastest
     for contact in contacts:
-        noise = NOISE * stopping if coarseness <= 1.0 else inf
+        noise = 0.0 if is_uneven(n, direct.factors) else NOISE * stopping
+        noise = noise if coarseness <= 1.0 else inf
         impulse = guess_state(
             contact, coarseness > 0.0, NEARLY * fastest, noise, constraints, direct
         )
