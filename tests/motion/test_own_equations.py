@@ -55,3 +55,26 @@ def test_an_equation_of_ones_own_beside_what_is_governed(also: str, way: dict[st
     )
     error = np.abs(run.position[:, 0, 0] - true.y[0]).max()
     assert error <= (1e-9 if not way else 2e-8)
+
+
+@pytest.mark.parametrize(
+    ("way", "within"), [({}, 1e-9), ({"method": t2.Stepped(), "time_step": 1 / 960}, 1e-4)]
+)
+def test_the_norm_of_a_vector_that_is_put_together(way: dict[str, Any], within: float) -> None:
+    """A bead on an ellipse, (2 cos u, sin u) in m, from u = 0."""
+
+    def rate(_: float, state: Array) -> list[float]:
+        turn, speed = state
+        sine, cosine = np.sin(turn), np.cos(turn)
+        bent = 3 * sine * cosine * speed**2
+        return [speed, -(bent + G * cosine) / (4 * sine**2 + cosine**2)]
+
+    scene = Scene(gravity=(0.0, -G))
+    scene.add_body(None, mass=1.0, position=(2.0, 0.0), name="bead")
+    wire = t2.Equation("norm(vector(x(position_a)/2, y(position_a))) - 1[m]")
+    scene.add_joint(wire, "bead")
+    run = t2.simulate(scene, duration=1.5, times=[0.0, 0.5, 1.0, 1.5], **way)
+    kept = {"rtol": 1e-12, "atol": 1e-12, "t_eval": run.times}
+    turn = solve_ivp(rate, (0.0, 1.5), [0.0, 0.0], method="DOP853", **kept).y[0]
+    true = np.stack((2 * np.cos(turn), np.sin(turn)), axis=-1)
+    assert np.abs(run.position[:, 0] - true).max() <= within
