@@ -78,3 +78,34 @@ def test_the_norm_of_a_vector_that_is_put_together(way: dict[str, Any], within: 
     turn = solve_ivp(rate, (0.0, 1.5), [0.0, 0.0], method="DOP853", **kept).y[0]
     true = np.stack((2 * np.cos(turn), np.sin(turn)), axis=-1)
     assert np.abs(run.position[:, 0] - true).max() <= within
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "dot(position_a, position_a) - 1[m^2]",
+        "norm(position_a) - 1[m]",
+        "5*norm(position_a) - 5[m]",
+        "log(norm(position_a)/1[m])",
+    ],
+)
+def test_how_far_an_equation_is_apart_is_a_way_whatever_its_unit(text: str) -> None:
+    scene = Scene(gravity=(0.0, -G))
+    scene.add_body(None, mass=1.0, position=(1.0, 0.0), name="bead")
+    scene.add_joint(t2.Equation(text), "bead")
+    run = t2.simulate(scene, duration=1.0, method=t2.Stepped(), time_step=0.1)
+    assert run.reactions is not None
+    apart = np.abs(np.hypot(*run.position[:, 0].T) - 1)
+    assert apart.max() > 1e-10
+    assert run.reactions.separation[:, 0] == pytest.approx(apart, rel=1e-3, abs=1e-14)
+    assert not run.reactions.angular_separation.any()
+
+
+@pytest.mark.parametrize(
+    ("text", "off"), [("x(position_a)/1[m] - 3", "off by 2"), ("orientation_a - 2", "off by 2 rad")]
+)
+def test_what_has_no_unit_is_an_angle_if_it_only_turns(text: str, off: str) -> None:
+    scene = Scene(gravity=(0.0, -G))
+    scene.add_body(None, mass=1.0, inertia=1.0, position=(1.0, 0.0), name="bead")
+    with pytest.raises(t2.errors.InputError, match=off + r" \(TM7\)"):
+        scene.add_joint(t2.Equation(text), "bead")
