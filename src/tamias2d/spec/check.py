@@ -26,7 +26,9 @@ class Type:
     dimension: Dimension | None = ONE
 
     def __str__(self) -> str:
-        return f"a {self.shape} in {self.dimension}" if self.shape != "truth" else "a condition"
+        if self.shape == "truth":
+            return "a condition"
+        return f"a {self.shape} in {self.dimension or 'any unit'}"
 
 
 TRUTH = Type("truth")
@@ -134,11 +136,12 @@ class _Checker:
     def alike(self, node: Node, left: Node, right: Node, verb: str) -> Type:
         a, b = self.value(left), self.value(right)
         text = f"cannot {verb}: '{plain(left)}' is {a}, '{plain(right)}' is {b}. Correct one side"
-        if a.shape != b.shape and None not in (a.dimension, b.dimension):
+        if any(one.shape == "scalar" and one.dimension for one in (a, b)) and a.shape != b.shape:
             raise SpecFault(Code.SHAPE_MISMATCH, text, node.offset)
         if None not in (a.dimension, b.dimension) and a.dimension != b.dimension:
             raise SpecFault(Code.UNIT_MISMATCH, text, node.offset)
-        return b if a.dimension is None else a
+        shape: Kind = "scalar" if a.shape == b.shape == "scalar" else "vector"
+        return Type(shape, a.dimension or b.dimension)
 
     def product(self, node: ex.Binary) -> Type:
         a, b = self.value(node.left), self.value(node.right)
@@ -184,6 +187,7 @@ class _Checker:
                 return self.scalar(first)
             case "min" | "max" | "atan2":
                 self.scalar(first)
+                self.scalar(rest[0])
                 found = self.alike(node, first, rest[0], "compare")
                 return Type("scalar") if node.function == "atan2" else found
             case "norm" | "x" | "y":
