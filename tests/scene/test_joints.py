@@ -90,6 +90,22 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
         lambda s: s.add_joint(t2.Equation("x(point_a - point_c) - 1[m]"), "wheel"),
         "asks where body C is, and no third body is given",
     ),
+    "a relation": (
+        lambda s: s.add_joint(t2.Equation("x(position_a) == 0.5[m] + 1[m]"), "rod"),
+        r"is a condition\. Write left - right: 'x\(position_a\) - \(0\.5\[m\] \+ 1\[m\]\)'",
+    ),
+    "an inequality": (
+        lambda s: s.add_joint(t2.Equation("x(position_a) < 0.5[m]"), "rod"),
+        r"is a condition\. State what is to be zero",
+    ),
+    "a sum over bodies": (
+        lambda s: s.add_joint(t2.Equation("sum(x(position_a)) - 0.5[m]"), "rod"),
+        r"'sum' has no value at an instant \(TM7, column 1\)",
+    ),
+    "a derivative": (
+        lambda s: s.add_joint(t2.Equation("d(x(position_a), time) - 1[m/s]"), "rod"),
+        r"'d' has no value at an instant \(TM7, column 1\)",
+    ),
     "an equation without derivative": (
         lambda s: s.add_joint(t2.Equation("abs(x(position_a)) - 0.5[m]"), "rod"),
         "abs has no derivative",

@@ -32,6 +32,7 @@ class Type:
 
 
 TRUTH = Type("truth")
+_BEYOND_INSTANT = ("d", "integral", "sum")
 
 
 def infer(node: Node, table: SymbolTable) -> Type:
@@ -62,6 +63,19 @@ def expect(node: Node, table: SymbolTable, wanted: Type) -> None:
             f"'{plain(node)}' is {found}, {wanted} is wanted. Correct it",
             node.offset,
         )
+
+
+def refuse_beyond_instant(node: Node) -> None:
+    """Refuse functions that need more than an instant, or more than one body.
+
+    Raises:
+        SpecFault: there is one; says where.
+    """
+    for part in ex.walk(node):
+        if isinstance(part, ex.Call) and part.function in _BEYOND_INSTANT:
+            raise SpecFault(
+                Code.NOT_ALLOWED, f"'{part.function}' has no value at an instant", part.offset
+            )
 
 
 class _Checker:
