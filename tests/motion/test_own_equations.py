@@ -109,3 +109,24 @@ def test_what_has_no_unit_is_an_angle_if_it_only_turns(text: str, off: str) -> N
     scene.add_body(None, mass=1.0, inertia=1.0, position=(1.0, 0.0), name="bead")
     with pytest.raises(t2.errors.InputError, match=off + r" \(TM7\)"):
         scene.add_joint(t2.Equation(text), "bead")
+
+
+@pytest.mark.parametrize(
+    ("way", "within"), [({}, 1e-9), ({"method": t2.Stepped(), "time_step": 1 / 960}, 1e-4)]
+)
+@pytest.mark.parametrize("factor", ["1", "-180", "0.5[m]"])
+def test_a_direction_turns_on_through_half_a_turn(
+    way: dict[str, Any], within: float, factor: str
+) -> None:
+    """A bead in a groove that turns at 1 rad/s from 3 rad flies out: r = cosh t, in m."""
+    scene = Scene(gravity=(0.0, 0.0))
+    along, across = np.array((np.cos(3), np.sin(3))), np.array((-np.sin(3), np.cos(3)))
+    scene.add_body(None, mass=1.0, position=tuple(along), velocity=tuple(across), name="bead")
+    turned = "atan2(y(position_a), x(position_a)) - 3[rad] - 1[rad/s]*time"
+    scene.add_joint(t2.Equation(f"{factor}*({turned})"), "bead")
+    run = t2.simulate(scene, duration=2.0, times=[0.0, 0.1, 0.2, 1.0, 2.0], **way)
+    angle = 3.0 + run.times
+    true = np.cosh(run.times) * np.stack((np.cos(angle), np.sin(angle)))
+    assert np.abs(run.position[:, 0].T - true).max() <= within
+    assert run.reactions is not None
+    assert run.reactions.separation.max() <= 1e-9
