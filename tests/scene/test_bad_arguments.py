@@ -301,6 +301,7 @@ FIELDS = [
     {"force": ("5[N] - 0*velocity", 0.0)},
     {"force": ("max(1[N], 0*position)", 0.0)},
     {"force": ("0*vector(1, 2) + 1[N]", 0.0)},
+    {"torque": "1[N*m]*phi1(orientation - 1)"},
     {"torque": 1.0, "bodies": []},
     {"torque": 1.0, "bodies": "disc"},
     {"torque": 1.0, "bodies": ["disk"]},

@@ -8,7 +8,7 @@ from functools import cache, lru_cache
 
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError
-from tamias2d.spec.check import TRUTH, Type, infer, refuse_beyond_instant
+from tamias2d.spec.check import TRUTH, Type, infer, refuse_not_stated
 from tamias2d.spec.constraint import COORDINATES, ENDS, TIME, Constraint
 from tamias2d.spec.constraint_functions import ConstraintFunctions
 from tamias2d.spec.expression import Binary, Node, Relation, names, parse
@@ -39,15 +39,9 @@ def read_equations(texts: Sequence[str], of: str) -> ConstraintFunctions:
 
 
 @lru_cache(256)
-def equation_rows(texts: tuple[str, ...]) -> tuple[RowProgram, ...] | None:
-    """Return the rows of equations that were read as programs, or None if they have none.
-
-    They have none where a function has no operation (`spec.straight_line`).
-    """
-    try:
-        return row_programs(_constraint(texts, "a joint"))
-    except KeyError:
-        return None
+def equation_rows(texts: tuple[str, ...]) -> tuple[RowProgram, ...]:
+    """Return the rows of equations that were read, as programs."""
+    return row_programs(_constraint(texts, "a joint"))
 
 
 def _constraint(texts: tuple[str, ...], of: str) -> Constraint:
@@ -67,7 +61,7 @@ def _read(text: str, of: str, k: int) -> Node:
         node = parse(text)
         used = set(names(node))
         _refuse_names(used - _ALLOWED, of, k)
-        refuse_beyond_instant(node)
+        refuse_not_stated(node)
         _refuse_condition(node, infer(node, _table()))
     except SpecFault as fault:
         where = f"equations[{k}] of {of}"

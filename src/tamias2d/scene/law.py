@@ -14,7 +14,7 @@ import numpy as np
 from tamias2d.errors import InputError
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, number, pair
-from tamias2d.spec.check import Type, expect, refuse_beyond_instant
+from tamias2d.spec.check import Type, expect, refuse_not_stated
 from tamias2d.spec.expression import Binary, Call, Node, Power, names, parse, walk
 from tamias2d.spec.kinks import has_kinks
 from tamias2d.spec.messages import SpecFault
@@ -168,7 +168,7 @@ def varies(law: Law) -> bool:
 def _read(text: str, symbol: str) -> Node:
     node = parse(text)
     expect(node, _known(), Type("scalar", SYMBOLS[symbol].dimension))
-    refuse_beyond_instant(node)
+    refuse_not_stated(node)
     return node
 
 

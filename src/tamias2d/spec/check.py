@@ -32,7 +32,11 @@ class Type:
 
 
 TRUTH = Type("truth")
-_BEYOND_INSTANT = ("d", "integral", "sum")
+_NOT_STATED = {
+    **dict.fromkeys(("d", "integral", "sum"), "has no value at an instant"),
+    **dict.fromkeys(("phi1", "phi2"), "is for closed forms alone. Write it with exp"),
+}
+"""Functions that only chapters use, and why."""
 
 
 def infer(node: Node, table: SymbolTable) -> Type:
@@ -65,17 +69,15 @@ def expect(node: Node, table: SymbolTable, wanted: Type) -> None:
         )
 
 
-def refuse_beyond_instant(node: Node) -> None:
-    """Refuse functions that need more than an instant, or more than one body.
+def refuse_not_stated(node: Node) -> None:
+    """Refuse functions that no law and no equation of a scene may use.
 
     Raises:
         SpecFault: there is one; says where.
     """
     for part in ex.walk(node):
-        if isinstance(part, ex.Call) and part.function in _BEYOND_INSTANT:
-            raise SpecFault(
-                Code.NOT_ALLOWED, f"'{part.function}' has no value at an instant", part.offset
-            )
+        if isinstance(part, ex.Call) and (why := _NOT_STATED.get(part.function)):
+            raise SpecFault(Code.NOT_ALLOWED, f"'{part.function}' {why}", part.offset)
 
 
 class _Checker:
