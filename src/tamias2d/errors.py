@@ -10,6 +10,17 @@ def path_text(path: object) -> str:
     return text if text.isprintable() else repr(text)
 
 
+def printable(message: str) -> str:
+    """Return a message with what cannot be seen in it, such as U+200B, written as an escape."""
+    if message.isprintable():
+        return message
+    letters = (
+        letter if letter.isprintable() else letter.encode("unicode_escape").decode()
+        for letter in message
+    )
+    return "".join(letters)
+
+
 class TamiasError(Exception):
     """The base of all errors that this library raises on purpose."""
 

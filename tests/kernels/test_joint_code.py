@@ -205,14 +205,6 @@ def test_four_bars_that_lie_as_good_as_flat_are_left_to_the_general_way(
             assert found[0] == pytest.approx(wanted, rel=1e-8, abs=1e-8 * np.abs(wanted).max())
 
 
-def test_no_code_is_made_for_functions_that_kernels_do_not_know() -> None:
-    scene = Scene(gravity=(0.0, -9.81))
-    scene.add_body(None, mass=1.0, inertia=1.0, position=(1.0, 0.0), orientation=1.0)
-    scene.add_joint(t2.Equation(f"phi1(orientation_a) - {math.e - 1!r}"), 0)
-    for one, _, _ in pairs(scene):
-        assert one.code is None
-
-
 def test_equations_of_ones_own_are_followed_with_the_same_bits(
     at_price: Callable[[float], None],
 ) -> None:

@@ -197,6 +197,33 @@ def test_what_float64_cannot_hold_is_refused() -> None:
         t2.simulate(scene, duration=100.0, method=Stepped(), time_step=1.0)
 
 
+@pytest.mark.parametrize(
+    ("law", "told"),
+    [
+        ("1[N]*log(1 - time/1[s])", r"force\[0\] of field 0: .* no finite value at time 1\.0 s"),
+        ("1[N]*exp(x(velocity)*2000[s/m])", r"force\[0\] of field 0 at 0\.0 s: .* body 'ball'"),
+    ],
+)
+def test_a_law_without_a_value_is_told_by_name(law: str, told: str) -> None:
+    scene = t2.Scene(gravity=(0, 0))
+    scene.add_body(None, mass=1, position=(1, 0), velocity=(0.3, 0), name="ball")
+    scene.add_field(force=(law, 0))
+    with pytest.raises(t2.TamiasError, match=told):
+        t2.simulate(scene, duration=2.0, method=Stepped(), time_step=0.01)
+    with pytest.raises(t2.TamiasError, match=told):
+        t2.Simulator(scene, time_step=0.01, compiled=False).step(200)
+
+
+def test_an_equation_without_a_value_is_told_by_name() -> None:
+    scene = t2.Scene(gravity=(-G, 0))
+    scene.add_body(None, mass=1, position=(1, 1), name="bead")
+    wire = t2.Equation("y(position_a) - sqrt(x(position_a)*1[m])")
+    scene.add_joint(wire, "bead", name="wire")
+    with pytest.raises(t2.SimulationError, match=r"0\.6 s: .*joint 'wire' has no value") as refused:
+        t2.simulate(scene, duration=2.0, method=Stepped(), time_step=0.01)
+    assert isinstance(refused.value.run, t2.Run)
+
+
 def test_a_tolerance_is_met_or_refused_where_contacts_are_stepped() -> None:
     run = t2.simulate(conveyor(), duration=1.0, tolerance=1e-3)
     assert run.certificate is not None

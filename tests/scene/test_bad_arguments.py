@@ -297,6 +297,11 @@ FIELDS = [
     {"torque": "1[N]"},
     {"torque": "1[N*m]*log(orientation)"},
     {"torque": (0.0, 0.0)},
+    {"force": ("0*position + 5[N]", 0.0)},  # a zero of a vector is a vector
+    {"force": ("5[N] - 0*velocity", 0.0)},
+    {"force": ("max(1[N], 0*position)", 0.0)},
+    {"force": ("0*vector(1, 2) + 1[N]", 0.0)},
+    {"torque": "1[N*m]*phi1(orientation - 1)"},
     {"torque": 1.0, "bodies": []},
     {"torque": 1.0, "bodies": "disc"},
     {"torque": 1.0, "bodies": ["disk"]},

@@ -188,7 +188,7 @@ BAD = [
     ("mass: 10 kg", "mass: 10 kg\n\tx: 1", "11:1", "YAML"),
     ("mass: 10 kg", "mass: 10 kg: 3", "10:16", "YAML"),
     ("force: [\"2[N]*sin(3[rad/s]*time)\", 0 N]", "force: [2[N]*time, 0 N]", "18:", "YAML"),
-    ("says: a crate above a floor", "says: a\x00b", "1:1", "x0000"),
+    ("says: a crate above a floor", "says: a\x00b", "2:8", "U+0000"),
 ]  # fmt: skip
 
 
@@ -219,7 +219,12 @@ def test_a_fault_is_named_at_its_place(
         (b"\n# only a comment\n", "nothing"),
         (b"- a\n- b\n", "must be a mapping"),
         (b"just text\n", "must be a mapping"),
-        (b"gravity: [\xff m/s^2, 0 m/s^2]\n", ":1: found byte 0xff: must be UTF-8"),
+        (b"gravity: [\xff m/s^2, 0 m/s^2]\n", ":1:11: found byte 0xff: must be UTF-8"),
+        ("a: 1\nße".encode() + b"\xff\n", ":2:3: found byte 0xff: must be UTF-8"),
+        (b"a: 1\nsays: \0\n", ":2:7: yaml: character U+0000 is none of YAML"),
+        ("gravity: 1\n\ufeffsays: x\n".encode(), r":2:1: key '\ufeffsays' of a scene"),
+        ("gravity: [1\u200b m/s^2, 0]\n".encode(), r"gravity[0]: '1\u200b m/s^2': must be"),
+        ("s\u202e: 1\ns\u202e: 1\n".encode(), r":2:1: duplicate-key: 's\u202e' stands twice"),
         ("gravity: [0 m/s^2, 0 m/s^2]\n".encode("utf-16"), "UTF-8"),
         (b"says: " + b"x" * 5_000_000, "1000000 characters"),
         (b"says: " + b"x" * 2_000_000 + b"\n", "1000000 characters"),

@@ -32,12 +32,6 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
         "it holds no body that moves",
     ),
     "two points": (lambda s: s.add_joint(t2.Distance(), (0, 0), (1, 0)), "no body that moves"),
-    "an equation with a kinematic body": (
-        lambda s: s.add_joint(
-            t2.Equation("phi1(orientation_a - y(position_b)/1[m])"), "rod", "lift"
-        ),
-        "is kinematic, which only steps know",
-    ),
     "a length that is another": (
         lambda s: s.add_joint(t2.Distance(length=1), "rod", "wheel"),
         "off by 0.5 m",
@@ -89,6 +83,26 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
     "an equation of an anchor of no third body": (
         lambda s: s.add_joint(t2.Equation("x(point_a - point_c) - 1[m]"), "wheel"),
         "asks where body C is, and no third body is given",
+    ),
+    "a relation": (
+        lambda s: s.add_joint(t2.Equation("x(position_a) == 0.5[m] + 1[m]"), "rod"),
+        r"is a condition\. Write left - right: 'x\(position_a\) - \(0\.5\[m\] \+ 1\[m\]\)'",
+    ),
+    "an inequality": (
+        lambda s: s.add_joint(t2.Equation("x(position_a) < 0.5[m]"), "rod"),
+        r"is a condition\. State what is to be zero",
+    ),
+    "a sum over bodies": (
+        lambda s: s.add_joint(t2.Equation("sum(x(position_a)) - 0.5[m]"), "rod"),
+        r"'sum' has no value at an instant \(TM7, column 1\)",
+    ),
+    "a function of closed forms": (
+        lambda s: s.add_joint(t2.Equation("phi1(orientation_a) - 1"), "rod"),
+        r"'phi1' is for closed forms alone\. Write it with exp \(TM7, column 1\)",
+    ),
+    "a derivative": (
+        lambda s: s.add_joint(t2.Equation("d(x(position_a), time) - 1[m/s]"), "rod"),
+        r"'d' has no value at an instant \(TM7, column 1\)",
     ),
     "an equation without derivative": (
         lambda s: s.add_joint(t2.Equation("abs(x(position_a)) - 0.5[m]"), "rod"),

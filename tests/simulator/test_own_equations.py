@@ -253,14 +253,6 @@ def test_an_equation_without_a_value_is_told_by_name(compiled: bool) -> None:
     assert np.isfinite(sim.position).all()
 
 
-def test_functions_that_steps_do_not_know_are_refused_by_name() -> None:
-    scene = t2.Scene(gravity=(0.0, 0.0))
-    scene.add_body(None, mass=1.0, inertia=1.0, position=(1.0, 0.0), orientation=1.0)
-    scene.add_joint(t2.Equation(f"phi1(orientation_a) - {math.e - 1!r}"), 0, name="own")
-    with pytest.raises(InputError, match=r"'own' \(equation\): steps know no phi1.*\(R13\)"):
-        plain(scene)
-
-
 @pytest.mark.parametrize("factor", [1e-3, 1e4])
 def test_a_factor_of_an_equation_changes_nothing(factor: float) -> None:
     """Two rods are pulled straight and farther: they yield, and it is said by how much, in m."""

@@ -108,6 +108,10 @@ expressions = st.recursive(
 )
 
 
+def test_a_leading_plus_changes_nothing() -> None:
+    assert parse("+1[N]*a - +2[N]") == parse("1[N]*a - 2[N]")
+
+
 @given(expressions)
 def test_plain_text_reads_back_as_the_same_tree(text: str) -> None:
     assert parse(plain(parse(text))) == parse(text)

@@ -139,3 +139,8 @@ def test_programs_say_whether_something_else_bears_them(text: str, free: bool) -
 )
 def test_rows_are_looked_at_where_all_of_them_hold(texts: tuple[str, ...], free: bool) -> None:
     assert all(program.free for program in equation_rows(texts) or ()) is free
+
+
+def test_what_overflows_where_it_is_tried_says_nothing(capfd: pytest.CaptureFixture[str]) -> None:
+    assert equation_rows(("(1e200*x(position_a)/1[m])**2 - (1e200*y(position_a)/1[m])**2",))
+    assert capfd.readouterr() == ("", "")  # LAPACK itself writes of what is not finite

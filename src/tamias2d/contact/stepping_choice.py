@@ -19,10 +19,8 @@ def steps_because(scene: Scene, duration: float) -> str | None:
     A scene is stepped where impacts cannot be located at all, and where more than a hundred moving
     bodies can meet, unless compiled code follows them (`is_event_driven`) and they do not settle.
     One with joints is stepped where these hold what may rub or rest on something, or too much to be
-    solved exactly; one with a joint that steps do not know is not.
+    solved exactly.
     """
-    if any(joint.beyond_steps for joint in scene.joints):
-        return None
     for body in in_pieces(scene).bodies:
         if what := beyond_location(body):
             return f"body '{body.name}': {what}"

@@ -17,7 +17,6 @@ from tamias2d.state import Array
 
 TURNING = 2  # the component of a load that turns
 _MOST = 16  # laws in one source
-_LEFT_OUT = ("phi1(", "phi2(")  # are not compiled
 _TURNS = ("orientation", "angular_velocity")
 
 
@@ -110,8 +109,6 @@ def _laws(scene: Scene, bodies: Sequence[int]) -> _Laws | None:
     by_component = sorted(varying_laws(scene, bodies).items(), key=lambda item: item[0][0])
     for (component, law), rows in by_component:
         shape, values = law.shape
-        if any(name in shape for name in _LEFT_OUT):
-            return None
         if found and found[-1][:2] == (component, shape) and not set(found[-1][2]) & set(rows):
             found[-1][2].extend(rows)
             found[-1][3].extend([*values] * len(rows))

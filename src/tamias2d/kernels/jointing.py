@@ -42,14 +42,10 @@ Tables = dict[str, NDArray[Any]]
 
 
 def joint_code(joints: JointRows) -> "KernelJoints | None":
-    """Return code for a mechanism; None where there is none for an equation, or for many."""
-    kinds = _kinds(joints.rows)
+    """Return code for a mechanism; None where there is none for many joints."""
     pushed = _kinds(joints.pushes.rows) if joints.pushes else {}
-    if None in kinds or None in pushed:
-        return None
-    every = {kind for kind in kinds if kind} | joints.kinds
-    every_pushed = {kind for kind in pushed if kind} | joints.pushed
-    demand = JointDemand(tuple(sorted(every)), tuple(sorted(every_pushed)))
+    kinds, all_pushed = joints.kinds.union(_kinds(joints.rows)), joints.pushed.union(pushed)
+    demand = JointDemand(tuple(sorted(kinds)), tuple(sorted(all_pushed)))
     numbers = _numbers(joints.rows, demand)
     tables = _tables(joints, demand, numbers)
     return None if tables is None else KernelJoints(demand, tables, numbers)
@@ -118,7 +114,7 @@ def _rows(flat: Array) -> Array:
     return flat.reshape(3, -1).T.copy()
 
 
-def _kinds(rows: ConstraintRows) -> dict[str | None, Block]:
+def _kinds(rows: ConstraintRows) -> dict[str, Block]:
     return {block.functions.name: block for block in rows.blocks}
 
 

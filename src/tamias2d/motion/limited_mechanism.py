@@ -103,8 +103,7 @@ class LimitedMechanism:
                 pulled=lambda *now: self.pulled(Now(*now), mode),
             )  # fmt: skip
             if self._codes:
-                every = {joint.functions.name for joint in self.joints if joint.rigid}
-                kinds = {name for name in every if name}
+                kinds = {joint.functions.name for joint in self.joints if joint.rigid}
                 self._known[mode].take_code(
                     self._codes, self._pushing(mode),
                     kinds=frozenset(kinds | {each.measure for each in self.freedoms.values()}),

@@ -12,6 +12,7 @@ from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.loads import Loads
 from tamias2d.motion.mechanism import Mechanism
 from tamias2d.scene import Scene
+from tamias2d.scene.joint_start import apart
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, History
 
@@ -131,10 +132,15 @@ def _hold(
     slopes = mechanism.rows.slopes(time, position)
     drift = mechanism.rows.rates(time, position, velocity)
     drift = drift - np.einsum("ijk,jk->i", slopes, velocity)
-    for joint, rows, units in mechanism.rows.of_joints():
-        kinds = np.array(units)
-        k = numbers[joint]
+    ends = mechanism.rows.end_slopes(time, position)
+    for place, rows, units in mechanism.rows.of_joints():
+        joint, k = mechanism.joints[place], numbers[place]
         found.power[sample, k] -= multipliers[rows] @ drift[rows]
-        for told, unit in ((found.separation, "m"), (found.angular_separation, "1")):
-            apart = float(np.linalg.norm(values[rows][kinds == unit]))
-            told[sample, k] = np.hypot(told[sample, k], apart)
+        if joint.equations:
+            held = [end for end, body in zip(ENDS, joint.ends, strict=True) if body is not None]
+            way, turn = apart(values[rows], [ends[end][rows] for end in held])
+        else:
+            kinds = np.array(units)
+            way, turn = (float(np.linalg.norm(values[rows][kinds == unit])) for unit in "m1")
+        for told, by in ((found.separation, way), (found.angular_separation, turn)):
+            told[sample, k] = np.hypot(told[sample, k], by)

@@ -161,12 +161,6 @@ def _refuse_idle(joint: Joint, bodies: Sequence[Body], of: str) -> None:
             raise RuleError(
                 f"{of}: it ties '{bodies[k].name}' to itself (TM7). Name two bodies.", "between"
             )
-        if bodies[k].kinematic and (what := joint.beyond_steps):
-            raise RuleError(
-                f"{of}: '{bodies[k].name}' is kinematic, which only steps know, and these know no "
-                f"{what} (R13). Leave that out, or hold a static or dynamic body.",
-                "between",
-            )
     if not any(bodies[k].dynamic for k in held):
         raise RuleError(f"{of}: it holds no body that moves (TM7). Name one that does.", "between")
 

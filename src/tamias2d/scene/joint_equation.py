@@ -8,14 +8,15 @@ from functools import cache, lru_cache
 
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError
-from tamias2d.spec.check import infer
+from tamias2d.spec.check import TRUTH, Type, infer, refuse_not_stated
 from tamias2d.spec.constraint import COORDINATES, ENDS, TIME, Constraint
 from tamias2d.spec.constraint_functions import ConstraintFunctions
-from tamias2d.spec.expression import Node, names, parse
-from tamias2d.spec.messages import SpecFault
+from tamias2d.spec.expression import Binary, Node, Relation, names, parse
+from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.printed_constraint import printed
 from tamias2d.spec.row_program import RowProgram, row_programs
 from tamias2d.spec.symbols import Index, SymbolTable
+from tamias2d.spec.tex import plain
 from tamias2d.suggestions import nearest
 
 _PLACES = tuple(f"{name}_{end}" for end in ENDS for name in (*COORDINATES, "point"))
@@ -38,15 +39,9 @@ def read_equations(texts: Sequence[str], of: str) -> ConstraintFunctions:
 
 
 @lru_cache(256)
-def equation_rows(texts: tuple[str, ...]) -> tuple[RowProgram, ...] | None:
-    """Return the rows of equations that were read as programs, or None if they have none.
-
-    They have none where a function has no operation (`spec.straight_line`).
-    """
-    try:
-        return row_programs(_constraint(texts, "a joint"))
-    except KeyError:
-        return None
+def equation_rows(texts: tuple[str, ...]) -> tuple[RowProgram, ...]:
+    """Return the rows of equations that were read, as programs."""
+    return row_programs(_constraint(texts, "a joint"))
 
 
 def _constraint(texts: tuple[str, ...], of: str) -> Constraint:
@@ -66,7 +61,8 @@ def _read(text: str, of: str, k: int) -> Node:
         node = parse(text)
         used = set(names(node))
         _refuse_names(used - _ALLOWED, of, k)
-        infer(node, _table())
+        refuse_not_stated(node)
+        _refuse_condition(node, infer(node, _table()))
     except SpecFault as fault:
         where = f"equations[{k}] of {of}"
         raise RuleError(
@@ -90,6 +86,15 @@ def _refuse_names(wrong: set[str], of: str, k: int) -> None:
             f"{', '.join(_PLACES[:3])}, likewise for b and c, and time.",
             *("equations", k),
         )
+
+
+def _refuse_condition(node: Node, found: Type) -> None:
+    """Refuse what is true or false; raise `SpecFault`."""
+    if found == TRUTH:
+        remedy = "State what is to be zero"
+        if isinstance(node, Relation) and node.operator == "==":
+            remedy = f"Write left - right: '{plain(Binary('-', node.left, node.right))}'"
+        raise SpecFault(Code.SHAPE_MISMATCH, f"'{plain(node)}' is a condition. {remedy}")
 
 
 @cache

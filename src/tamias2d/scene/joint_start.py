@@ -106,8 +106,10 @@ class Start:
         """Return the largest of some rows with its unit."""
         k = int(np.argmax(np.abs(rows)))
         unit = self.joint.functions.units[k]
-        unit = {"1": "rad"}.get(unit, unit)
-        return f"{rows[k]:g} {unit}{per}"
+        if unit == "1":
+            moved, _ = self.steepness[k]
+            unit = "rad" if moved == 0.0 else ""
+        return f"{rows[k]:g} {unit}".rstrip() + per
 
 
 def steepness(slopes: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
@@ -118,6 +120,18 @@ def steepness(slopes: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
     rows = np.stack(slopes)
     moved = np.hypot.reduce(np.hypot(rows[:, :, 0], rows[:, :, 1]), axis=0)
     return np.stack([moved, np.hypot.reduce(rows[:, :, 2], axis=0)])
+
+
+def apart(rows: NDArray[np.float64], slopes: Sequence[NDArray[np.float64]]) -> tuple[float, float]:
+    """Return by how much a joint with equations of its own is apart, m, and turned, rad.
+
+    It is the way on which a row (r,) would change by what it is, whatever its unit; the turn, if
+    its bodies are only turned. The slopes of each body are (r, 3); nan where a row has none.
+    """
+    with np.errstate(all="ignore"):
+        moved, turned = steepness(slopes)
+        by = np.where(rows == 0.0, 0.0, rows / np.where(moved == 0.0, turned, moved))
+    return math.hypot(*by[moved != 0.0]), math.hypot(*by[moved == 0.0])
 
 
 def numbers_of(formula: Formula, values: Mapping[str, Any], count: int) -> NDArray[np.float64]:

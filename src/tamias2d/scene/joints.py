@@ -8,7 +8,7 @@ from typing import TypeAlias, cast
 
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.scene.freedoms import VALUE_OF, Freedom
-from tamias2d.scene.joint_equation import equation_rows, read_equations
+from tamias2d.scene.joint_equation import read_equations
 from tamias2d.scene.rules import RuleError, Vector
 from tamias2d.spec.constraint import ENDS, TIME
 from tamias2d.spec.constraint_functions import ConstraintFunctions
@@ -106,13 +106,6 @@ class Joint:
     def pitch(self) -> float:
         """From one tooth to the next, rad, of a ratchet; 0 of what is none."""
         return (self.freedoms[0].pitch or 0.0) if self.freedoms else 0.0
-
-    @property
-    def beyond_steps(self) -> str | None:
-        """What the frame loop does not know of it, or None (R13)."""
-        if self.equations and equation_rows(self.equations) is None:
-            return "phi1 and phi2 in an equation of one's own"
-        return None
 
     def measured(self, freedom: Freedom, value: float) -> "Joint":
         """Return the joint that keeps one of its freedoms at a value, rad or m."""

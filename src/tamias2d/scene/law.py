@@ -14,16 +14,15 @@ import numpy as np
 from tamias2d.errors import InputError
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, number, pair
-from tamias2d.spec.check import Type, expect
+from tamias2d.spec.check import Type, expect, refuse_not_stated
 from tamias2d.spec.expression import Binary, Call, Node, Power, names, parse, walk
 from tamias2d.spec.kinks import has_kinks
-from tamias2d.spec.messages import Code, SpecFault
+from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.printed import law_function, shape_of
 from tamias2d.spec.symbols import SymbolTable, table_from
 
 VARYING = ("time", "position", "velocity", "orientation", "angular_velocity")
 """What a law may use and what changes during a run; `mass` may stand in it too."""
-_NO_NUMBER = ("d", "integral", "sum")  # of the language, but they need more than an instant
 _EVEN, _PEAKED = ("x", "y", "sin", "cos"), 4
 """What is called by laws that go on evenly; the power from which on what is called has peaks."""
 _NOTHING = dict.fromkeys((*VARYING, "mass"), math.nan) | dict.fromkeys(
@@ -169,11 +168,7 @@ def varies(law: Law) -> bool:
 def _read(text: str, symbol: str) -> Node:
     node = parse(text)
     expect(node, _known(), Type("scalar", SYMBOLS[symbol].dimension))
-    for part in walk(node):
-        if isinstance(part, Call) and part.function in _NO_NUMBER:
-            raise SpecFault(
-                Code.NOT_ALLOWED, f"'{part.function}' has no value at an instant", part.offset
-            )
+    refuse_not_stated(node)
     return node
 
 

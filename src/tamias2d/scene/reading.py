@@ -67,9 +67,11 @@ def _file_text(path: Path) -> str:
         return content.decode()
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
+        begin = error.object.rfind(b"\n", 0, error.start) + 1
+        column = len(error.object[begin : error.start].decode()) + 1
         raise SceneError(
-            f"{path}:{line}: found byte 0x{error.object[error.start]:02x}: must be UTF-8 (R2). "
-            "Save the file in UTF-8."
+            f"{path}:{line}:{column}: found byte 0x{error.object[error.start]:02x}: must be UTF-8 "
+            "(R2). Save the file in UTF-8."
         ) from None
 
 

@@ -12,7 +12,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.errors import InputError
+from tamias2d.errors import InputError, printable
 from tamias2d.generated.symbols import SYMBOLS
 
 Vector: TypeAlias = tuple[float, float]
@@ -24,7 +24,7 @@ class RuleError(InputError):
     """A broken rule, with the `path` of the argument that broke it, e.g. ``("vertices", 2)``."""
 
     def __init__(self, message: str, *path: str | int) -> None:
-        super().__init__(message)
+        super().__init__(printable(message))
         self.path = path
 
 

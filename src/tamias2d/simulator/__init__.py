@@ -3,11 +3,13 @@
 Serves: games. Hides: which file holds which concept.
 """
 
+from tamias2d.simulator.invalid_state import NoValueError
 from tamias2d.simulator.queries import Hits
 from tamias2d.simulator.restart import Restart
 from tamias2d.simulator.simulator import Simulator
 from tamias2d.simulator.stepper import Overlap, Sampling, Stepper, states_at, states_of
 
 __all__ = [
-    "Hits", "Overlap", "Restart", "Sampling", "Simulator", "Stepper", "states_at", "states_of",
+    "Hits", "NoValueError", "Overlap", "Restart", "Sampling", "Simulator", "Stepper", "states_at",
+    "states_of",
 ]  # fmt: skip

@@ -39,6 +39,10 @@ _RULES = {
 }
 
 
+class NoValueError(RuleError):
+    """The equation of a joint has no value where a step leads (TM7)."""
+
+
 def invalid_state(
     invalid: Invalid,
     kind: NDArray[np.int8],
@@ -57,7 +61,7 @@ def invalid_state(
         return RuleError(f"gravity: found {value}: {_RULES[reason]}", quantity)
     what = name_of(row) if kind[row] != ABSENT else f"row {row}, which has no body"
     if reason == OVERFLOWED and equation is not None:
-        return RuleError(
+        return NoValueError(
             f"{quantity}[{row}] of {what}: found {value}: the equation of joint '{equation}' has "
             "no value where a step leads (TM7), or float64 cannot hold what a step makes of the "
             "body (R4): it stays as it was. Let the equation have a value wherever the body goes.",

@@ -1,4 +1,4 @@
-"""Joints as rows for the engine (TM7), and what steps do not know of joints (R13)."""
+"""Joints as rows for the engine (TM7)."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
@@ -10,27 +10,15 @@ from tamias2d.generated.joint_rows import MOST_ROWS
 from tamias2d.scene.freedoms import Freedom
 from tamias2d.scene.joint_equation import equation_rows
 from tamias2d.scene.joints import Joint
-from tamias2d.scene.rules import RuleError
 from tamias2d.spec.row_program import RowProgram
 from tamias2d.state import IntArray
 
 
-def refuse_unknown(joints: Iterable[Joint]) -> None:
-    """Raise `RuleError` where a joint has what steps do not know."""
-    for joint in joints:
-        if what := joint.beyond_steps:
-            raise RuleError(
-                f"joint '{joint.name}' ({joint.kind}): steps know no {what} (R13). Leave it out, "
-                "or take simulate(scene, ...) without Stepped(), which knows it.",
-                "joints",
-            )
-
-
 def joint_rows(joint: Joint) -> list[JointRow]:
     """Return a joint as the engine takes it: what it keeps, then what governs its freedoms."""
-    if programs := equation_rows(joint.equations) if joint.equations else None:
-        steepness = joint.steepness
-        return [_own(joint, *each) for each in zip(programs, steepness, strict=True)]
+    if joint.equations:
+        programs = equation_rows(joint.equations)
+        return [_own(joint, *each) for each in zip(programs, joint.steepness, strict=True)]
     kept = [_row(joint)] if joint.rigid else []
     return [*kept, *(row for each in joint.freedoms for row in _governed(joint, each))]
 

@@ -8,7 +8,7 @@ import numpy as np
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.generated.definitions import gyration_radius
-from tamias2d.scene.joint_start import numbers_of, steepness
+from tamias2d.scene.joint_start import apart, numbers_of
 from tamias2d.scene.joints import Joint
 from tamias2d.simulator.joint_columns import JointColumns
 from tamias2d.spec.constraint import ENDS
@@ -75,7 +75,4 @@ def _way_and_turn(joint: Joint, poses: Array, time: float) -> tuple[float, float
         for end in held
         if end in functions.bodies
     ]
-    with np.errstate(all="ignore"):
-        moved, turned = steepness(slopes)
-        ways, turns = rows / np.where(moved == 0, np.inf, moved), rows / turned
-    return math.hypot(*ways), math.hypot(*turns[moved == 0])
+    return apart(rows, slopes)

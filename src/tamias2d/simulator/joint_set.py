@@ -32,7 +32,6 @@ from tamias2d.simulator.joint_events import (
 )
 from tamias2d.simulator.joint_layout import TOTAL_COUNT, JointLayout, by_joint, kept_of_new
 from tamias2d.simulator.joint_reactions import Reactions, reactions_of, told
-from tamias2d.simulator.joint_rows import refuse_unknown
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
 
@@ -65,7 +64,6 @@ class JointSet:
     def __init__(self, joints: Iterable[Joint] = (), kept: Array | None = None) -> None:
         """Hold the joints of a scene, or those that were saved, with what a step left of them."""
         self._joints = {joint.name: joint for joint in joints}
-        refuse_unknown(self._joints.values())
         self._layout: JointLayout | None = None
         self._watch: JointWatch | None = None  # where something may happen to them
         self._limits: LimitEvents | None = None
@@ -120,7 +118,6 @@ class JointSet:
         joint = checked_joint(
             kind, name, ends, anchors, collide, bodies, bears, at_rest=True, time=time
         )
-        refuse_unknown([joint])
         self._joints[name] = joint
         self._fresh.add(name)
         if self._limits:

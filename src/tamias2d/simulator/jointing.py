@@ -52,8 +52,8 @@ class Jointing(Stepping):
         of its reaction, impulses included, was beyond `break_force`, N, or `break_torque`, N m.
 
         Raises:
-            InputError: a body is not there, a value breaks a rule (R4), the joint moves nothing or
-                does not hold where the bodies are, or steps do not know it.
+            InputError: a body is not there, a value breaks a rule (R4), or the joint moves nothing
+                or does not hold where the bodies are.
         """
         ends = (
             self._end(first),

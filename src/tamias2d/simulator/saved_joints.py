@@ -15,7 +15,7 @@ from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator.joint_layout import KEPT_COUNT
-from tamias2d.simulator.joint_rows import joint_rows, refuse_unknown
+from tamias2d.simulator.joint_rows import joint_rows
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
 
@@ -32,7 +32,6 @@ def restored_joints(
     """
     try:
         joints = [_joint_of(one) for one in data]
-        refuse_unknown(joints)
         rows = [row for joint in joints for row in joint_rows(joint)]
     except (TypeError, ValueError, KeyError, AttributeError, RuleError):
         require(False, _NAME, "are no joints")

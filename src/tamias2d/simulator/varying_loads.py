@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.engine import Engine
+from tamias2d.engine.state import LARGEST
 from tamias2d.errors import SimulationError
 from tamias2d.generated import quadratic_step, spring_step
 from tamias2d.motion.terms import Attraction, LawTerm
@@ -224,12 +225,12 @@ class VaryingLoads:
         found = np.zeros_like(pose)
         with np.errstate(all="ignore"):
             term.add(time, pose, velocity, found)
-        if not (good := np.isfinite(found).all(axis=1)).all():
+        if not (good := (np.abs(found) <= LARGEST).all(axis=1)).all():
             name = self._name_of(int(self._rows[np.argmin(good)]))
             raise SimulationError(
                 f"{term.says.replace('_', ' ')} at {time!r} s: no finite force on "
-                f"{name} (R4): bodies are at one place, or float64 cannot hold it. "
-                "Move it, or change the scene."
+                f"{name}, or one beyond {LARGEST:.2g} (R4): bodies are at one place, or float64 "
+                "cannot hold what follows. Move it, or change the scene."
             )
         return found
 

@@ -61,7 +61,7 @@ def solve(
         try:
             return _run(plan, progress, asked=method is not None)
         except _UNDECIDED as refusal:
-            if method is not None or any(joint.beyond_steps for joint in scene.joints):
+            if method is not None:
                 raise
             when = f"{refusal.time:.6g} s"
             why = str(refusal).replace(f"{refusal.time!r} s", when)  # a note is read by people

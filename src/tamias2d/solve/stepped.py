@@ -5,12 +5,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from tamias2d.errors import InputError, SimulationError
+from tamias2d.contact import RangeError
+from tamias2d.errors import SimulationError
 from tamias2d.motion import JointEvents, Stepped, Tally, joint_events
 from tamias2d.motion.joint_events import JointEvent
 from tamias2d.run import Impacts, Run
 from tamias2d.scene import Scene
-from tamias2d.simulator import Overlap, Stepper
+from tamias2d.scene.rules import RuleError
+from tamias2d.simulator import NoValueError, Overlap, Stepper
 from tamias2d.solve.assembly import cost_of, run_of, start_of
 from tamias2d.solve.finite import range_error
 from tamias2d.solve.following import Interrupted, follow
@@ -30,7 +32,11 @@ def run_by_steps(plan: Plan, method: Stepped, *, progress: bool) -> Run:
     )
     try:
         follow(stepper, plan.duration, progress=progress)
-    except InputError:  # the plan is sound: a number went beyond float64 on the way
+    except NoValueError as broken:
+        fault = RangeError(f"run at {stepper.time!r} s: {broken}", time=stepper.time)
+        fault.run = _reached(plan, stepper)
+        raise fault from None
+    except RuleError:  # the plan is sound: a number went beyond float64 on the way
         raise range_error(f"run at {stepper.time!r} s: a number", stepper.time) from None
     except SimulationError as fault:
         fault.run = _reached(plan, stepper)

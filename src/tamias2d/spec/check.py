@@ -26,10 +26,17 @@ class Type:
     dimension: Dimension | None = ONE
 
     def __str__(self) -> str:
-        return f"a {self.shape} in {self.dimension}" if self.shape != "truth" else "a condition"
+        if self.shape == "truth":
+            return "a condition"
+        return f"a {self.shape} in {self.dimension or 'any unit'}"
 
 
 TRUTH = Type("truth")
+_NOT_STATED = {
+    **dict.fromkeys(("d", "integral", "sum"), "has no value at an instant"),
+    **dict.fromkeys(("phi1", "phi2"), "is for closed forms alone. Write it with exp"),
+}
+"""Functions that only chapters use, and why."""
 
 
 def infer(node: Node, table: SymbolTable) -> Type:
@@ -60,6 +67,17 @@ def expect(node: Node, table: SymbolTable, wanted: Type) -> None:
             f"'{plain(node)}' is {found}, {wanted} is wanted. Correct it",
             node.offset,
         )
+
+
+def refuse_not_stated(node: Node) -> None:
+    """Refuse functions that no law and no equation of a scene may use.
+
+    Raises:
+        SpecFault: there is one; says where.
+    """
+    for part in ex.walk(node):
+        if isinstance(part, ex.Call) and (why := _NOT_STATED.get(part.function)):
+            raise SpecFault(Code.NOT_ALLOWED, f"'{part.function}' {why}", part.offset)
 
 
 class _Checker:
@@ -134,11 +152,12 @@ class _Checker:
     def alike(self, node: Node, left: Node, right: Node, verb: str) -> Type:
         a, b = self.value(left), self.value(right)
         text = f"cannot {verb}: '{plain(left)}' is {a}, '{plain(right)}' is {b}. Correct one side"
-        if a.shape != b.shape and None not in (a.dimension, b.dimension):
+        if any(one.shape == "scalar" and one.dimension for one in (a, b)) and a.shape != b.shape:
             raise SpecFault(Code.SHAPE_MISMATCH, text, node.offset)
         if None not in (a.dimension, b.dimension) and a.dimension != b.dimension:
             raise SpecFault(Code.UNIT_MISMATCH, text, node.offset)
-        return b if a.dimension is None else a
+        shape: Kind = "scalar" if a.shape == b.shape == "scalar" else "vector"
+        return Type(shape, a.dimension or b.dimension)
 
     def product(self, node: ex.Binary) -> Type:
         a, b = self.value(node.left), self.value(node.right)
@@ -184,6 +203,7 @@ class _Checker:
                 return self.scalar(first)
             case "min" | "max" | "atan2":
                 self.scalar(first)
+                self.scalar(rest[0])
                 found = self.alike(node, first, rest[0], "compare")
                 return Type("scalar") if node.function == "atan2" else found
             case "norm" | "x" | "y":

@@ -16,6 +16,7 @@ from tamias2d.spec.expression import Call, Name, Negative, Node, Number, names, 
 from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.simplify import ONE, ZERO, component
 from tamias2d.spec.symbols import Shape, Symbol, SymbolTable
+from tamias2d.spec.whole_turns import without_turns
 
 COORDINATES = {"position": "velocity", "orientation": "angular_velocity"}
 """What says where a body is, and the name of its rate."""
@@ -63,7 +64,9 @@ class Constraint:
 
     def values(self) -> Values:
         """The equations as scalars: zero where the constraint holds."""
-        return self._values(self.equations, self.where)
+        table = table_with(self.table, self.where)
+        rows = tuple(without_turns(row, table) for row in self._rows(self.equations))
+        return Values(rows, _needed(rows, self.where))
 
     def slopes(self, end: str) -> Values:
         """How each row changes with x, y and orientation of one body, three rows for each."""

@@ -26,8 +26,8 @@ class Formula:
 class ConstraintFunctions:
     """All that a solver asks of a constraint. Rows are scalars; a vector equation has two."""
 
-    name: str | None
-    """By which kernels know it; None for one that they do not."""
+    name: str
+    """By which kernels know it."""
     parameters: tuple[str, ...]
     """What must be given, besides coordinates."""
     bodies: tuple[str, ...]

@@ -211,6 +211,8 @@ class _Reader:
                 return Measure(self.number(value), self.unit(unit), offset=at)
             case ast.UnaryOp(op=ast.USub(), operand=operand):
                 return Negative(self.read(operand, depth + 1), offset=at)
+            case ast.UnaryOp(op=ast.UAdd(), operand=operand):
+                return self.read(operand, depth + 1)
             case ast.BinOp(op=ast.Pow(), left=base, right=exponent):
                 return Power(self.read(base, depth + 1), self.exponent(exponent, depth), offset=at)
             case ast.BinOp(op=ast.BitXor(), left=left):

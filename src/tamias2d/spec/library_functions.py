@@ -11,11 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from tamias2d.spec.functions import Scalar, pi, power, series
+from tamias2d.spec.functions import Scalar, pi, power
 
 __all__ = [
-    "atan2", "cos", "exp", "expm1", "largest", "least", "log", "phi1", "phi2", "pi", "power",
-    "sin", "sqrt", "tan",
+    "atan2", "cos", "exp", "largest", "least", "log", "pi", "power", "sin", "sqrt", "tan",
 ]  # fmt: skip
 
 
@@ -58,7 +57,6 @@ sin = _each(_total(math.sin))
 cos = _each(_total(math.cos))
 tan = _each(_total(math.tan))
 exp = _each(_total(math.exp))
-expm1 = _each(_total(math.expm1))
 log = _each(_log)
 atan2 = _each(math.atan2)
 
@@ -76,14 +74,3 @@ def least(first: Any, second: Any) -> Scalar:
 def largest(first: Any, second: Any) -> Scalar:
     """The larger of two; the first if they are equal, or if one is no number."""
     return np.where(second > first, second, first)[()]
-
-
-def phi1(argument: Any) -> Scalar:
-    """(exp z - 1)/z, as `tamias2d.spec.functions` has it."""
-    return np.where(argument == 0, 1.0, expm1(argument) / argument)[()]
-
-
-def phi2(argument: Any) -> Scalar:
-    """(exp z - 1 - z)/z^2, as `tamias2d.spec.functions` has it."""
-    near = np.abs(argument) < 1
-    return np.where(near, series(argument), (phi1(argument) - 1) / argument)[()]

@@ -136,9 +136,19 @@ def compose(
         raise composer.fault(
             Code.YAML, f"{error.problem or error.context}. Correct the YAML", mark
         ) from None
+    except yaml.reader.ReaderError as error:
+        mark = _mark(text, error.position)
+        sign = f"character U+{error.character:04X} is none of YAML"
+        raise composer.fault(Code.YAML, f"{sign}. Leave it out", mark) from None
     except (yaml.YAMLError, RecursionError) as error:
         reason = str(error).splitlines()[0]
         raise composer.fault(Code.YAML, f"{reason}. Correct the YAML", None) from None
     if node is None:
         return None, composer.marks
     return composer.plain(node, ()), composer.marks
+
+
+def _mark(text: str, place: int) -> yaml.Mark:
+    """Return where in a text a character stands."""
+    begin = text.rfind("\n", 0, place) + 1
+    return yaml.Mark("", place, text.count("\n", 0, place), place - begin, None, 0)

@@ -6,6 +6,8 @@ Serves: one message form for every fault. Hides: how a message is laid out.
 from dataclasses import dataclass
 from enum import Enum
 
+from tamias2d.errors import printable
+
 
 class Code(Enum):
     """Stable code of a fault, and what it means."""
@@ -69,5 +71,5 @@ class Diagnostic:
     message: str
 
     def __str__(self) -> str:
-        message = self.message.replace("\n", "\\n")
-        return f"{self.file}:{self.line}:{self.column}: {self.code}: {message}"
+        where = f"{self.file}:{self.line}:{self.column}"
+        return f"{where}: {self.code}: {printable(self.message)}"

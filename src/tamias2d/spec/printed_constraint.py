@@ -17,7 +17,6 @@ from tamias2d.spec.expression import names
 from tamias2d.spec.python import PythonPrinter
 from tamias2d.spec.symbols import SymbolTable
 
-_NOT_IN_KERNELS = {"phi1", "phi2"}
 _PRINTED: dict[str, ConstraintFunctions] = {}
 
 
@@ -60,12 +59,9 @@ def body_of(
 def printed(constraint: Constraint, parameters: Sequence[str]) -> ConstraintFunctions:
     """Return the functions of a constraint with some parameters, by a name of their own."""
     texts: dict[tuple[str, str], tuple[list[str], list[str]]] = {}
-    helpers: set[str] = set()
     for kind, end, values in parts_of(constraint):
         arguments = arguments_of(values, parameters)
-        lines, used = body_of(values, arguments, constraint.table)
-        texts[kind, end] = arguments, lines
-        helpers |= used
+        texts[kind, end] = arguments, body_of(values, arguments, constraint.table)[0]
     whole = repr(texts).encode()
     name = f"own_{hashlib.sha256(whole).hexdigest()[:16]}"
     formulas = {
@@ -80,7 +76,7 @@ def printed(constraint: Constraint, parameters: Sequence[str]) -> ConstraintFunc
         for _ in range(2 if found.shape == "vector" else 1)
     ]
     found = ConstraintFunctions(
-        name=None if helpers & _NOT_IN_KERNELS else name,
+        name=name,
         parameters=tuple(parameters),
         bodies=constraint.bodies,
         units=tuple(units),

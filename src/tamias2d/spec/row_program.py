@@ -105,6 +105,8 @@ def _where_it_holds(
                 for own in slopes.values()
             ]
             matrix = np.array(moved, dtype=np.float64).reshape(len(rows), -1)
+            if not (np.isfinite(matrix).all() and np.isfinite(gaps).all()):
+                return place
             by = -np.linalg.lstsq(matrix, gaps, rcond=None)[0].reshape(-1, 3)
             for end, (x, y, turn) in zip(slopes, by.tolist(), strict=True):
                 at_x, at_y = found[f"position_{end}"]

@@ -97,7 +97,7 @@ def call(function: str, *arguments: Node) -> Node:
             return component(inner, function)
         case "dot", (other, Call(function="vector", arguments=(Number() as u, Number() as v))):
             return added(times(u, component(other, "x")), times(v, component(other, "y")))
-        case "dot", (Call(function="vector") as fixed, other):
+        case "dot", (Call(function="vector", arguments=(Number(), Number())) as fixed, other):
             return call("dot", other, fixed)
         case "dot", (Negative(operand=left), right) | (right, Negative(operand=left)):
             return negative(call("dot", left, right))
