@@ -262,6 +262,41 @@ def test_what_rides_on_something_that_moves_does_not_sleep() -> None:
     assert not sim.asleep.any()
 
 
+@pytest.mark.parametrize("speed", [0.3, 0.03, 0.003])
+def test_what_rides_on_a_surface_that_runs_does_not_sleep(speed: float) -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)), sleeping=True)
+    belt = sim.add_static(
+        t2.Box(width=60.0, height=1.0), position=(0.0, 0.0), surface_speed=-speed, **SURFACE
+    )
+    riders = sim.add(BOX, mass=1.0, position=[(0.0, 1.0), (0.0, 2.0), (5.0, 1.0)], **SURFACE)
+    start = sim.position[riders, 0]
+    sim.step(600)
+    assert not sim.asleep.any()
+    assert sim.position[riders, 0] - start == pytest.approx(speed * sim.time, rel=0.02)
+    sim.set_surface(belt, surface_speed=0.0)
+    sim.step(60)
+    assert sim.asleep[riders].all()
+    place = sim.position[riders, 0]
+    sim.set_surface(belt, surface_speed=-speed)
+    sim.step(60)
+    assert not sim.asleep.any()
+    assert sim.position[riders, 0] - place == pytest.approx(speed, rel=0.1)
+
+
+def test_what_is_beside_a_surface_that_runs_sleeps() -> None:
+    """So does what hangs on its body by a joint."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)), sleeping=True)
+    belt = sim.add_static(
+        t2.Box(width=6.0, height=1.0), position=(0.0, 0.0), surface_speed=1.0, **SURFACE
+    )
+    sim.add_static(BOX, position=(5.0, 0.0), **SURFACE)
+    beside = sim.add(BOX, mass=1.0, position=(5.0, 1.0), **SURFACE)
+    hung = sim.add(BOX, mass=1.0, position=(0.0, -2.0), angular_drag=5.0, **SURFACE)
+    sim.add_joint(t2.Weld(), belt, hung, at=(0.0, 0.0))
+    sim.step(120)
+    assert sim.asleep[[beside, hung]].all()
+
+
 def test_what_touches_nothing_is_not_stopped() -> None:
     sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)), sleeping=True)
     sim.add(

@@ -1,6 +1,7 @@
 """Friction, restitution and surface speed of two shapes, as stated for them or for the pair."""
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.tables import Shapes
 from tamias2d.generated.definitions import pair_friction, pair_restitution
 from tamias2d.generated.soft_contact import surface_speed_both
 from tamias2d.state import Array
@@ -21,6 +22,12 @@ def mixed_material(s: int, t: int, material: Array, overrides: Array) -> tuple[f
         friction = overrides[k, 2] if overrides[k, 2] >= 0.0 else friction
         restitution = overrides[k, 3] if overrides[k, 3] >= 0.0 else restitution
     return friction, restitution
+
+
+def runs(s: int, t: int, shapes: Shapes) -> bool:
+    """Return whether the surface of one of two shapes runs."""
+    of_s, of_t = shapes.material[s, tb.SURFACE_SPEED], shapes.material[t, tb.SURFACE_SPEED]
+    return bool((of_s != 0.0) | (of_t != 0.0))
 
 
 def mixed_surface_speed(s: int, t: int, material: Array) -> float:
