@@ -31,6 +31,7 @@ from tamias2d.engine.solver.lanes import (
 )
 from tamias2d.engine.solver.prefetch import prefetch_blocks, prefetch_manifolds
 from tamias2d.engine.solver.prepare import fill_blocks, prepare_blocks
+from tamias2d.engine.solver.running_surfaces import run_surfaces
 from tamias2d.engine.springs.substep import apply_springs, begin_springs, end_springs
 from tamias2d.engine.tables import Constraints, Contacts, Control, Direct, World
 from tamias2d.engine.turning import add_late_impulses, turn_contacts
@@ -146,6 +147,8 @@ def begin_slab(slab: int, substep: float, world: World, contacts: Contacts) -> N
     if constraints.counts[tb.LANES_FILLED] == 0:
         clear_lanes(block, block_end, len(bodies.kind) - 1, blocks, lanes)
         fill_lanes(contact, contact_end, bodies, world.shapes, contacts, touching, constraints)
+    if constraints.counts[tb.RUNNING] > 0:
+        run_surfaces(block, block_end, contacts, world.shapes, constraints)
     fill_blocks(block, block_end, world.control, bodies, contacts, constraints)
     prepare_blocks(block, block_end, substep, blocks, lanes)
     prepare_trees(
