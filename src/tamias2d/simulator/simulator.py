@@ -36,7 +36,7 @@ from tamias2d.simulator.jointing import Jointing
 from tamias2d.simulator.kept_state import KeptState, checked_state, copies
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.pushing import Pushing
-from tamias2d.simulator.saved_joints import restored_joints
+from tamias2d.simulator.saved_joints import restored_events, restored_joints
 from tamias2d.simulator.settings import checked_flag, checked_substeps, checked_time_step
 from tamias2d.simulator.snapshot import Snapshot
 from tamias2d.simulator.told_only import refuses_assignment
@@ -207,6 +207,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
             staying=sorted(self._staying),
             scene=None if self._scene is None else scene_text(self._scene),
             joints=[asdict(joint) for joint in self._joints],
+            joint_events=list(self._happened),
             expects_joints=self._engine.expects_joints,
             warnings=self._warned.texts,
         )
@@ -215,9 +216,12 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
             "touching": saving.touching_arrays(self._report()),
         }
         found = {f"{part}.{key}": a for part, arrays in parts.items() for key, a in arrays.items()}
-        pushed = {} if self._pushed is None else {"pushed": self._pushed}
-        tied = {"joints": self._joints.kept(self._engine, self._left)} if len(self._joints) else {}
-        return saving.sealed(about, {**found, **pushed, **tied})
+        if self._pushed is not None:
+            found["pushed"] = self._pushed
+        if len(self._joints):
+            found["joints"] = self._joints.kept(self._engine, self._left)
+            found["left"] = self._left
+        return saving.sealed(about, found)
 
     def _take_over(self, content: Mapping[str, NDArray[Any]], where: str, compiled: bool) -> None:
         about, arrays = saving.opened(content, where)
@@ -235,7 +239,10 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         self._warned.texts = about.warnings
         self._joints = JointSet(*restored_joints(about.joints, arrays.get("joints"), engine.kind))
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
-        self._pushed = saving.pushed_of(arrays, engine.size)
+        self._happened = restored_events(about.joint_events)
+        self._pushed = saving.rows_of(arrays, "pushed", engine.size)
+        left = saving.rows_of(arrays, "left", engine.size)
+        self._left = self._left if left is None else left
         if about.expects_joints:
             engine.expect_joints()
 
