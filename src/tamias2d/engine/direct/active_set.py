@@ -21,18 +21,27 @@ from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 SLIGHT = 1e-7  # of the largest impulse: no reason to leave a state
+SLIGHT_SPEED = 1e-5  # of the speed that it gives: rounding of a solution may close a gap so fast
 
 # the state of a contact: a bit for each point that presses; with them, what friction does
 BOTH = 3
 LOOSE, HELD, LEFT, RIGHT = 0, 4, 8, 12  # nothing, hold, or slide to either side
 
+STATES_STAY, FRICTION_STAYS, ALL_CHANGE = 0, 1, 2  # choices
+
 
 def guess_state(
-    contact: int, relaxing: bool, slow: float, constraints: Constraints, direct: Direct
+    contact: int,
+    anew: bool,
+    slow: float,
+    noise: float,
+    constraints: Constraints,
+    direct: Direct,
 ) -> float:
-    """Guess the state of a contact, unless it is relaxed and known; return its normal impulse.
+    """Guess the state of a contact, if it is not known; return its normal impulse.
 
-    A point presses if it did, or if its velocity is off by no more than `slow`, m/s.
+    A point presses if it did, or if its velocity is off by no more than `slow`, m/s. Friction that
+    slid goes on to, unless there was next to nothing, N s, that pressed: then it is by rounding.
     """
     b, m = direct.sparse[contact, tb.C_BLOCK], direct.sparse[contact, tb.C_LANE]
     row = constraints.blocks[b]
@@ -49,9 +58,9 @@ def guess_state(
         tangent += row[at + tb.P_TANGENT_IMPULSE]
     limit = tangent_impulse_most(normal, row[tb.R_FRICTION + m])
     if state > 0 and row[tb.R_FRICTION + m] > 0.0:
-        slides = normal > 0.0 and abs(tangent) >= limit
+        slides = normal > noise and abs(tangent) >= limit
         state += HELD if not slides else LEFT if tangent < 0.0 else RIGHT
-    if not relaxing:
+    if anew:
         direct.sparse[contact, tb.C_STATE] = state
     return normal
 
@@ -65,12 +74,18 @@ def share_of(k: int, state: int, contact: int, factors: Array) -> float:
 
 
 def find_residual(
-    n: int, first: bool, bodies: Bodies, constraints: Constraints, direct: Direct
+    n: int,
+    choice: int,
+    coarseness: float,
+    bodies: Bodies,
+    constraints: Constraints,
+    direct: Direct,
 ) -> tuple[int, float]:
     """Propose impulses and states for an island; find the momentum that its nodes have left.
 
     Returns how many contacts have another state than in the matrix, and the largest residual as a
-    part of the impulses, squared. The first time, states stay as they were guessed.
+    part of the impulses, squared. By the choice all states stay, or only what friction does, or
+    none. What is no reason to leave one is larger by the coarseness.
     """
     sparse, factors = direct.sparse, direct.factors
     for node in range(sparse[n, tb.I_NODE], sparse[n + 1, tb.I_NODE]):
@@ -82,11 +97,14 @@ def find_residual(
         numbers[tb.CHANGE + 2] = angular_momentum_left(
             numbers[tb.NODE_INERTIA], numbers[tb.VELOCITY_START + 2], now[tb.SPIN]
         )
-    firm, slight = factors[n, tb.FIRM_MASS], SLIGHT * factors[n, tb.IMPULSE_SCALE]
+    firm, scale = factors[n, tb.FIRM_MASS], coarseness * factors[n, tb.IMPULSE_SCALE]
+    slight, closing = SLIGHT * scale, SLIGHT_SPEED * scale / factors[n, tb.LARGEST_MASS]
     changed = 0
     for contact in range(sparse[n, tb.I_CONTACT], sparse[n + 1, tb.I_CONTACT]):
-        normal = propose_normal(contact, first, firm, slight, bodies, constraints, direct)
-        propose_tangent(contact, first, firm, slight, normal, bodies, constraints, direct)
+        normal = propose_normal(
+            contact, choice > STATES_STAY, firm, slight, closing, bodies, constraints, direct
+        )
+        propose_tangent(contact, choice, firm, slight, normal, bodies, constraints, direct)
         changed += 1 if sparse[contact, tb.C_STATE] != sparse[contact, tb.C_FACTORED] else 0
     return changed, largest_residual(n, sparse, factors)
 
@@ -95,16 +113,19 @@ def find_residual(
 def largest_residual(n: int, sparse: Integers, factors: Array) -> float:
     """Return the largest momentum that a node has left, as a part of the impulses, squared.
 
-    Angular momentum counts by what it is at the radius of gyration.
+    Angular momentum counts by what it is at the radius of gyration; what does not turn takes any,
+    and none is left.
     """
     largest = 0.0
     for node in range(sparse[n, tb.I_NODE], sparse[n + 1, tb.I_NODE]):
+        mass, inertia = factors[node, tb.NODE_MASS], factors[node, tb.NODE_INERTIA]
+        if inertia == 0.0:
+            factors[node, tb.CHANGE + 2] = 0.0
         x, y, turn = (
             factors[node, tb.CHANGE],
             factors[node, tb.CHANGE + 1],
             factors[node, tb.CHANGE + 2],
         )
-        mass, inertia = factors[node, tb.NODE_MASS], factors[node, tb.NODE_INERTIA]
         gyration = inertia / mass if mass > 0.0 else 0.0
         rim = turn * turn / gyration if gyration > 0.0 else 0.0
         largest = max(largest, x * x + y * y + rim)
@@ -115,14 +136,18 @@ def largest_residual(n: int, sparse: Integers, factors: Array) -> float:
 @inlined
 def propose_normal(
     contact: int,
-    first: bool,
+    chooses: bool,
     firm: float,
     slight: float,
+    closing: float,
     bodies: Bodies,
     constraints: Constraints,
     direct: Direct,
 ) -> float:
-    """Propose the normal impulses of a contact, and which points press; return their sum, N s."""
+    """Propose the normal impulses of a contact, and which points press; return their sum, N s.
+
+    One that does not press begins to where it closes faster than by rounding, `closing`, m/s.
+    """
     sparse, factors = direct.sparse, direct.factors
     b, m, state = (
         sparse[contact, tb.C_BLOCK],
@@ -141,8 +166,9 @@ def propose_normal(
         speed = point_speed(one, other, arm_a, arm_b, normal)
         impulse = accumulated_impulse_wanted(before, speed, factors[contact, tb.BIAS + k], firm)
         presses = (state >> k) & 1
-        if not first:
-            presses = 1 if impulse > (-slight if presses == 1 else slight) else 0
+        if chooses:
+            least = -slight if presses == 1 else max(slight, firm * closing)
+            presses = 1 if impulse > least else 0
         impulse = impulse if presses == 1 else 0.0
         now += presses << k
         factors[contact, tb.NEW_NORMAL + k] = impulse
@@ -155,7 +181,7 @@ def propose_normal(
 @inlined
 def propose_tangent(
     contact: int,
-    first: bool,
+    choice: int,
     firm: float,
     slight: float,
     normal: float,
@@ -184,8 +210,10 @@ def propose_tangent(
         tangent_impulse_most(normal, friction),
     )
     slides = state & RIGHT
-    if not first:
+    if choice == ALL_CHANGE:
         slides = friction_state(state, wanted, limit, slight, friction)
+    elif choice == FRICTION_STAYS:
+        slides = friction_kept(state, friction)
     total = 0.0
     if slides == HELD:
         total = wanted
@@ -226,6 +254,13 @@ def slip_of_both(
         share_of(0, state, contact, direct.factors),
     )
     return surface_slip(speed, row[tb.R_SURFACE_SPEED + m])
+
+
+def friction_kept(state: int, friction: float) -> int:
+    """Return what the friction of a contact goes on with: one that has begun to press holds."""
+    if state & BOTH == 0 or not friction > 0.0:
+        return LOOSE
+    return max(state & RIGHT, HELD)
 
 
 def friction_state(state: int, wanted: float, limit: float, slight: float, friction: float) -> int:
