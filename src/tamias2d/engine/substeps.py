@@ -17,6 +17,7 @@ from tamias2d.engine.joints.stages import (
     fit_touched,
     relax_joints,
     solve_joints,
+    store_joints,
 )
 from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
 from tamias2d.engine.solver.blocks import clear_lanes, fill_lanes
@@ -68,6 +69,7 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     looked_at = constraints.counts[tb.BOUNCING] + constraints.counts[tb.FREE_ISLANDS] > 0
     if looked_at or makes_energy(constraints.energy):
         finish_step(world)
+    store_joints(world)
     if sprung:
         end_springs(world.bodies, world.springs)
     if constraints.counts[tb.BOUNCING] > 0:
