@@ -21,12 +21,14 @@ from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 SLIGHT = 1e-7  # of the largest impulse: no reason to leave a state
+COARSE = 100.0  # times what counts as rounding, where the first try did not converge
 SLIGHT_SPEED = 1e-5  # of the speed that it gives: rounding of a solution may close a gap so fast
 
 # the state of a contact: a bit for each point that presses; with them, what friction does
 BOTH = 3
 LOOSE, HELD, LEFT, RIGHT = 0, 4, 8, 12  # nothing, hold, or slide to either side
 
+INFINITE = 1e308
 STATES_STAY, FRICTION_STAYS, ALL_CHANGE = 0, 1, 2  # choices
 
 
@@ -201,14 +203,8 @@ def propose_tangent(
     )
     row, points = constraints.blocks[b], constraints.lanes[b, tb.POINTS]
     tangent, friction = (-row[tb.R_NY + m], row[tb.R_NX + m]), row[tb.R_FRICTION + m]
-    before = 0.0
-    for k in range(points):
-        before += row[tb.SHARED + k * tb.POINT_SIZE + tb.P_TANGENT_IMPULSE + m]
-    speed = slip_of_both(contact, state, bodies, constraints, direct)
-    wanted, limit = (
-        tangent_impulse_wanted(before, speed, firm),
-        tangent_impulse_most(normal, friction),
-    )
+    wanted = wanted_of_both(contact, firm, bodies, constraints, direct)
+    limit = tangent_impulse_most(normal, friction)
     slides = state & RIGHT
     if choice == ALL_CHANGE:
         slides = friction_state(state, wanted, limit, slight, friction)
@@ -232,6 +228,18 @@ def propose_tangent(
         arm_a, arm_b = row[at + tb.P_TANGENT_ARM_A], row[at + tb.P_TANGENT_ARM_B]
         add_to_nodes(contact, more, arm_a, arm_b, tangent, sparse, factors)
     sparse[contact, tb.C_STATE] = (state & BOTH) + slides
+
+
+def wanted_of_both(
+    contact: int, firm: float, bodies: Bodies, constraints: Constraints, direct: Direct
+) -> float:
+    """Return the tangent impulse with which a contact would not slip, N s."""
+    b, m = direct.sparse[contact, tb.C_BLOCK], direct.sparse[contact, tb.C_LANE]
+    row, before = constraints.blocks[b], 0.0
+    for k in range(constraints.lanes[b, tb.POINTS]):
+        before += row[tb.SHARED + k * tb.POINT_SIZE + tb.P_TANGENT_IMPULSE + m]
+    speed = slip_of_both(contact, direct.sparse[contact, tb.C_STATE], bodies, constraints, direct)
+    return tangent_impulse_wanted(before, speed, firm)
 
 
 @inlined
@@ -270,3 +278,28 @@ def friction_state(state: int, wanted: float, limit: float, slight: float, frict
     held = abs(wanted) < limit + (slight if state & RIGHT == HELD else -slight)
     reversed_sliding = state & RIGHT == (RIGHT if wanted < 0.0 else LEFT)
     return HELD if held or reversed_sliding else LEFT if wanted < 0.0 else RIGHT
+
+
+def change_worst_friction(n: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> bool:
+    """Let a contact of an island slide that holds by most more than friction can; is there one?
+
+    One that slides the other way by now holds, before all others slide.
+    """
+    sparse, factors = direct.sparse, direct.factors
+    worst, which, to = 0.0, -1, LOOSE
+    for contact in range(sparse[n, tb.I_CONTACT], sparse[n + 1, tb.I_CONTACT]):
+        b, m = sparse[contact, tb.C_BLOCK], sparse[contact, tb.C_LANE]
+        state, friction = sparse[contact, tb.C_STATE], constraints.blocks[b, tb.R_FRICTION + m]
+        normal = 0.0
+        for k in range(constraints.lanes[b, tb.POINTS]):
+            normal += max(factors[contact, tb.NEW_NORMAL + k], 0.0)
+        wanted = wanted_of_both(contact, factors[n, tb.FIRM_MASS], bodies, constraints, direct)
+        slight = COARSE * SLIGHT * factors[n, tb.IMPULSE_SCALE]
+        limit = tangent_impulse_most(normal, friction)
+        chosen = friction_state(state, wanted, limit, slight, friction)
+        share = abs(wanted) / (limit + slight) if chosen > HELD else INFINITE
+        if chosen != state & RIGHT and share > worst:
+            worst, which, to = share, contact, chosen
+    if which >= 0:
+        sparse[which, tb.C_STATE] = (sparse[which, tb.C_STATE] & BOTH) + to
+    return which >= 0

@@ -14,9 +14,11 @@ from math import inf, sqrt
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.active_set import (
     ALL_CHANGE,
+    COARSE,
     FRICTION_STAYS,
     LOOSE,
     STATES_STAY,
+    change_worst_friction,
     find_residual,
     guess_state,
 )
@@ -42,9 +44,9 @@ from tamias2d.kernels.assembled import inlined
 
 REMOVED = 0.2  # of an overlap, in a substep
 CORRECTIONS = 12  # of the active set, at most
+PATIENT_CORRECTIONS = 60
 NEARLY = 1e-3  # of the largest difference of velocity: a point that parts more slowly may press
 NOISE = 1e-5  # of the impulse that stops the heaviest body: less is what rounding has left
-COARSE = 100.0  # times what counts as rounding, where the first try did not converge
 CONVERGED = 1e-10  # residual as a part of the impulses, squared
 ACCEPTED = 1e-6  # the same: an island with more is not solved
 UNLIKE = 100.0  # largest mass over that mean: what is so uneven the substeps do not hold
@@ -126,11 +128,11 @@ def solve_tree(
     if pressed:
         note_velocities(n, bodies, direct)
         before = energy_without_contacts(n, constraints, direct)
-        residual = iterate_tree(n, 1.0, CONVERGED, bodies, constraints, direct)
+        residual = iterate_tree(n, bodies, constraints, direct)
         restore_velocities(n, bodies, direct)
         if residual > ACCEPTED:
             open_contacts(n, relaxing, COARSE, substep, bodies, constraints, direct)
-            residual = iterate_tree(n, COARSE, ACCEPTED, bodies, constraints, direct)
+            residual = iterate_patiently(n, bodies, constraints, direct)
             restore_velocities(n, bodies, direct)
         solved = residual <= ACCEPTED
         solved = solved and accept_impulses(n, before, apart, bodies, constraints, direct)
@@ -194,42 +196,61 @@ def any_presses(n: int, constraints: Constraints, direct: Direct) -> bool:
     return False
 
 
-def iterate_tree(
-    n: int,
-    coarseness: float,
-    enough: float,
-    bodies: Bodies,
-    constraints: Constraints,
-    direct: Direct,
-) -> float:
-    """Find velocities, impulses and active set of an island; return the residual that is left.
-
-    The first that is small enough ends the iteration; the coarseness is that of `find_residual`.
-    Where it is not 1 what friction does is chosen only as normal impulses fit: small ones, of which
-    rounding makes large ones to begin with, let it slide to and fro.
-    """
-    sparse, factors = direct.sparse, direct.factors
-    changed, residual = find_residual(n, STATES_STAY, coarseness, bodies, constraints, direct)
-    choice = ALL_CHANGE if coarseness == 1.0 else FRICTION_STAYS
+def iterate_tree(n: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
+    """Find velocities, impulses and active set of an island; return the residual that is left."""
+    changed, residual = find_residual(n, STATES_STAY, 1.0, bodies, constraints, direct)
     for _ in range(CORRECTIONS):
-        if changed > 0 or sparse[n, tb.I_STATUS] == NOT_FACTORED:
-            assemble_matrix(n, constraints, direct)
-            sparse[n, tb.I_STATUS] = NOT_FACTORED
-            if not factor(n, sparse, factors):
-                return 1.0
-            sparse[n, tb.I_STATUS] = FACTORED
-        substitute(n, sparse, factors)
-        for node in range(sparse[n, tb.I_NODE], sparse[n + 1, tb.I_NODE]):
-            for k in range(3):
-                bodies.motion[sparse[node, tb.N_BODY], k] += factors[node, tb.CHANGE + k]
-        changed, residual = find_residual(n, choice, coarseness, bodies, constraints, direct)
-        if choice == FRICTION_STAYS and residual <= enough:
-            changed, residual = find_residual(
-                n, ALL_CHANGE, coarseness, bodies, constraints, direct
-            )
-        if residual <= enough:
+        if not correct_velocities(n, changed > 0, bodies, constraints, direct):
+            return 1.0
+        changed, residual = find_residual(n, ALL_CHANGE, 1.0, bodies, constraints, direct)
+        if residual <= CONVERGED:
             return residual
     return residual
+
+
+def iterate_patiently(n: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
+    """Do the same, but change what presses only where all else fits, and then what slides.
+
+    All contacts hold at first, and slide one after the other. Where much slides at once, or normal
+    impulses are next to nothing, the active set would change to and fro.
+    """
+    changed, residual = find_residual(n, STATES_STAY, COARSE, bodies, constraints, direct)
+    for _ in range(PATIENT_CORRECTIONS):
+        if not correct_velocities(n, changed > 0, bodies, constraints, direct):
+            return 1.0
+        before = residual
+        changed, residual = find_residual(n, STATES_STAY, COARSE, bodies, constraints, direct)
+        if residual > ACCEPTED:
+            continue
+        fits = residual <= CONVERGED or residual > 0.5 * before  # which is all that rounding allows
+        changed, residual = find_residual(n, FRICTION_STAYS, COARSE, bodies, constraints, direct)
+        if changed == 0 and change_worst_friction(n, bodies, constraints, direct):
+            changed, residual = find_residual(n, STATES_STAY, COARSE, bodies, constraints, direct)
+        elif changed == 0 and fits:
+            return residual
+    return residual
+
+
+@inlined
+def correct_velocities(
+    n: int, changed: bool, bodies: Bodies, constraints: Constraints, direct: Direct
+) -> bool:
+    """Solve for the momentum that the nodes of an island have left; return whether that is done.
+
+    Its matrix is factored if the active set has changed.
+    """
+    sparse, factors = direct.sparse, direct.factors
+    if changed or sparse[n, tb.I_STATUS] == NOT_FACTORED:
+        assemble_matrix(n, constraints, direct)
+        sparse[n, tb.I_STATUS] = NOT_FACTORED
+        if not factor(n, sparse, factors):
+            return False
+        sparse[n, tb.I_STATUS] = FACTORED
+    substitute(n, sparse, factors)
+    for node in range(sparse[n, tb.I_NODE], sparse[n + 1, tb.I_NODE]):
+        for k in range(3):
+            bodies.motion[sparse[node, tb.N_BODY], k] += factors[node, tb.CHANGE + k]
+    return True
 
 
 @inlined

@@ -1,4 +1,4 @@
-"""Towers ride on what moves as on the ground (IM10): what a support gives is no fault (DD104).
+"""Towers ride on what moves as on the ground, and slide as one body (IM10, DD104).
 
 Laws: that of Galilei, and that a load under acceleration is a load.
 """
@@ -95,3 +95,25 @@ def test_a_tower_is_carried_by_a_belt() -> None:
     for _ in range(120):
         sim.step()
         assert abs(np.hypot(*sim.velocity[1:].T) - 0.3).max() < STILL
+
+
+@pytest.mark.parametrize(
+    ("count", "below", "between"), [(2, 0.5, 0.5), (3, 0.3, 0.6), (5, 0.3, 0.6)]
+)
+def test_a_tower_that_slides_comes_to_rest_as_one_body(
+    count: int, below: float, between: float
+) -> None:
+    """It does not tip: the friction below is less than its width over its height."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -GRAVITY)))
+    ground = {"friction": below**2 / between, "restitution": 0.0}  # of two it is the mean
+    sim.add_static(t2.Box(width=100.0, height=0.4), position=(0.0, -0.2), **ground)
+    for k in range(count):
+        place, surface = (0.0, 0.25 + 0.5 * k), {"friction": between, "restitution": 0.0}
+        sim.add(t2.Box(width=1.0, height=0.5), mass=1.0, position=place, **surface)
+    sim.step(10)
+    sim.velocity[1:] = 3.0, 0.0
+    for k in range(1, 75):
+        sim.step()
+        expected = max(3.0 - below * GRAVITY * k / 60, 0.0)
+        assert abs(sim.velocity[1:, 0] - expected).max() < 1e-3
+    assert np.ptp(sim.position[1:, 0]) < 1e-4
