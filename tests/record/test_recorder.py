@@ -88,6 +88,18 @@ def test_bodies_are_drawn_in_the_shapes_that_they_have(tmp_path: Path) -> None:
     assert radii == {0: [0.5, 0.5], 2: [2.0, 0.5], 4: [0.5]}
 
 
+def test_bodies_are_drawn_in_their_shapes_after_going_back(tmp_path: Path) -> None:
+    path, sim = tmp_path / "loop.rrd", loop()
+    state = sim.copy_state()
+    with t2.Recorder(sim, path) as recorder:
+        for change in (t2.Disc(radius=2.0), t2.Disc(radius=3.0)):
+            sim.set_shape("first", change)
+            recorder.frame()
+            sim.restore_state(state)
+    radii = dict(rows(path, "/world/bodies/moving/rims1", "Points2D:radii"))
+    assert radii == {0: [2.0], 1: [3.0]}
+
+
 def test_joints_are_drawn_while_they_are_there(tmp_path: Path) -> None:
     path, sim = tmp_path / "loop.rrd", loop()
     with t2.Recorder(sim, path) as recorder:

@@ -142,6 +142,49 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == [path]
 
 
+def kept(sim: t2.Simulator, keep: str, path: Path) -> t2.Simulator:
+    """Return the simulator that was kept in some way."""
+    if keep == "copy":
+        return copy.deepcopy(sim)
+    if keep == "pickle":
+        return pickle.loads(pickle.dumps(sim))
+    sim.save(path)
+    return t2.Simulator.restore(path)
+
+
+@pytest.mark.parametrize("keep", ["copy", "pickle", "file"])
+def test_events_of_joints_are_kept(keep: str, tmp_path: Path) -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -9.81)))
+    load = sim.add(t2.Disc(radius=0.1), mass=2.0, position=(0.0, -0.5), restitution=0.0)
+    rope = t2.Distance(limits=t2.Limits(upper=1.0, restitution=0.0))
+    sim.add_joint(rope, (0.0, 0.0), load, name="rope")
+    sim.add_joint(t2.Distance(), (3.0, 0.0), load, name="thread", break_force=1.0)
+    told: set[str] = set()
+    while not {"rope", "thread"} <= told:
+        sim.step()
+        told |= {event.joint for event in sim.joint_events}
+        other = kept(sim, keep, tmp_path / "game.npz")
+        assert other.joint_events == sim.joint_events
+        assert [event.words for event in other.joint_events] == [
+            event.words for event in sim.joint_events
+        ]
+
+
+@pytest.mark.parametrize("keep", ["copy", "pickle", "file"])
+def test_what_was_put_beyond_a_limit_is_warned_of_by_a_copy_too(keep: str, tmp_path: Path) -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+    plank = sim.add(t2.Box(width=1.0, height=0.1), mass=1.0, position=(0.5, 0.0), restitution=0.0)
+    limits = t2.Limits(lower=-0.5, upper=0.5, restitution=0.0)
+    sim.add_joint(t2.Revolute(limits=limits), (0.0, 0.0), plank, other_anchor=(-0.5, 0.0))
+    sim.step()
+    sim.position[plank], sim.orientation[plank] = (0.5 * np.cos(1.0), 0.5 * np.sin(1.0)), 1.0
+    other = kept(sim, keep, tmp_path / "game.npz")
+    for each in (sim, other):
+        with pytest.warns(t2.StepWarning, match="beyond its upper limit by hand"):
+            each.step()
+    assert other.warnings == sim.warnings
+
+
 @pytest.mark.parametrize("keep", ["copy", "file"])
 def test_what_turns_far_is_warned_of_by_a_copy_too(keep: str, tmp_path: Path) -> None:
     scene = t2.Scene(gravity=(0.0, 0.0))

@@ -131,6 +131,9 @@ EDITS = {
     "names twice": ("about", told(names={"a": 0, "b": 0}), "names a body twice"),
     "names of others": ("about", told(names={}), "names other bodies"),
     "scene": ("about", told(scene="}"), "about"),
+    "events": ("about", told(joint_events=[[0.1, "rod", 0, 99, 0.0]]), "joint_events: must be"),
+    "half an event": ("about", told(joint_events=[[0.1, "rod"]]), "joint_events: must be"),
+    "no events": ("about", told(joint_events={}), "must be numbers, rows and names"),
     "nothing": ("about", lambda _: np.array("[" * 100_000), "about"),
 }  # fmt: skip
 

@@ -78,6 +78,55 @@ def test_what_sleeps_touches_on() -> None:
     assert len(sim.contacts) == 6
 
 
+def fast_crowd(sim: t2.Simulator) -> None:
+    """Add discs that land so fast, far off, that steps are taken in parts."""
+    place = [(30.0 + 0.025 * (k % 10), 0.05 + 0.025 * (k // 10)) for k in range(60)]
+    sim.add(t2.Disc(radius=0.01), mass=0.01, position=place, velocity=(0.0, -6.0), **SURFACE)
+
+
+@pytest.mark.parametrize("asleep", [True, False])
+def test_it_touches_on_while_others_are_solved_in_parts(asleep: bool) -> None:
+    """Asleep before or falling asleep meanwhile, it is told the push that carries its weight."""
+    parted = 0
+    for begin in [120] if asleep else range(20, 32):
+        sim = stack(1)
+        sim.step(begin)
+        fast_crowd(sim)
+        slept_in_parts = False
+        for _ in range(30):
+            before = bool(sim.asleep[1])
+            sim.step()
+            slept_in_parts |= sim.parts > 1 and bool(sim.asleep[1]) and before is asleep
+            contacts = sim.contacts
+            own = (contacts.bodies == 1).any(axis=1)
+            pushed = float(contacts.impulse[own] @ contacts.normal[own, 1])
+            assert set(sim.touching(1).bodies.ravel().tolist()) == {0, 1}
+            assert pushed == pytest.approx(10.0 * sim.time_step, rel=0.02)
+            assert not (sim.began.bodies == 1).any()
+            assert not (sim.ended == 1).any()
+        parted += slept_in_parts
+    assert parted > 0
+
+
+def test_what_wakes_in_parts_is_told_what_it_was_pushed_with_then() -> None:
+    """A crowd lands on a box that sleeps, and presses it on its ground."""
+    sim = slept(1)
+    sim.step()
+    place = [(-0.4 + 0.025 * (k % 30), 1.05 + 0.025 * (k // 30)) for k in range(150)]
+    sim.add(t2.Disc(radius=0.01), mass=0.01, position=place, velocity=(0.0, -6.0), **SURFACE)
+    twin = pickle.loads(pickle.dumps(sim))
+    twin.wake(1)
+    told = []
+    for each in (sim, twin):
+        while each.parts == 1:
+            each.step()
+        contacts = each.contacts
+        own = (contacts.bodies == (0, 1)).all(axis=1)
+        told.append(contacts.impulse[own].sum())
+    assert not sim.asleep[1]
+    assert told[0] == pytest.approx(told[1], rel=0.05)
+
+
 def test_falling_asleep_loses_no_more_than_quiet_bodies_have() -> None:
     """IM13; a twin that does not sleep tells what is lost, which is not nothing."""
     sims = [stack(4, top=9.0, sleeping=sleeps) for sleeps in (True, False)]
@@ -211,6 +260,41 @@ def test_what_rides_on_something_that_moves_does_not_sleep() -> None:
     sim = t2.Simulator(scene, sleeping=True)
     sim.step(120)
     assert not sim.asleep.any()
+
+
+@pytest.mark.parametrize("speed", [0.3, 0.03, 0.003])
+def test_what_rides_on_a_surface_that_runs_does_not_sleep(speed: float) -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)), sleeping=True)
+    belt = sim.add_static(
+        t2.Box(width=60.0, height=1.0), position=(0.0, 0.0), surface_speed=-speed, **SURFACE
+    )
+    riders = sim.add(BOX, mass=1.0, position=[(0.0, 1.0), (0.0, 2.0), (5.0, 1.0)], **SURFACE)
+    start = sim.position[riders, 0]
+    sim.step(600)
+    assert not sim.asleep.any()
+    assert sim.position[riders, 0] - start == pytest.approx(speed * sim.time, rel=0.02)
+    sim.set_surface(belt, surface_speed=0.0)
+    sim.step(60)
+    assert sim.asleep[riders].all()
+    place = sim.position[riders, 0]
+    sim.set_surface(belt, surface_speed=-speed)
+    sim.step(60)
+    assert not sim.asleep.any()
+    assert sim.position[riders, 0] - place == pytest.approx(speed, rel=0.1)
+
+
+def test_what_is_beside_a_surface_that_runs_sleeps() -> None:
+    """So does what hangs on its body by a joint."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)), sleeping=True)
+    belt = sim.add_static(
+        t2.Box(width=6.0, height=1.0), position=(0.0, 0.0), surface_speed=1.0, **SURFACE
+    )
+    sim.add_static(BOX, position=(5.0, 0.0), **SURFACE)
+    beside = sim.add(BOX, mass=1.0, position=(5.0, 1.0), **SURFACE)
+    hung = sim.add(BOX, mass=1.0, position=(0.0, -2.0), angular_drag=5.0, **SURFACE)
+    sim.add_joint(t2.Weld(), belt, hung, at=(0.0, 0.0))
+    sim.step(120)
+    assert sim.asleep[[beside, hung]].all()
 
 
 def test_what_touches_nothing_is_not_stopped() -> None:

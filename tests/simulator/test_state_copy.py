@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.simulator.kept_state import PARTS
 from tests.simulator.crowd import crowd
 from tests.simulator.test_keeping import everything, history, lively
 
@@ -48,7 +49,38 @@ def other_rules(sim: t2.Simulator) -> None:
     sim.apply_force(bodies, (1.0, 1.0))
 
 
-CHANGES = [nothing, fewer, many_more, tied, other_rules]
+def other_bodies(sim: t2.Simulator) -> None:
+    bodies = np.flatnonzero(sim.dynamic)
+    sim.set_mass(bodies[::2], mass=7.0)
+    sim.set_drag(bodies, linear_drag=0.5, angular_drag=0.1)
+    sim.set_shape(bodies[1::2], t2.Disc(radius=0.2), mass=3.0)
+    sim.apply_impulse(bodies, (0.5, 1.0))
+    sim.wake(bodies)
+
+
+def other_surroundings(sim: t2.Simulator) -> None:
+    sim.add_static(t2.Box(width=1.0, height=1.0), position=(0.0, 5.0), surface_speed=1.0, **SURFACE)
+    moving = sim.add_kinematic(t2.Disc(radius=0.5), position=(2.0, 6.0), **SURFACE)
+    sim.velocity[moving] = 0.0, -1.0
+    sim.position[sim.dynamic] += 0.25, 0.0
+
+
+def governed(sim: t2.Simulator) -> None:
+    """Joints of all sorts are told otherwise."""
+    a = int(np.flatnonzero(sim.dynamic)[0])
+    place = tuple(sim.position[a].tolist())
+    sim.add_joint(t2.Target(spring=t2.JointSpring(stiffness=9.0)), place, a, name="held")
+    sim.set_target("held", (place[0], place[1] + 0.1))
+    sim.set_spring("held", t2.JointSpring(stiffness=20.0))
+    if "spring" in sim.joints:  # the mechanism below
+        sim.set_motor("joint4", t2.Motor(speed=-1.0))
+        sim.set_limits("joint1", t2.Limits(lower=-0.5, upper=0.5, restitution=0.0))
+        sim.remove_joint("joint2")
+
+
+CHANGES = [
+    nothing, fewer, many_more, tied, other_rules, other_bodies, other_surroundings, governed,
+]  # fmt: skip
 
 
 def mechanism() -> t2.Simulator:
@@ -102,6 +134,23 @@ def few_discs() -> t2.Simulator:
     return sim
 
 
+def loaded() -> t2.Simulator:
+    """What acts depends on masses, places, velocities and time."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    for k in range(4):
+        place = (1.5 * k, 0.3 * k * k)
+        scene.add_body(t2.Disc(radius=0.2), mass=1.0 + k, position=place, name=f"b{k}", **SURFACE)
+    scene.add_body(
+        t2.Disc(radius=0.2), mass=1.0, position=(9.0, 0.0), quadratic_drag=0.1, **SURFACE
+    )
+    scene.add_attraction(gravitational_constant=2.0)
+    scene.add_field(force=("mass*0.5[m/s^2]", "sin(2[1/s]*time)*1[N]"))
+    scene.add_spring("b0", "b1", stiffness=5.0, rest_length=1.0)
+    sim = t2.Simulator(scene)
+    sim.step(10)
+    return sim
+
+
 def of_catalogue(name: str) -> Callable[[], t2.Simulator]:
     def made() -> t2.Simulator:
         sim = t2.Simulator(t2.catalogue.load(name))
@@ -118,6 +167,7 @@ SIMULATORS = {
     "asleep": asleep,
     "fast": fast,
     "few discs": few_discs,
+    "loaded": loaded,
     "springs": of_catalogue("spring-chain"),
     "ragdolls": of_catalogue("ragdolls"),
 }
@@ -148,6 +198,74 @@ def test_it_goes_on_as_what_was_saved_then(
         assert (sim.joints, sim.warnings, sim.time) == (other.joints, other.warnings, other.time)
         assert (history(sim, 10), repr(sim.reactions), sim.joint_events) == told
         assert longer or everything(sim) == everything(twin)
+
+
+class _Watched:
+    """Notes what of a simulator is used."""
+
+    def __init__(self, sim: t2.Simulator, used: set[str]) -> None:
+        self.__dict__.update(_sim=sim, _used=used)
+
+    def __getattr__(self, name: str) -> Any:
+        self._used.add(name)
+        return getattr(self._sim, name)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        self._used.add(name)
+        setattr(self._sim, name, value)
+
+
+@pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")
+def test_all_that_changes_a_simulator_is_tried_here() -> None:
+    """A new call that changes one has to be among the changes above."""
+    used: set[Any] = set()
+    for change in CHANGES:
+        change(_Watched(mechanism(), used))  # type: ignore[arg-type]
+    words = ("set_", "add", "remove", "apply_", "wake")
+    changing = {name for name in dir(t2.Simulator) if name.startswith(words)}
+    assert changing <= used
+    assert {"position", "velocity", "force", "gravity"} <= used  # views
+
+
+def test_a_state_is_all_that_may_change() -> None:
+    """Whoever gives a simulator another attribute decides whether a state holds it."""
+    follow = {"_events", "_jointed", "_seen", "_unsettled", "_varying", "_views", "_earlier"}
+    stay = {"_engine", "_lock", "_sleeps", "_substeps", "_time_step"}  # the engine goes back itself
+    texts = {"_warned"}  # whose texts a state holds
+    kinds = t2.Simulator.__mro__
+    names = {name for kind in kinds for name in getattr(kind, "__slots__", ())} - {"__weakref__"}
+    assert set(PARTS) | follow | stay | texts == names
+    assert len(PARTS) + len(follow) + len(stay) + len(texts) == len(names)
+
+
+@pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")
+@pytest.mark.parametrize("change", ["mass", "shape"])
+def test_what_was_heavier_attracts_as_before(change: str) -> None:
+    sim, twin = loaded(), loaded()
+    state = sim.copy_state()
+    if change == "mass":
+        sim.set_mass(0, mass=100.0)
+    else:
+        sim.set_shape(0, t2.Disc(radius=0.2), mass=100.0)
+    sim.step()
+    sim.restore_state(state)
+    assert sim.body(0).mass == twin.body(0).mass
+    assert history(sim, 20) == history(twin, 20)
+
+
+def test_what_was_moved_as_it_slept_wakes_again() -> None:
+    """Though it has come to sleep where it was put, which the engine remembers."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)), sleeping=True)
+    sim.add(t2.Disc(radius=0.2), mass=1.0, position=(0.0, 0.0), **SURFACE)
+    sim.step(60)
+    sim.position[0] = 1.0, 0.0
+    state = sim.copy_state()
+    for _ in range(2):
+        sim.step()
+        assert sim.asleep.tolist() == [False]
+        sim.step(60)
+        assert sim.asleep.tolist() == [True]
+        sim.restore_state(state)
 
 
 @pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")

@@ -1,5 +1,6 @@
 """Surfaces that run along themselves: belts, and rollers that stand (DD97)."""
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -58,6 +59,53 @@ def test_a_surface_runs_around_its_body_counter_clockwise() -> None:
     sim.step(5)
     around = np.column_stack((-out[:, 1], out[:, 0]))
     assert (sim.velocity[discs] * around).sum(axis=1) == pytest.approx(SPEED / 3.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("way", ["steps", "simulate"])
+@pytest.mark.parametrize("above", [True, False])
+@pytest.mark.parametrize("rightwards", [True, False])
+def test_a_chain_runs_from_its_first_vertex_to_its_last_on_both_sides(
+    way: str, above: bool, rightwards: bool
+) -> None:
+    """So carries what lies on it, and what bounces on it."""
+    up = 1.0 if above else -1.0
+    scene = t2.Scene(gravity=(0.0, -GRAVITY * up))
+    ends = [(-20.0, 0.0), (20.0, 0.0)]
+    chain = t2.Chain(vertices=ends if rightwards else ends[::-1])
+    surface: Any = {"friction": FRICTION, "restitution": 0.5}
+    scene.add_static(chain, surface_speed=SPEED, **surface)
+    scene.add_body(t2.Box(width=0.8, height=0.4), mass=3.0, position=(0.0, 0.2 * up), **ROUGH)
+    scene.add_body(t2.Disc(radius=0.3), mass=2.0, position=(5.0, 2.0 * up), **surface)
+    if way == "steps":
+        sim = t2.Simulator(scene)
+        sim.step(60)
+        going = sim.velocity[1:, 0]
+    else:
+        going = t2.simulate(scene, duration=1.0).velocity[-1, 1:, 0]
+    along = SPEED if rightwards else -SPEED
+    assert going == pytest.approx([along, along / 3.0], rel=1e-3)
+
+
+@pytest.mark.parametrize("turned", [0.0, 0.4])
+@pytest.mark.parametrize("counter_clockwise", [True, False])
+def test_a_loop_carries_what_is_in_it_the_same_way_as_what_is_around_it(
+    counter_clockwise: bool, turned: float
+) -> None:
+    """Discs that are thrown at all four sides of a square, from within and from outside."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+    corners = [(-3.0, -3.0), (3.0, -3.0), (3.0, 3.0), (-3.0, 3.0)]
+    loop = t2.Chain(vertices=corners if counter_clockwise else corners[::-1], loop=True)
+    sim.add_kinematic(loop, position=(0.0, 0.0), orientation=turned, surface_speed=SPEED, **ROUGH)
+    turn = np.array([(math.cos(turned), math.sin(turned)), (-math.sin(turned), math.cos(turned))])
+    out = np.array([(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)]) @ turn
+    for start, heading in ((2.5, 1.0), (3.5, -1.0)):
+        place, velocity = start * out, 8.0 * heading * out
+        discs = sim.add(t2.Disc(radius=0.2), mass=1.0, position=place, velocity=velocity, **ROUGH)
+    sim.step(5)
+    around = np.column_stack((-out[:, 1], out[:, 0])) * (1.0 if counter_clockwise else -1.0)
+    for group in (discs - 4, discs):
+        along = (sim.velocity[group] * around).sum(axis=1)
+        assert along == pytest.approx(SPEED / 3.0, rel=1e-6)
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.5])

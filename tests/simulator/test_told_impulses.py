@@ -143,3 +143,41 @@ def cages(seed: int, restitution: float, friction: float) -> tuple[t2.Simulator,
             )
         )
     return sim, np.array(rows)
+
+
+def pendulums(count: int) -> t2.Simulator:
+    """Of two links each, which fall on a floor and rebound."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)))
+    surface: Any = {"friction": 0.3, "restitution": 0.8, "group": -1}
+    sim.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=-1.0), friction=0.3, restitution=0.8)
+    for k in range(count):
+        x, plank = 20.0 * k, t2.Box(width=0.8, height=0.2)
+        place = [(x + 0.5, 0.0), (x + 1.5, 0.0)]
+        upper, lower = sim.add(plank, mass=[1.0, 2.0], position=place, **surface).tolist()
+        sim.add_joint(t2.Revolute(), (x, 0.0), upper, at=(x, 0.0))
+        sim.add_joint(t2.Revolute(), upper, lower, at=(x + 1.0, 0.0))
+    return sim
+
+
+@pytest.mark.parametrize("count", [1, 8])
+def test_hinges_tell_what_they_give_as_contacts_rebound_in_that_step(count: int) -> None:
+    """It was told a step late, or not at all of many alike, which are solved side by side."""
+    sim, hits = pendulums(count), 0
+    mass = sim.mass[1:, None]
+    for _ in range(80):
+        before = sim.velocity.copy()
+        sim.step()
+        contacts, given = sim.contacts, np.zeros_like(before)
+        push = contacts.impulse[:, None] * contacts.normal + contacts.friction_impulse
+        np.add.at(given, contacts.bodies[:, 0], -push)
+        np.add.at(given, contacts.bodies[:, 1], push)
+        for joint, impulse in zip(sim._joints, sim.reactions.impulse, strict=True):
+            for body, part in zip(joint.ends, impulse, strict=True):
+                if body is not None:
+                    given[body] += part
+        change = mass * (sim.velocity - before)[1:] - mass * sim.gravity * sim.time_step
+        largest = np.abs(push).max(initial=0.0)
+        if largest > 2.0:
+            hits += 1
+            assert given[1:] == pytest.approx(change, abs=0.01 * largest)
+    assert hits > 0

@@ -47,7 +47,8 @@ def arrange(world: World, contacts: Contacts) -> int:
     hold_tied(world.islands, world.joints)
     count_free_islands(bodies, touching, constraints, world.islands)
     touching.counts[tb.ARRANGED] = 1
-    constraints.counts[tb.LANES_FILLED] = constraints.counts[tb.BOUNCING] = 0
+    counts = constraints.counts
+    counts[tb.LANES_FILLED] = counts[tb.BOUNCING] = counts[tb.RUNNING] = 0
     return tb.DONE
 
 

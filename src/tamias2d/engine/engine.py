@@ -38,6 +38,7 @@ class Engine(StepCalls):
         control.settings[tb.GRAVITY_X : tb.GRAVITY_Y + 1] = gravity
         control.settings[tb.TIME_STEP], control.counts[tb.SUBSTEPS] = time_step, substeps
         self.world.broad_phase.counts[tb.HORIZON] = 4
+        self.forms = 0  # changes whenever bodies get other shapes
         self.begin(np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64))
 
     def begin(self, rank: NDArray[np.int64], generation: NDArray[np.int64]) -> None:
@@ -47,7 +48,6 @@ class Engine(StepCalls):
         self._pool = BodyPool(store, rank, generation)
         self._pool.publish_order()
         self._corners = OpenCorners()
-        self.forms = 0  # how often bodies got other shapes
         self.queries = QueryTree(store)
 
     # -- what users see and set

@@ -88,7 +88,8 @@ def retake_part(world: World, contacts: Contacts) -> None:
         for n in range(3):
             bodies.pose[i, n], bodies.motion[i, n] = bodies.start[i, n], bodies.start[i, 3 + n]
             bodies.motion[i, tb.DX + n] = 0.0
-    forget_impulses_of_part(counts[tb.TICK] == 0, broad_phase.counts[tb.CONTACTS], contacts)
+    listed = broad_phase.counts[tb.CONTACTS]
+    forget_impulses_of_part(counts[tb.TICK] == 0, listed, contacts, world.islands)
     broad_phase.counts[tb.NEXT_LEVEL] = counts[tb.LEAST_LEVEL] = counts[tb.LEVEL] + 1
     counts[tb.RETAKEN], counts[tb.STAGE] = 1, tb.AT_START
 
@@ -130,7 +131,7 @@ def shorten_part(world: World, contacts: Contacts) -> None:
         highest -= 1
     set_level(highest, world)
     if highest > 0 and counts[tb.TICK] == 0:
-        forget_impulses(broad_phase.counts[tb.CONTACTS], contacts)
+        forget_impulses(broad_phase.counts[tb.CONTACTS], contacts, world.islands)
 
 
 def find_wanted_levels(world: World, contacts: Contacts) -> None:

@@ -14,6 +14,7 @@ Cost: a pass over bodies and one over contacts in each step, where sleeping is w
 from tamias2d.engine import tables as tb
 from tamias2d.engine.islands import find_islands
 from tamias2d.engine.joints.at_rest import note_joined_support, wake_tied
+from tamias2d.engine.narrow_phase.material import runs
 from tamias2d.engine.tables import (
     Bodies,
     BroadPhase,
@@ -22,6 +23,7 @@ from tamias2d.engine.tables import (
     Integers,
     Islands,
     Joints,
+    Shapes,
     Touching,
 )
 from tamias2d.engine.waking import (
@@ -128,8 +130,12 @@ def note_support_kinds(
     touching: Touching,
     islands: Islands,
     joints: Joints,
+    shapes: Shapes,
 ) -> None:
-    """Note what each body touches: nothing, bodies at rest, or one that moves by itself."""
+    """Note what each body touches: nothing, bodies at rest, or one that moves by itself.
+
+    So does a surface that runs, though its body stands.
+    """
     find_islands(bodies, touching, islands, joints)
     links = islands.links
     for i in range(len(bodies.kind)):
@@ -141,6 +147,7 @@ def note_support_kinds(
         in_motion = (bodies.kind[i] != tb.DYNAMIC and links[i, tb.AWAKE] == 1) or (
             bodies.kind[j] != tb.DYNAMIC and links[j, tb.AWAKE] == 1
         )
+        in_motion = in_motion or runs(pair[0], pair[1], shapes)
         support = SUPPORTED_IN_MOTION if in_motion else SUPPORTED_AT_REST
         links[i, tb.SUPPORT_KIND] = max(links[i, tb.SUPPORT_KIND], support)
         links[j, tb.SUPPORT_KIND] = max(links[j, tb.SUPPORT_KIND], support)

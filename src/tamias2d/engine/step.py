@@ -269,8 +269,8 @@ def integrate(world: World) -> int:
     bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
     contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[tb.SLEEP_STEPS] > 0:
-        touching, joints = world.touching, world.joints
-        note_support_kinds(world.control, bodies, contacts, touching, islands, joints)
+        touching, joints, shapes = world.touching, world.joints, world.shapes
+        note_support_kinds(world.control, bodies, contacts, touching, islands, joints, shapes)
     if islands.counts[tb.SLEEPING] > 0:
         hold_sleeping(bodies, islands)
         keep_touching_flags(broad_phase, contacts, islands)

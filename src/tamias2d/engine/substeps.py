@@ -17,6 +17,7 @@ from tamias2d.engine.joints.stages import (
     fit_touched,
     relax_joints,
     solve_joints,
+    store_joints,
 )
 from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
 from tamias2d.engine.solver.blocks import clear_lanes, fill_lanes
@@ -31,6 +32,7 @@ from tamias2d.engine.solver.lanes import (
 )
 from tamias2d.engine.solver.prefetch import prefetch_blocks, prefetch_manifolds
 from tamias2d.engine.solver.prepare import fill_blocks, prepare_blocks
+from tamias2d.engine.solver.running_surfaces import run_surfaces
 from tamias2d.engine.springs.substep import apply_springs, begin_springs, end_springs
 from tamias2d.engine.tables import Constraints, Contacts, Control, Direct, World
 from tamias2d.engine.turning import add_late_impulses, turn_contacts
@@ -67,6 +69,7 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     looked_at = constraints.counts[tb.BOUNCING] + constraints.counts[tb.FREE_ISLANDS] > 0
     if looked_at or makes_energy(constraints.energy):
         finish_step(world)
+    store_joints(world)
     if sprung:
         end_springs(world.bodies, world.springs)
     if constraints.counts[tb.BOUNCING] > 0:
@@ -146,6 +149,8 @@ def begin_slab(slab: int, substep: float, world: World, contacts: Contacts) -> N
     if constraints.counts[tb.LANES_FILLED] == 0:
         clear_lanes(block, block_end, len(bodies.kind) - 1, blocks, lanes)
         fill_lanes(contact, contact_end, bodies, world.shapes, contacts, touching, constraints)
+    if constraints.counts[tb.RUNNING] > 0:
+        run_surfaces(block, block_end, contacts, world.shapes, constraints)
     fill_blocks(block, block_end, world.control, bodies, contacts, constraints)
     prepare_blocks(block, block_end, substep, blocks, lanes)
     prepare_trees(

@@ -588,7 +588,7 @@ def surface_speed_both(surface_speed_a: Scalar, surface_speed_b: Scalar) -> Scal
         surface_speed_b: Speed at which the surface of a body runs along itself, counter-
             clockwise around the body; of body B, m/s
 
-    Source: DD97, srs/models/soft_contact.md:787.
+    Source: DD97, srs/models/soft_contact.md:788.
     """
     return surface_speed_a + surface_speed_b
 
@@ -604,7 +604,7 @@ def surface_slip(tangential_velocity: Scalar, surface_speed_both: Scalar) -> Sca
         surface_speed_both: Speed at which the surfaces of two bodies run along the tangent of
             their contact, in sum, m/s
 
-    Source: DD97, srs/models/soft_contact.md:788.
+    Source: DD97, srs/models/soft_contact.md:789.
     """
     return tangential_velocity - surface_speed_both
 
@@ -622,7 +622,7 @@ def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar
             does, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:830.
+    Source: IM10, srs/models/soft_contact.md:831.
     """
     return (-removal_share) * extent / time_step
 
@@ -642,7 +642,7 @@ def bias_velocity(
             the least that there can be, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:831.
+    Source: IM10, srs/models/soft_contact.md:832.
     """
     return largest(
         largest(separation, 0) / time_step + bias_rate * least(separation, 0), bias_velocity_least
@@ -670,7 +670,7 @@ def soft_normal_impulse(
         mass_share: Part of a row's mass that a soft contact acts with, 1
         impulse_share: Part of its impulse that a soft contact gives back in an iteration, 1
 
-    Source: IM10, srs/models/soft_contact.md:834.
+    Source: IM10, srs/models/soft_contact.md:835.
     """
     return largest(
         accumulated_impulse
@@ -700,7 +700,7 @@ def limited_tangent_impulse(
             along itself, 1
         accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:838.
+    Source: IM10, srs/models/soft_contact.md:839.
     """
     return largest(
         least(tangent_impulse - row_mass * row_velocity, friction * accumulated_impulse),
@@ -729,7 +729,7 @@ def restitution_impulse(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:841.
+    Source: IM10, srs/models/soft_contact.md:842.
     """
     return largest(
         accumulated_impulse - row_mass * (row_velocity + restitution * row_velocity_before), 0

@@ -168,7 +168,8 @@ class Scene(SceneData):
 
         A half-plane says where it is by itself: it takes neither position nor orientation. A
         surface that runs, as a belt, has a `surface_speed` in m/s, counter-clockwise around the
-        body, along a chain from its first vertex on (DD97). The rest is as in `add_body`.
+        body, along a chain from its first vertex on, on each side (DD97). The rest is as in
+        `add_body`.
 
         Raises:
             InputError: a value breaks a rule (R4); the message names it.

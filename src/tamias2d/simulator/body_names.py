@@ -22,6 +22,10 @@ class BodyNames:
         self.of_row = {row: name for name, row in rows.items()}
         """the name of each body that has one"""
 
+    def copied(self) -> "BodyNames":
+        """Return names that do not change with these."""
+        return BodyNames(self.rows)
+
     def described(self, row: int) -> str:
         """Return what a message calls a body."""
         name = self.of_row.get(row)

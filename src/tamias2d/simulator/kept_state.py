@@ -1,17 +1,39 @@
 """A simulator between two steps, in memory, to which it can go back again and again."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from copy import copy
 from dataclasses import dataclass
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.reports.contact_events import TouchReport
 from tamias2d.engine.saving.state_copy import StateCopy
 from tamias2d.errors import RecordingError
-from tamias2d.motion.joint_events import JointEvent
 from tamias2d.scene.rules import RuleError, shown
+from tamias2d.simulator.body_names import BodyNames
 from tamias2d.simulator.joint_set import JointSet
-from tamias2d.state import Array
+
+
+def _same(part: Any) -> Any:
+    """Return what nobody changes in place."""
+    return part
+
+
+PARTS: Mapping[str, Callable[[Any], Any]] = {
+    "_happened": copy,
+    "_joints": JointSet.copied,
+    "_left": copy,
+    "_limit_changes": _same,
+    "_limits": _same,
+    "_names": BodyNames.copied,
+    "_pushed": copy,
+    "_scene": _same,
+    "_staying": copy,
+    "_touching": _same,
+}
+"""What a simulator is besides its engine and what it warned of: attributes, and how each is copied.
+
+All others follow from these, or stay what they are.
+"""
 
 
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
@@ -20,17 +42,9 @@ class KeptState:
 
     engine: Engine
     bodies: StateCopy
-    joints: JointSet
-    expects_joints: bool
-    names: Mapping[str, int]
-    staying: frozenset[int]
-    touching: TouchReport
-    happened: tuple[JointEvent[str], ...]
-    pushed: Array | None
-    left: Array
+    parts: Mapping[str, Any]
+    """Copies of `PARTS`."""
     warnings: Mapping[str, str]
-    limits: int
-    limit_changes: int
 
     def __reduce__(self) -> NoReturn:
         """Refuse to be pickled or copied: it is what it is within one simulator."""
@@ -55,3 +69,8 @@ def checked_state(state: object, engine: Engine) -> KeptState:
             "state",
         )
     return state
+
+
+def copies(parts: Callable[[str], Any]) -> dict[str, Any]:
+    """Return copies of the parts of a simulator, or of its state, by their names."""
+    return {name: copied(parts(name)) for name, copied in PARTS.items()}

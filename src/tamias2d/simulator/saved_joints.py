@@ -1,4 +1,4 @@
-"""Joints as plain data, as they are saved with a simulator."""
+"""Joints and their events as plain data, as they are saved with a simulator."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.saving.saved_checks import require
 from tamias2d.generated.joint_rows import KINDS
+from tamias2d.motion.joint_events import WORDS, JointEvent
 from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import RuleError
@@ -44,6 +45,31 @@ def restored_joints(
         fits = bool((kinds == tb.DYNAMIC).any()) and tb.ABSENT not in kinds
         require(fits, _NAME, "must hold a body that moves")
     return joints, _checked(kept, len(rows)) if joints else None
+
+
+def restored_events(data: Sequence[Any]) -> list[JointEvent[str]]:
+    """Return the events of plain data.
+
+    Raises:
+        UnfitError: they are none.
+    """
+    try:
+        events = [JointEvent(*each) for each in data]
+        fits = all(map(_is_event, events))
+    except (TypeError, ValueError):
+        fits = False
+    require(fits, "joint_events", "must be times, names, freedoms, words and values")
+    return events
+
+
+def _is_event(event: JointEvent[str]) -> bool:
+    numbers = [each for each in event if isinstance(each, int | float)]
+    return (
+        len(numbers) == len(event) - 1
+        and all(map(math.isfinite, numbers))
+        and isinstance(event.joint, str)
+        and event.what in range(len(WORDS))
+    )
 
 
 def _checked(kept: NDArray[Any] | None, count: int) -> Array:

@@ -21,7 +21,7 @@ from tamias2d.scene.reading import read_scene
 from tamias2d.simulator.settings import checked_count, checked_substeps, checked_time_step
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 20  # of the saved state: its arrays, and the columns of the engine's
+VERSION = 21  # of the saved state: its arrays, and the columns of the engine's
 _MARK = "tamias2d simulator"
 _ABOUT, _DIGEST = "about", "digest"
 
@@ -41,6 +41,8 @@ class About:
     """The text of a scene whose loads vary."""
     joints: list[dict[str, Any]]
     """As plain data."""
+    joint_events: list[Any]
+    """What happened to joints in the last call, as plain data."""
     expects_joints: bool
     """Whether some are expected, or there were any: the code for them is loaded."""
     warnings: dict[str, str]
@@ -130,6 +132,7 @@ def _about(text: str) -> About:
         fits = fits and isinstance(about.time_step, float) and isinstance(about.substeps, int)
         fits = fits and isinstance(about.names, dict) and isinstance(about.staying, list)
         fits = fits and isinstance(about.joints, list) and isinstance(about.warnings, dict)
+        fits = fits and isinstance(about.joint_events, list)
         fits = fits and isinstance(about.expects_joints, bool)
         fits = fits and all(isinstance(text, str) for text in about.warnings.values())
     except (TypeError, ValueError, AttributeError, RecursionError) as error:
@@ -218,19 +221,19 @@ def _report_array(arrays: Arrays, name: str, size: int, width: int) -> NDArray[A
     return values.copy()
 
 
-def pushed_of(arrays: Arrays, size: int) -> NDArray[np.float64] | None:
-    """Return the loads (k, 3) for the next step only, if there are any.
+def rows_of(arrays: Arrays, name: str, size: int) -> NDArray[np.float64] | None:
+    """Return three numbers for each of the first k bodies (k, 3), if there are any.
 
     Raises:
-        UnfitError: they are no loads of `size` bodies.
+        UnfitError: they are none of `size` bodies.
     """
-    pushed = arrays.get("pushed")
-    if pushed is None:
+    rows = arrays.get(name)
+    if rows is None:
         return None
-    fits = pushed.dtype == np.float64 and pushed.ndim == 2 and pushed.shape[1] == 3
-    require(fits and len(pushed) <= size, "pushed", "must be float64 of shape (k, 3)")
-    require(np.isfinite(pushed), "pushed", "must be numbers")
-    return pushed.copy()
+    fits = rows.dtype == np.float64 and rows.ndim == 2 and rows.shape[1] == 3
+    require(fits and len(rows) <= size, name, "must be float64 of shape (k, 3)")
+    require(np.isfinite(rows), name, "must be numbers")
+    return rows.copy()
 
 
 def part(arrays: Arrays, name: str) -> dict[str, NDArray[Any]]:

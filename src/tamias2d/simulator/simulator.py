@@ -4,6 +4,7 @@ import hashlib
 from collections.abc import Mapping
 from copy import deepcopy
 from dataclasses import asdict, fields
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -32,10 +33,10 @@ from tamias2d.simulator.changing import Changing
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.joint_set import JointSet
 from tamias2d.simulator.jointing import Jointing
-from tamias2d.simulator.kept_state import KeptState, checked_state
+from tamias2d.simulator.kept_state import KeptState, checked_state, copies
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.pushing import Pushing
-from tamias2d.simulator.saved_joints import restored_joints
+from tamias2d.simulator.saved_joints import restored_events, restored_joints
 from tamias2d.simulator.settings import checked_flag, checked_substeps, checked_time_step
 from tamias2d.simulator.snapshot import Snapshot
 from tamias2d.simulator.told_only import refuses_assignment
@@ -164,20 +165,12 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         It takes some 10 kB and 2 microseconds for each body of a pile, and 0.2 ms besides.
         """
         self._settle_between()
+        self._report()
         return KeptState(
             engine=self._engine,
             bodies=copy_state(self._engine),
-            joints=self._joints.copied(),
-            expects_joints=self._engine.expects_joints,
-            names=dict(self._names.rows),
-            staying=frozenset(self._staying),
-            touching=self._report(),
-            happened=tuple(self._happened),
-            pushed=None if self._pushed is None else self._pushed.copy(),
-            left=self._left.copy(),
+            parts=copies(partial(getattr, self)),
             warnings=dict(self._warned.texts),
-            limits=self._limits,
-            limit_changes=self._limit_changes,
         )
 
     @exclusive
@@ -193,15 +186,10 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         state = checked_state(state, self._engine)
         size = self._engine.size
         restore_state(self._engine, state.bodies)
-        self._engine.expects_joints = state.expects_joints
-        self._joints = state.joints.copied()
-        self._names, self._staying = BodyNames(state.names), set(state.staying)
         self._forget()
+        for name, part in copies(state.parts.__getitem__).items():
+            setattr(self, name, part)
         self._warned.texts = dict(state.warnings)
-        self._limits, self._limit_changes = state.limits, state.limit_changes
-        self._left = state.left.copy()
-        self._pushed = None if state.pushed is None else state.pushed.copy()
-        self._touching, self._happened = state.touching, list(state.happened)
         if self._engine.size != size:
             self._look()
 
@@ -219,6 +207,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
             staying=sorted(self._staying),
             scene=None if self._scene is None else scene_text(self._scene),
             joints=[asdict(joint) for joint in self._joints],
+            joint_events=list(self._happened),
             expects_joints=self._engine.expects_joints,
             warnings=self._warned.texts,
         )
@@ -227,9 +216,12 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
             "touching": saving.touching_arrays(self._report()),
         }
         found = {f"{part}.{key}": a for part, arrays in parts.items() for key, a in arrays.items()}
-        pushed = {} if self._pushed is None else {"pushed": self._pushed}
-        tied = {"joints": self._joints.kept(self._engine, self._left)} if len(self._joints) else {}
-        return saving.sealed(about, {**found, **pushed, **tied})
+        if self._pushed is not None:
+            found["pushed"] = self._pushed
+        if len(self._joints):
+            found["joints"] = self._joints.kept(self._engine, self._left)
+            found["left"] = self._left
+        return saving.sealed(about, found)
 
     def _take_over(self, content: Mapping[str, NDArray[Any]], where: str, compiled: bool) -> None:
         about, arrays = saving.opened(content, where)
@@ -247,7 +239,10 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         self._warned.texts = about.warnings
         self._joints = JointSet(*restored_joints(about.joints, arrays.get("joints"), engine.kind))
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
-        self._pushed = saving.pushed_of(arrays, engine.size)
+        self._happened = restored_events(about.joint_events)
+        self._pushed = saving.rows_of(arrays, "pushed", engine.size)
+        left = saving.rows_of(arrays, "left", engine.size)
+        self._left = self._left if left is None else left
         if about.expects_joints:
             engine.expect_joints()
 

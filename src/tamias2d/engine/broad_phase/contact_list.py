@@ -158,7 +158,8 @@ def copy_contact(
     touches = contacts.flags[old, tb.TOUCHES] + contacts.flags[old, tb.LOCATED] != 0
     points, known = contacts.flags[old, tb.POINT_COUNT], contacts.flags[old, tb.KNOWN_SIDE]
     if points > 0 or touches or known == 1:
-        met = in_parts or contacts.flags[old, tb.TOUCHES] >= tb.MET_IN_FLIGHT
+        met = contacts.flags[old, tb.TOUCHES] >= tb.MET_IN_FLIGHT
+        met = met or in_parts or contacts.flags[old, tb.IN_PARTS] == 1
         for k in range(tb.POINT if points == 1 and known == 0 and not met else tb.MANIFOLD):
             following.manifolds[new, k] = contacts.manifolds[old, k]
         for k in range(contacts.flags.shape[1]):

@@ -27,7 +27,7 @@ from tamias2d.engine.continuous.work import (
     take_impulse_back,
     work_ahead,
 )
-from tamias2d.engine.part_impulses import forget_impulses_of
+from tamias2d.engine.part_impulses import forget_earlier
 from tamias2d.engine.tables import Bodies, Control, Events, Integers
 from tamias2d.generated.continuous_collision import position_later
 from tamias2d.generated.soft_contact import limited_tangent_impulse, restitution_impulse
@@ -253,10 +253,8 @@ def record_impact(
     The drag is what friction gave along the tangent, N s. Several impacts in flight are told as
     one, along the sum of their impulses.
     """
-    met = flags[tb.TOUCHES] & tb.IS_TOUCHING
-    if not met:
-        flags[tb.TOUCHES] |= tb.IS_TOUCHING
-        forget_impulses_of(recorded)
+    first = forget_earlier(in_parts, recorded, flags)
+    flags[tb.TOUCHES] |= tb.IS_TOUCHING
     if flags[tb.POINT_COUNT] == 0:
         flags[tb.TOUCHES] |= tb.MET_IN_FLIGHT
     elif not in_parts:
@@ -267,6 +265,6 @@ def record_impact(
     recorded[tb.PART_PUSH_Y] += impulse * normal[1]
     recorded[tb.PART_FRICTION_X] -= drag * normal[1]
     recorded[tb.PART_FRICTION_Y] += drag * normal[0]
-    if not met:
+    if first:
         recorded[tb.WORLD_POINT], recorded[tb.WORLD_POINT + 1] = place
         recorded[tb.IMPACT_NORMAL], recorded[tb.IMPACT_NORMAL + 1] = normal

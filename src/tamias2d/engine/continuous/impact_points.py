@@ -41,7 +41,9 @@ def list_points(
     q, a, b = events.met[k, tb.MET_CONTACT], events.met[k, tb.MET_A], events.met[k, tb.MET_B]
     s, t, manifold = contacts.pairs[q, 0], contacts.pairs[q, 1], events.scratch[0]
     friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
-    running = mixed_surface_speed(s, t, shapes.material)
+    one, other = (s, t) if shapes.slot[s] == a else (t, s)
+    normal = (manifold[tb.NX], manifold[tb.NY])
+    running = mixed_surface_speed(one, other, normal, shapes)
     x, y = relative_place(a, b, now, bodies.pose, bodies.motion)
     far = abs(manifold[tb.PX + tb.POINT] - manifold[tb.PX]) + abs(
         manifold[tb.PY + tb.POINT] - manifold[tb.PY]

@@ -27,6 +27,7 @@ from tamias2d.engine.joints.stages import (
     fit_touched,
     relax_joints,
     solve_joints,
+    store_joints,
 )
 from tamias2d.engine.joints.step_impulses import keep_joint_impulses
 from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
@@ -56,6 +57,7 @@ JOINT_STAGES = (
     past_untouched,
     relax_joints,
     solve_joints,
+    store_joints,
     bound_joined,
     reduce_together,
     reduce_motion_as_one,

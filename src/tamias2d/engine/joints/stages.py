@@ -186,7 +186,6 @@ def end_joints(world: World) -> None:
             kick_half(n, True, bodies, joints)
     note_before_joints(tb.FREE_OF_CONTACTS, tb.FREE_OF_CONTACTS, world)
     fit_blocks(tb.FREE_OF_CONTACTS, tb.FREE_OF_CONTACTS, bodies, joints)
-    store_blocks(joints)
     for n in range(joints.counts[tb.MECHANISMS]):
         alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
         status = joints.mechanisms[n, tb.M_STATUS]
@@ -194,11 +193,20 @@ def end_joints(world: World) -> None:
             fit(n, 0.5, world.control.settings[tb.SUBSTEP], bodies, joints)
     note_after_joints(tb.FREE_OF_CONTACTS, tb.FREE_OF_CONTACTS, world)
     for n in range(joints.counts[tb.MECHANISMS]):
-        alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
         status = joints.mechanisms[n, tb.M_STATUS]
         if status != tb.ASLEEP and status != tb.IN_CONTACT:
             bound_mechanism(n, world.control, bodies, joints, world.islands, energy)
         awake = joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP
         joints.mechanisms[n, tb.M_WRITTEN] = 1 if awake else 0
-        if alone and awake:
+
+
+def store_joints(world: World) -> None:
+    """Store what went through hinges in a part, when contacts have rebounded, too."""
+    joints = world.joints
+    if joints.counts[tb.MECHANISMS_AWAKE] == 0:
+        return
+    store_blocks(joints)
+    for n in range(joints.counts[tb.MECHANISMS]):
+        alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
+        if alone and joints.mechanisms[n, tb.M_STATUS] != tb.ASLEEP:
             store_mechanism(n, joints)

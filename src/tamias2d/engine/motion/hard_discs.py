@@ -76,7 +76,7 @@ def take_hard_steps(world: World) -> None:
                 break
         fly_on(ahead, bodies)
         taken += ahead
-        control.counts[tb.FINEST] = 0  # of which the log tells
+        control.counts[tb.FINEST] = 0
         for k in range(min(ahead, 2)):  # that pairs have touched is known for so many steps
             known = age_known(known, shapes, contacts, events)
             known = tell_impacts(met if k == 0 else 0, known, contacts, events)

@@ -71,8 +71,7 @@ def write_row(k: int, p: int, contacts: Contacts, world: World) -> None:
     row[tb.LOG_A] = world.state.body_of_slot[pair[tb.SLOT_A]]
     row[tb.LOG_B] = world.state.body_of_slot[pair[tb.SLOT_B]]
     row[tb.LOG_TOUCHES], row[tb.LOG_POINTS] = flags[tb.TOUCHES], flags[tb.POINT_COUNT]
-    row[tb.LOG_SENSES] = flags[tb.SENSES]
-    row[tb.LOG_SPLIT] = 1 if world.control.counts[tb.FINEST] > 0 else 0
+    row[tb.LOG_SENSES], row[tb.LOG_SPLIT] = flags[tb.SENSES], flags[tb.IN_PARTS]
     for n in range(tb.MANIFOLD):
         manifold[n] = contacts.manifolds[p, n]
     at = world.bodies.pose[pair[tb.SLOT_A]]

@@ -132,7 +132,6 @@ def logged_at(store: Store, rows: IntArray) -> tuple[IntArray, Array]:
     flags = world.buffers.flags[side, rows]
     for column, flag in _LOGGED.items():
         logged[:, column] = flags[:, flag]
-    logged[:, tb.LOG_SPLIT] = world.control.counts[tb.FINEST] > 0
     manifolds = world.buffers.manifolds[side, rows]
     return logged, np.hstack((manifolds, world.state.pose[bodies[:, 0], :2]))
 
@@ -141,6 +140,7 @@ _LOGGED = {
     tb.LOG_TOUCHES: tb.TOUCHES,
     tb.LOG_POINTS: tb.POINT_COUNT,
     tb.LOG_SENSES: tb.SENSES,
+    tb.LOG_SPLIT: tb.IN_PARTS,
 }
 
 

@@ -17,7 +17,7 @@ from tamias2d.engine.engine import Engine
 from tamias2d.state import IntArray
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class StateCopy:
     """What an engine was between two steps."""
 
@@ -25,13 +25,21 @@ class StateCopy:
     arrays: Mapping[str, NDArray[Any]]
     rank: IntArray
     generation: IntArray
+    expects_joints: bool
 
 
 def copy_state(engine: Engine) -> StateCopy:
     """Return what an engine is, which has settled."""
     arrays = {name: values.copy() for name, values in lasting_arrays(engine.world).items()}
     arrays["touching.counts"][[tb.ARRANGED, tb.ISLANDS_KNOWN]] = 0  # whose arrays are left out
-    return StateCopy(engine.capacities, arrays, engine.rank.copy(), engine.generation.copy())
+    arrays["control.counts"][tb.ALL_ASLEEP] = 0  # likewise
+    return StateCopy(
+        capacities=engine.capacities,
+        arrays=arrays,
+        rank=engine.rank.copy(),
+        generation=engine.generation.copy(),
+        expects_joints=engine.expects_joints,
+    )
 
 
 def restore_state(engine: Engine, state: StateCopy) -> None:
@@ -52,4 +60,6 @@ def restore_state(engine: Engine, state: StateCopy) -> None:
         engine.forget_addresses()
     engine.idle_from(state.capacities.slots - 1)
     engine.begin(state.rank.copy(), state.generation.copy())
+    engine.expects_joints = state.expects_joints
     engine.revision += 1
+    engine.forms += 1

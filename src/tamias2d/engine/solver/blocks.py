@@ -5,7 +5,7 @@ What stays while the arrangement does is written here, once.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.narrow_phase.material import mixed_material, mixed_surface_speed
+from tamias2d.engine.narrow_phase.material import mixed_material, runs
 from tamias2d.engine.narrow_phase.thickness import contact_extent
 from tamias2d.engine.tables import Bodies, Constraints, Contacts, Integers, Shapes, Touching
 from tamias2d.kernels.lanes import LANES
@@ -101,7 +101,8 @@ def fill_lanes(
         s, t = pair[0], pair[1]
         friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
         row[tb.R_FRICTION + m], row[tb.R_RESTITUTION + m] = friction, restitution
-        row[tb.R_SURFACE_SPEED + m] = mixed_surface_speed(s, t, shapes.material)
+        row[tb.R_SURFACE_SPEED + m] = 0.0  # or as `run_surfaces` tells
+        constraints.counts[tb.RUNNING] += runs(s, t, shapes)
         constraints.counts[tb.BOUNCING] += restitution > 0.0
         row[tb.R_RADIUS_A + m], row[tb.R_RADIUS_B + m] = shapes.radius[s], shapes.radius[t]
         radius = min(shapes.material[s, tb.SHAPE_RADIUS], shapes.material[t, tb.SHAPE_RADIUS])

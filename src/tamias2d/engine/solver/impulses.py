@@ -29,6 +29,8 @@ def store_impulses(
         b, m = lane_of(k, touching)
         row, manifold = constraints.blocks[b], contacts.manifolds[p]
         contacts.flags[p, tb.BOUNCED] = 0
+        if not in_parts:
+            contacts.flags[p, tb.IN_PARTS] = 0
         for n in range(points_of(k, touching)):
             at, to = tb.SHARED + n * tb.POINT_SIZE + m, tb.POINT * n
             total, friction = row[at + tb.P_TOTAL_IMPULSE], row[at + tb.P_TOTAL_FRICTION]

@@ -101,6 +101,7 @@ _constraints = Columns()
 ACTIVE = _constraints()  # moving bodies with contacts
 BLOCKS = _constraints()
 BOUNCING = _constraints()  # contacts with restitution
+RUNNING = _constraints()  # contacts with surfaces that run
 SWEEPS = _constraints()  # over the contacts in each stage of this part
 LANES_FILLED = _constraints()  # 1 if lanes hold what stays while the arrangement does
 SLABS = _constraints()

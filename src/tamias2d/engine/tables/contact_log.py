@@ -19,7 +19,7 @@ LOG_B = _log()
 LOG_TOUCHES = _log()  # as of a contact, and the next two
 LOG_POINTS = _log()
 LOG_SENSES = _log()
-LOG_SPLIT = _log()  # 1 if the step was taken in parts
+LOG_SPLIT = _log()  # 1 if its impulses are of a step in parts
 
 LOG_PLACE_A = MANIFOLD  # m, of a manifold that is logged: where body A is, two columns
 MOST_LOGGED = 32  # rows: more of them cost memory, fewer cost time

@@ -63,6 +63,7 @@ MOST_LOCATED = 12  # LOCATED of a contact that meets in this part
 SECONDARY = 14  # LOCATED of a contact that others may bring about, until it is on a list or not
 SPENT = 15  # LOCATED of a contact that has had its share of these impacts
 BOUNCED = _flags()  # 1 if restitution has parted it in the last part of a step
+IN_PARTS = _flags()  # 1 if what is told of it is of a step in parts
 # bits of TOUCHES: in this step and in the last one; in flight in this step and in the last one
 IS_TOUCHING, WAS_TOUCHING, MET_IN_FLIGHT, HAD_MET_IN_FLIGHT = 1, 2, 4, 8
 
@@ -96,6 +97,7 @@ class Contacts(NamedTuple):
                 KNOWN_SIDE: 2,
                 LOCATED: 16,
                 BOUNCED: 2,
+                IN_PARTS: 2,
             }
         ),
     ]
