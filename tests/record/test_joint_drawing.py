@@ -61,6 +61,19 @@ def test_links_without_shapes_go_from_anchor_to_anchor() -> None:
     assert limbs[2].points[:, 1] == pytest.approx(limbs[1].points[:, 1], abs=1e-12)
 
 
+def test_a_spring_does_not_hang_in_the_air() -> None:
+    """Of a body without shape a line leads to where the spring holds it."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    for x in (0.0, 5.0):
+        scene.add_body(None, mass=1.0, inertia=0.1, position=(x, 0.0), angular_velocity=1.0)
+    scene.add_spring(0, 1, stiffness=1.0, rest_length=0.5, anchor=(0.0, 1.0))
+    run = t2.simulate(scene, duration=0.3, times=np.linspace(0, 0.3, 4))
+    coil, limb = joint_drawing.lines(run, drawing.view_of(run))
+    assert (coil.kind, limb.kind) == ("spring", "joint")
+    assert limb.points[:, 0] == pytest.approx(run.position[:, 0], abs=1e-14)
+    assert limb.points[:, 1] == pytest.approx(coil.points[:, 0], abs=1e-14)
+
+
 def test_a_slide_has_ticks_at_its_limits_and_a_hinge_spokes() -> None:
     _, lines = drawn("Prismatic(limits=...)")
     ticks = [line.points[-1].mean(axis=0) for line in lines if line.kind == "limit"]

@@ -75,7 +75,7 @@ class FrameStream:
         stream = self._stream
         stream.set_time(layout.TIME, duration=clock[0].astype("timedelta64[ns]"))
         stream.set_time(layout.STEP, sequence=int(steps[0]))
-        layers = bodies.layers(frames, view, colours, crowd=True)
+        layers = bodies.layers(frames, view, colours, balls=True)  # quick for any number of them
         lines = joints.entities(frames, view)
         self._clear({*map(bodies.entity, layers), *lines})
         for key, batch in sorted(layers.items()):
