@@ -118,6 +118,20 @@ def test_the_view_holds_what_bodies_hang_from() -> None:
     assert view.center[1] + view.half[1] > 0.3
 
 
+def test_events_of_joints_stand_at_the_samples_that_show_them(tmp_path: Path) -> None:
+    chunk = pytest.importorskip("rerun.chunk")
+    run, _ = drawn("break_force=...")
+    run.save(tmp_path / "run.rrd")
+    parts = (part for part in chunk.RrdReader(tmp_path / "run.rrd").stream() if not part.is_static)
+    batches = {part.entity_path: part.to_record_batch() for part in parts}
+    (step,) = np.searchsorted(run.times, run.joint_events.time)
+    assert step > 0
+    for path in ("/impacts/joints", "/joint_events"):
+        assert batches[path].column("step").to_pylist() == [step]
+    (((text,),),) = [batches["/impacts/joints"].column("TextLog:text").to_pylist()]
+    assert text.endswith("breaks")
+
+
 def test_a_recording_shows_joints_reactions_and_events(tmp_path: Path) -> None:
     chunk = pytest.importorskip("rerun.chunk")
     run, _ = drawn("break_force=...")

@@ -72,7 +72,8 @@ def write(run: RunData, path: Path) -> None:
         impacts.draw(stream, run, view, timelines.columns(instants, samples))
     if len(run.joint_events):
         instants = np.rint(run.joint_events.time * 1e9).astype(np.int64)
-        joint_events.draw(stream, run, timelines.columns(instants, np.arange(len(instants))))
+        samples = np.searchsorted(run.times, run.joint_events.time)
+        joint_events.draw(stream, run, timelines.columns(instants, samples))
     # Written by us: rerun's own writer can wait for ever for a disk that is full.
     with aside(path) as draft:
         draft.write_bytes(encoded.read() or b"")
