@@ -63,9 +63,27 @@ def aside(path: Path) -> Iterator[Path]:
         RecordingError: the directory is missing, or the file cannot be written (a full disk).
     """
     refuse_place(path)
+    with _told(path), storage.aside(path) as draft:
+        yield draft
+
+
+@contextmanager
+def growing(path: Path) -> Iterator[Path]:
+    """Likewise, but what was written is kept, as `part_of` says, where the block ends by an error.
+
+    Raises:
+        RecordingError: likewise.
+    """
+    refuse_place(path)
+    with _told(path), storage.growing(path) as draft:
+        yield draft
+
+
+@contextmanager
+def _told(path: Path) -> Iterator[None]:
+    """Let an error of the operating system be one of the file at a path."""
     try:
-        with storage.aside(path) as draft:
-            yield draft
+        yield
     except OSError as fault:
         why = fault.strerror or type(fault).__name__
         raise RecordingError(

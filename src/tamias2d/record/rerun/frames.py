@@ -13,6 +13,7 @@ import rerun as rr
 
 from tamias2d.errors import RecordingError
 from tamias2d.record import drawing
+from tamias2d.record.document import joint_line
 from tamias2d.record.rerun import bodies, joints, layout, plots, timelines
 
 if TYPE_CHECKING:
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 
 _CONTACTS = f"{layout.WORLD}/contacts"
 _CONTACT_COLOUR: Colour = (235, 200, 60)
+_REMEDY = "Begin with a new simulator."
 _PATIENCE = 60.0  # s, that the disk may take
 _DOT, _ABOVE = 2.5, 40.0  # points of the screen; bodies and joints are drawn below
 
@@ -66,7 +68,7 @@ class FrameStream:
         self, frames: Frames, totals: Totals, first: int, view: View, colours: Sequence[Colour]
     ) -> None:
         """Send frames, of which the first one has this number, with the colours of bodies."""
-        clock = timelines.nanoseconds(frames.times, self._path, "Begin with a new simulator.")
+        clock = timelines.nanoseconds(frames.times, self._path, _REMEDY)
         steps = first + np.arange(len(clock))
 
         def times(part: slice) -> list[rr.TimeColumn]:
@@ -90,13 +92,13 @@ class FrameStream:
             joints.send(stream, path, members, times)
         self._send_totals(totals, times(slice(None)))
 
-    def joint_events(self, time: float, frame: int, events: Sequence[JointEvent[str]]) -> None:
-        """Send a line of text for each event of a joint until a time, s."""
-        self._stream.set_time(layout.TIME, duration=time)
-        self._stream.set_time(layout.STEP, sequence=frame)
-        for event in events:
-            told = f"{event.time:.6g} s: joint {event.joint} {event.what}"
-            self._stream.log(layout.JOINT_LOG, rr.TextLog(told))
+    def joint_events(self, frame: int, events: Sequence[JointEvent[str]]) -> None:
+        """Send a line of text for each event of a joint, at its time, before a frame is taken."""
+        texts = [joint_line(event.joint, event) for event in events]
+        instants = np.array([event.time for event in events])
+        clock = timelines.nanoseconds(instants, self._path, _REMEDY)
+        times = timelines.columns(clock, np.full(len(texts), frame))
+        self._stream.send_columns(layout.JOINT_LOG, times, rr.TextLog.columns(text=texts))
 
     def flush(self) -> None:
         """Write what was sent; raise `RecordingError` if that cannot be done."""
