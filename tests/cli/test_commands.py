@@ -88,6 +88,23 @@ joints:
 """
 
 
+def test_run_says_which_energy_it_tells(call: Call) -> None:
+    """Of a planet in a field it is the kinetic one, and of a thrown body that and another."""
+    for scene, kind in (("kepler", "kinetic"), ("bouncing-disc", "kinetic and potential")):
+        assert answer(call("run", scene, "--json"))["final"]["energy_is"] == kind
+
+
+def test_impacts_in_json_have_no_digits_of_rounding(call: Call) -> None:
+    """Where the text has 0; nor is there a zero below zero."""
+    text = call("run", "galperin-100", "--json").stdout
+    told = "".join(
+        str(impact["point"] + impact["normal"]) for impact in json.loads(text)["impacts"]
+    )
+    assert "e-1" not in told
+    assert "-0.0," not in told
+    assert "-0.0]" not in told
+
+
 def test_run_says_what_broke(call: Call, tmp_path: Path) -> None:
     """It bears 3 m g sin a at an angle a below the level: 30 N after 0.332 s."""
     scene = tmp_path / "thread.yaml"

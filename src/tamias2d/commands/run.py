@@ -13,6 +13,7 @@ from tamias2d.commands.output import command, error_text, figure, pair, print_js
 from tamias2d.commands.step_warnings import untold
 from tamias2d.errors import InputError, SimulationError, TamiasError
 from tamias2d.record.files import refuse_file
+from tamias2d.record.energies import energies
 from tamias2d.run import Run
 from tamias2d.scene import Body
 from tamias2d.simulate import simulate
@@ -233,6 +234,7 @@ def _as_json(run: Run, name: str, errors: list[KnownError], files: _Files) -> di
         "impacts": [_impact(run, k) for k in pushed],
         "met_by_sensors": [_impact(run, k) for k in sensed],
         "joint_events": _joint_events(run),
+            "energy_is": "kinetic" if len(energies(run)) == 1 else "kinetic and potential",
         "errors": [e.as_json() for e in errors],
         "certificate": None if run.certificate is None else run.certificate.as_json(),
         "digest": run.digest(),
