@@ -3,6 +3,7 @@
 import math
 import shlex
 import sys
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -201,8 +202,12 @@ def _seen(run: Run, k: int) -> list[float]:
     """Where the bodies of impact k touched; 0 for what is rounding beside their size."""
     shapes = (run.scene.bodies[i].shape for i in run.impacts.bodies[k])
     sizes = (shape.bounding_radius for shape in shapes if shape is not None)
-    size = min(filter(math.isfinite, sizes), default=0.0)
-    return [0.0 if abs(x) < _ROUNDING * size else float(x) for x in run.impacts.point[k]]
+    return _rounded(run.impacts.point[k], min(filter(math.isfinite, sizes), default=0.0))
+
+
+def _rounded(values: Iterable[float], size: float) -> list[float]:
+    """Return numbers, 0 for what is rounding beside a size."""
+    return [0.0 if abs(x) <= _ROUNDING * size else float(x) for x in values]
 
 
 def _print_errors(errors: list[KnownError]) -> None:
@@ -275,8 +280,8 @@ def _impact(run: Run, k: int) -> dict[str, Any]:
     return {
         "time": float(impacts.time[k]),
         "bodies": [run.scene.bodies[i].name for i in impacts.bodies[k]],
-        "point": impacts.point[k].tolist(),
-        "normal": impacts.normal[k].tolist(),
+        "point": _seen(run, k),
+        "normal": _rounded(impacts.normal[k], 1.0),
         "impulse": float(impacts.impulse[k]),
         "normal_velocity": float(impacts.normal_velocity[k]),
     }
