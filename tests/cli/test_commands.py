@@ -200,7 +200,10 @@ def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -
         (["explain", "tc33"], "SCENE: 'tc33'"),
         (["verify", "TC99"], "'TC99' is no item"),
         (["trace", "TC99"], "TC99"),
-        (["replay", "no.rrd"], "no.rrd: there is no such file"),
+        (["replay", "no.rrd"], "no.rrd: there is no such file. Make it by `tamias2d run SCENE --r"),
+        (["run", "tc3", "--method", "rk4"], "Did you mean runge-kutta-4?"),
+        (["run", "tc3", "--method", "leapfrog"], "Did you mean velocity-verlet?"),
+        (["run", "kepler", "--quality", "0.01"], "there is nothing to measure (R5). Ask for a tol"),
         (["replay", "no.txt", "--check"], "suffix '.txt'"),
     ],
 )
