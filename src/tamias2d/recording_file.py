@@ -50,9 +50,12 @@ def refuse_place(path: Path) -> None:
 
 
 def refuse_missing(path: Path, *, made_by: str) -> None:
-    """Raise `RecordingError` if there is no file at this path; say which code makes one."""
+    """Raise `RecordingError` if there is no file at this path; say what makes one."""
+    where = path_text(path)
+    if os.path.isdir(path):
+        raise RecordingError(f"{where}: is a directory. Give the name of a file in it.")
     if not os.path.isfile(path):  # False for what is no name, too
-        raise RecordingError(f"{path_text(path)}: there is no such file. Make it by `{made_by}`.")
+        raise RecordingError(f"{where}: there is no such file. Make it by {made_by}.")
 
 
 @contextmanager

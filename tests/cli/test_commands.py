@@ -191,7 +191,7 @@ def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -
         (["run", "tc3", "--record", "run.txt"], "a run is saved as .rrd"),
         (["replay", "scene.yaml"], "Give a file that `tamias2d run --record`"),
         (["replay", "."], "a directory: a run is saved as .rrd"),
-        (["run", "tc3", "--record", ""], "--record: '.': names no file"),
+        (["run", "tc3", "--record", ""], "--record: '' or '.': names no file"),
         (["run", "tc3", "--plot", "no/such/run.png"], "there is no directory no/such"),
         (["explain", "."], ".: a directory (R2)"),
         (["verify", "tc1"], "Did you mean 'TC1'?"),

@@ -13,8 +13,8 @@ from tamias2d.commands.names import find_method, find_scene, share, span_of, ste
 from tamias2d.commands.output import command, error_text, figure, pair, print_json, print_table, say
 from tamias2d.commands.step_warnings import untold
 from tamias2d.errors import InputError, SimulationError, TamiasError
-from tamias2d.record.files import refuse_file
 from tamias2d.record.energies import energies
+from tamias2d.record.files import refuse_file
 from tamias2d.run import Run
 from tamias2d.scene import Body
 from tamias2d.simulate import simulate
@@ -36,8 +36,9 @@ class _Files:
         """Refuse what cannot be written, before anything is computed."""
         for option, path in (("--record", self.record), ("--plot", self.plot)):
             if path is not None and not path.name:
+                given = "'' or '.'" if path == Path() else repr(str(path))  # paths of one kind
                 raise InputError(
-                    f"{option}: {str(path)!r}: names no file (R5). Give one, for example "
+                    f"{option}: {given}: names no file (R5). Give one, for example "
                     f"{option} {'run.rrd' if option == '--record' else 'run.png'}."
                 )
         if self.record:
@@ -233,13 +234,13 @@ def _as_json(run: Run, name: str, errors: list[KnownError], files: _Files) -> di
             "time": float(run.times[-1]),
             "bodies": _final(run),
             "energy": float(run.energy[-1]),
+            "energy_is": "kinetic" if len(energies(run)) == 1 else "kinetic and potential",
             "momentum": run.momentum[-1].tolist(),
             "angular_momentum": float(run.angular_momentum[-1]),
         },
         "impacts": [_impact(run, k) for k in pushed],
         "met_by_sensors": [_impact(run, k) for k in sensed],
         "joint_events": _joint_events(run),
-            "energy_is": "kinetic" if len(energies(run)) == 1 else "kinetic and potential",
         "errors": [e.as_json() for e in errors],
         "certificate": None if run.certificate is None else run.certificate.as_json(),
         "digest": run.digest(),
