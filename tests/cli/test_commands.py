@@ -22,6 +22,7 @@ from tamias2d.commands.names import find_method
 from tamias2d.commands.output import followed, print_table
 from tamias2d.commands.step_warnings import as_lines
 from tamias2d.errors import RecordingError, StepWarning
+from tamias2d.record import load
 from tamias2d.scene import catalogue, needs
 from tamias2d.simulate import simulate
 from tamias2d.solve import Interrupted
@@ -149,6 +150,19 @@ def test_run_keeps_a_recording_that_checks(call: Call, tmp_path: Path, suffix: s
     checked = call("replay", path, "--check")
     assert checked.exit_code == 0
     assert "identical" in checked.stdout
+
+
+@pytest.mark.parametrize(
+    ("scene", "duration", "samples"),
+    [("andrews", "0.03", 241), ("tc1", "1e-9", 241), ("tc3", "3 s", 361), ("tc3", "4.5 s", 271)],
+)
+def test_a_short_run_is_recorded_as_finely_as_a_long_one(
+    call: Call, tmp_path: Path, scene: str, duration: str, samples: int
+) -> None:
+    path = tmp_path / "run.npz"
+    call("run", scene, "--duration", duration, "--record", path)
+    assert len(load(path).times) == samples
+    assert call("replay", path, "--check").exit_code == 0
 
 
 def test_run_draws_a_plot(call: Call, tmp_path: Path) -> None:

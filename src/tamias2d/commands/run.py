@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from tamias2d.commands.exact import KnownError, known_errors
 from tamias2d.commands.names import find_method, find_scene, share, span_of, step_for
 from tamias2d.commands.output import command, error_text, figure, pair, print_json, print_table, say
@@ -18,8 +20,10 @@ from tamias2d.record.files import refuse_file
 from tamias2d.run import Run
 from tamias2d.scene import Body
 from tamias2d.simulate import simulate
-from tamias2d.solve import Interrupted
+from tamias2d.solve import FRAMES, Interrupted
+from tamias2d.state import Array
 
+_FEWEST = 240  # samples
 _SHOWN = 5  # impacts, and events of joints
 _BODIES = 30  # whose states are shown
 _ROUNDING = 1e-12  # of a place, relative to the size of a body
@@ -76,13 +80,15 @@ def run_scene(
     files.check()
     chosen = None if method is None else find_method(method)
     step = step_for(chosen, time_step)
+    span = span_of(scene, name, duration)
     try:
         with untold():
             run = simulate(
                 scene,
-                duration=span_of(scene, name, duration),
+                duration=span,
                 method=chosen,
                 time_step=step,
+                times=_times(span) if step is None else None,
                 tolerance=share(tolerance, option="--tolerance"),
                 quality=share(quality, option="--quality"),
                 progress=sys.stderr.isatty(),
@@ -105,6 +111,14 @@ def run_scene(
         files.write(run)  # last: a full disk loses no answer, and a lost answer no file
     if not as_json:
         _print_files(files)
+
+
+def _times(duration: float) -> Array | None:
+    """Return the times of samples, s, where those that a run has by itself are few to look at."""
+    count = math.ceil(duration * FRAMES)
+    if not 0 < count < _FEWEST:
+        return None
+    return np.linspace(0.0, duration, count * math.ceil(_FEWEST / count) + 1)
 
 
 def _keep(run: Run | None, files: _Files) -> None:
