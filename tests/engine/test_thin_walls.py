@@ -85,7 +85,10 @@ def seen_from_box(sim: Simulator) -> Array:
     ("kind", "seeds"), [("fixed", 200), ("heavy", 60), ("loose", 40), ("driven", 60), ("drum", 60)]
 )
 def test_nothing_gets_out_of_a_box_of_thin_walls(kind: str, seeds: int) -> None:
-    """A drum presses what is in it by a thousand times its weight: too much is told (IM10)."""
+    """A drum presses what is in it by a thousand times its weight: too much is told (IM10).
+
+    So does a loose box that what is in it makes spin.
+    """
     lost = []
     for seed in range(seeds):
         sim = thrown(kind, seed)
@@ -93,7 +96,7 @@ def test_nothing_gets_out_of_a_box_of_thin_walls(kind: str, seeds: int) -> None:
         for step in range(STEPS):
             sim.step()
             if abs(seen_from_box(sim)).max() >= 1.0:
-                if not (kind == "drum" and sim.warnings):
+                if not (kind in ("drum", "loose") and sim.warnings):
                     lost.append((seed, step))
                 break
             if kind == "fixed" and seed % 2 == 0:  # without gravity

@@ -362,3 +362,20 @@ def test_worlds_of_an_ensemble_keep_it() -> None:
             time_step=step,
         )
         assert np.all(np.asarray(found.orientation)[..., -1] == 0.4)
+
+
+@pytest.mark.parametrize("kick", [1e-6, 1e-3, 1e-2])
+@pytest.mark.parametrize("count", [2, 3, 6, 10])
+def test_heroes_who_stand_on_each_other_come_to_rest(count: int, kick: float) -> None:
+    """Discs that do not turn hold by friction, wherever they touch: a kick shifts them a little."""
+    sim = street()
+    disc = t2.Disc(radius=0.25)
+    for k in range(count):
+        place = 0.0, 0.25 + 0.5 * k
+        sim.add(disc, mass=1.0, position=place, inertia=math.inf, **SURFACE)
+    sim.velocity[-1] = kick, 0.0
+    sim.step(60)
+    for _ in range(60):
+        sim.step()
+        assert abs(sim.velocity).max() < 1e-9
+    assert abs(sim.position[1:, 0]).max() <= kick / 60

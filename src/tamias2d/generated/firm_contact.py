@@ -1,5 +1,5 @@
 """Firm contact: Firm contact; Friction of two contacts of a pair; Mass of a firm row; Balance of
-momenta; Energy beside momentum.
+momenta; Energy beside momentum; Energy that a support gives.
 
 Generated from srs/models/firm_contact.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -410,3 +410,21 @@ def bias_energy(mass: Scalar, bias_velocity: Scalar) -> Scalar:
     Source: DD35, srs/models/firm_contact.md:270.
     """
     return mass * bias_velocity * bias_velocity / 2
+
+
+def support_energy(
+    accumulated_impulse: Scalar, tangent_impulse: Scalar, support_rate: Scalar, support_slip: Scalar
+) -> Scalar:
+    """Energy that a support gives by the impulses of a contact (J).
+
+    support_energy = -(accumulated_impulse*support_rate + tangent_impulse*support_slip)
+
+    Args:
+        accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
+        tangent_impulse: Impulse that a contact has given in a substep along its tangent, N*s
+        support_rate: Normal velocity of a contact by the motion of its support alone, m/s
+        support_slip: Tangential velocity of a contact by the motion of its support alone, m/s
+
+    Source: DD104, srs/models/firm_contact.md:305.
+    """
+    return -(accumulated_impulse * support_rate + tangent_impulse * support_slip)

@@ -2025,6 +2025,14 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1262,
     ),
+    "support_energy": Symbol(
+        "support_energy",
+        "J",
+        "energy that a support gives by the impulses of a contact",
+        tex="E_{\\text{support}}",
+        file="srs/symbols.md",
+        line=1267,
+    ),
     "total_impulse": Symbol(
         "total_impulse",
         "N*s",
@@ -2032,7 +2040,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1267,
+        line=1271,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2040,7 +2048,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1272,
+        line=1276,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2048,7 +2056,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_{\\mathrm{sup}}",
         file="srs/symbols.md",
-        line=1276,
+        line=1280,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2057,7 +2065,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1280,
+        line=1284,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2065,7 +2073,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1286,
+        line=1290,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2074,7 +2082,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1290,
+        line=1294,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2083,7 +2091,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1295,
+        line=1299,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2092,7 +2100,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1300,
+        line=1304,
     ),
     "rising_energy_left": Symbol(
         "rising_energy_left",
@@ -2101,7 +2109,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1305,
+        line=1309,
     ),
     "velocity_rising_reduced": Symbol(
         "velocity_rising_reduced",
@@ -2110,7 +2118,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1310,
+        line=1314,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2118,7 +2126,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1315,
+        line=1319,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2127,7 +2135,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1321,
+        line=1325,
     ),
     "energy_along_given_left": Symbol(
         "energy_along_given_left",
@@ -2136,7 +2144,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1326,
+        line=1330,
     ),
     "velocity_reduced": Symbol(
         "velocity_reduced",
@@ -2145,7 +2153,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1331,
+        line=1335,
     ),
     "angular_velocity_reduced": Symbol(
         "angular_velocity_reduced",
@@ -2153,7 +2161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1336,
+        line=1340,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2162,7 +2170,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1340,
+        line=1344,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2170,7 +2178,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1345,
+        line=1349,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2179,7 +2187,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1349,
+        line=1353,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2187,7 +2195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1354,
+        line=1358,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2196,7 +2204,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1359,
+        line=1363,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2205,7 +2213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1364,
+        line=1368,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2214,7 +2222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1369,
+        line=1373,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2222,7 +2230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1374,
+        line=1378,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2230,7 +2238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1378,
+        line=1382,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2238,7 +2246,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1382,
+        line=1386,
     ),
     "energy_defect": Symbol(
         "energy_defect",
@@ -2246,7 +2254,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1386,
+        line=1390,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2255,7 +2263,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1392,
+        line=1396,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2264,7 +2272,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1397,
+        line=1401,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2273,7 +2281,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1404,
+        line=1408,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2282,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1409,
+        line=1413,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2290,7 +2298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1414,
+        line=1418,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2298,7 +2306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\ell_v",
         file="srs/symbols.md",
-        line=1419,
+        line=1423,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2306,7 +2314,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1425,
+        line=1429,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2315,7 +2323,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_L",
         file="srs/symbols.md",
-        line=1429,
+        line=1433,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2324,7 +2332,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1436,
+        line=1440,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2333,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1441,
+        line=1445,
     ),
     "energy": Symbol(
         "energy",
@@ -2341,7 +2349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1446,
+        line=1450,
     ),
     "radius": Symbol(
         "radius",
@@ -2350,7 +2358,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1455,
+        line=1459,
     ),
     "length": Symbol(
         "length",
@@ -2359,7 +2367,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1460,
+        line=1464,
     ),
     "width": Symbol(
         "width",
@@ -2368,7 +2376,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1467,
+        line=1471,
     ),
     "height": Symbol(
         "height",
@@ -2377,7 +2385,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1472,
+        line=1476,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2386,7 +2394,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1477,
+        line=1481,
     ),
     "center": Symbol(
         "center",
@@ -2395,7 +2403,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1482,
+        line=1486,
     ),
     "offset": Symbol(
         "offset",
@@ -2403,7 +2411,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1487,
+        line=1491,
     ),
     "area": Symbol(
         "area",
@@ -2412,7 +2420,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1491,
+        line=1495,
     ),
     "way": Symbol(
         "way",
@@ -2421,7 +2429,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_c",
         file="srs/symbols.md",
-        line=1496,
+        line=1500,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2429,7 +2437,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha_c",
         file="srs/symbols.md",
-        line=1501,
+        line=1505,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2438,7 +2446,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1505,
+        line=1509,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2447,7 +2455,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1510,
+        line=1514,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2455,7 +2463,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta_e",
         file="srs/symbols.md",
-        line=1515,
+        line=1519,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2463,7 +2471,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1519,
+        line=1523,
     ),
     "lean": Symbol(
         "lean",
@@ -2471,7 +2479,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1523,
+        line=1527,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2479,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho_c",
         file="srs/symbols.md",
-        line=1527,
+        line=1531,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2487,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1531,
+        line=1535,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2496,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1537,
+        line=1541,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2504,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1550,
+        line=1554,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2512,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1554,
+        line=1558,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2520,7 +2528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1558,
+        line=1562,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2528,7 +2536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1562,
+        line=1566,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2537,7 +2545,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta_C",
         file="srs/symbols.md",
-        line=1566,
+        line=1570,
     ),
     "slope": Symbol(
         "slope",
@@ -2546,7 +2554,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}",
         file="srs/symbols.md",
-        line=1571,
+        line=1575,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2555,7 +2563,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}_0",
         file="srs/symbols.md",
-        line=1576,
+        line=1580,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2564,7 +2572,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta G^2",
         file="srs/symbols.md",
-        line=1581,
+        line=1585,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2573,7 +2581,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="G^2",
         file="srs/symbols.md",
-        line=1586,
+        line=1590,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2581,7 +2589,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="G_\\varphi",
         file="srs/symbols.md",
-        line=1591,
+        line=1595,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2589,7 +2597,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1595,
+        line=1599,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2597,7 +2605,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e_G",
         file="srs/symbols.md",
-        line=1599,
+        line=1603,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2606,7 +2614,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_G",
         file="srs/symbols.md",
-        line=1603,
+        line=1607,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2614,7 +2622,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="G_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1608,
+        line=1612,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2622,7 +2630,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_G",
         file="srs/symbols.md",
-        line=1612,
+        line=1616,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2630,7 +2638,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1616,
+        line=1620,
     ),
     "inertia_factor_most": Symbol(
         "inertia_factor_most",
@@ -2638,7 +2646,7 @@ SYMBOLS: dict[str, Symbol] = {
         "most times its own inertia with which a body counts in joints",
         tex="\\kappa_{\\max}",
         file="srs/symbols.md",
-        line=1620,
+        line=1624,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2646,7 +2654,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1624,
+        line=1628,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2654,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1628,
+        line=1632,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2662,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1632,
+        line=1636,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2670,7 +2678,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1636,
+        line=1640,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2678,7 +2686,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1640,
+        line=1644,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2686,7 +2694,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1644,
+        line=1648,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2695,7 +2703,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1648,
+        line=1652,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2703,7 +2711,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda_l",
         file="srs/symbols.md",
-        line=1653,
+        line=1657,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2712,7 +2720,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1657,
+        line=1661,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2720,7 +2728,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1662,
+        line=1666,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2729,7 +2737,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1666,
+        line=1670,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2738,7 +2746,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1671,
+        line=1675,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2747,7 +2755,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1676,
+        line=1680,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2756,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1681,
+        line=1685,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2764,7 +2772,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1686,
+        line=1690,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2773,7 +2781,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1690,
+        line=1694,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2781,7 +2789,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1695,
+        line=1699,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2789,7 +2797,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1699,
+        line=1703,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2798,7 +2806,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1703,
+        line=1707,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2807,7 +2815,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1708,
+        line=1712,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2815,7 +2823,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1713,
+        line=1717,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2824,7 +2832,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1717,
+        line=1721,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2832,7 +2840,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1722,
+        line=1726,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2840,7 +2848,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1726,
+        line=1730,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2849,7 +2857,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1730,
+        line=1734,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2858,7 +2866,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1735,
+        line=1739,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2867,7 +2875,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1740,
+        line=1744,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2876,7 +2884,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1745,
+        line=1749,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2885,7 +2893,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1750,
+        line=1754,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2894,7 +2902,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1755,
+        line=1759,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2903,7 +2911,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=1760,
+        line=1764,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2912,7 +2920,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=1765,
+        line=1769,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -2921,7 +2929,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=1770,
+        line=1774,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -2930,7 +2938,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1775,
+        line=1779,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2939,7 +2947,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1780,
+        line=1784,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2947,7 +2955,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1785,
+        line=1789,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2956,7 +2964,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1789,
+        line=1793,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2965,7 +2973,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1794,
+        line=1798,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2974,7 +2982,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1799,
+        line=1803,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2982,7 +2990,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1804,
+        line=1808,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2991,7 +2999,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=1808,
+        line=1812,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2999,7 +3007,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1813,
+        line=1817,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3007,7 +3015,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=1817,
+        line=1821,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3016,7 +3024,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1821,
+        line=1825,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3025,7 +3033,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1826,
+        line=1830,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3034,7 +3042,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1831,
+        line=1835,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3042,7 +3050,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1836,
+        line=1840,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3050,7 +3058,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1840,
+        line=1844,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3058,7 +3066,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1844,
+        line=1848,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3067,7 +3075,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=1848,
+        line=1852,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3076,7 +3084,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=1853,
+        line=1857,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3085,7 +3093,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1858,
+        line=1862,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3094,7 +3102,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1863,
+        line=1867,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3103,7 +3111,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=1868,
+        line=1872,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3112,7 +3120,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=1873,
+        line=1877,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3121,7 +3129,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=1878,
+        line=1882,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3130,7 +3138,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=1883,
+        line=1887,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3138,7 +3146,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1888,
+        line=1892,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3147,7 +3155,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1892,
+        line=1896,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3155,7 +3163,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1897,
+        line=1901,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3164,7 +3172,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1901,
+        line=1905,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3173,7 +3181,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1906,
+        line=1910,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3182,7 +3190,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1911,
+        line=1915,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3191,7 +3199,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1916,
+        line=1920,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3200,7 +3208,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=1921,
+        line=1925,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3208,7 +3216,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1926,
+        line=1930,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3217,7 +3225,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1930,
+        line=1934,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3226,7 +3234,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1935,
+        line=1939,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3235,7 +3243,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1940,
+        line=1944,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3244,7 +3252,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1945,
+        line=1949,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3252,7 +3260,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1950,
+        line=1954,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3260,7 +3268,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1954,
+        line=1958,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3269,7 +3277,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1958,
+        line=1962,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3278,7 +3286,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1963,
+        line=1967,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3287,7 +3295,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1968,
+        line=1972,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3296,7 +3304,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1973,
+        line=1977,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3305,7 +3313,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1978,
+        line=1982,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3314,7 +3322,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1983,
+        line=1987,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3323,7 +3331,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1988,
+        line=1992,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3332,7 +3340,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1993,
+        line=1997,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3341,7 +3349,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1998,
+        line=2002,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3349,7 +3357,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2003,
+        line=2007,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3357,7 +3365,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2007,
+        line=2011,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3366,7 +3374,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2011,
+        line=2015,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3374,7 +3382,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2016,
+        line=2020,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3382,7 +3390,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2020,
+        line=2024,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3391,7 +3399,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2024,
+        line=2028,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3400,7 +3408,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2029,
+        line=2033,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3409,7 +3417,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2034,
+        line=2038,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3417,7 +3425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2039,
+        line=2043,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3426,7 +3434,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2043,
+        line=2047,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3434,7 +3442,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2048,
+        line=2052,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3443,7 +3451,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2052,
+        line=2056,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3451,7 +3459,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2057,
+        line=2061,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3460,7 +3468,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2061,
+        line=2065,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3468,7 +3476,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2066,
+        line=2070,
     ),
     "change": Symbol(
         "change",
@@ -3477,7 +3485,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2070,
+        line=2074,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3486,7 +3494,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2075,
+        line=2079,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3495,7 +3503,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2080,
+        line=2084,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3503,7 +3511,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2085,
+        line=2089,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3512,7 +3520,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2089,
+        line=2093,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3520,7 +3528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2094,
+        line=2098,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3528,7 +3536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2098,
+        line=2102,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3536,7 +3544,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2102,
+        line=2106,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3545,7 +3553,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2106,
+        line=2110,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3553,7 +3561,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2111,
+        line=2115,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3562,6 +3570,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2115,
+        line=2119,
     ),
 }

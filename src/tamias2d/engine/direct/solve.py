@@ -9,10 +9,19 @@ Cost: some factorizations of a nearly banded matrix. Source: Rockafellar (1976),
 George and Liu (1981), sparse elimination.
 """
 
-from math import sqrt
+from math import inf, sqrt
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.direct.active_set import LOOSE, find_residual, guess_state
+from tamias2d.engine.direct.active_set import (
+    ALL_CHANGE,
+    COARSE,
+    FRICTION_STAYS,
+    LOOSE,
+    STATES_STAY,
+    change_worst_friction,
+    find_residual,
+    guess_state,
+)
 from tamias2d.engine.direct.cholesky import factor, substitute
 from tamias2d.engine.direct.contacts import (
     apply_contact,
@@ -35,7 +44,9 @@ from tamias2d.kernels.assembled import inlined
 
 REMOVED = 0.2  # of an overlap, in a substep
 CORRECTIONS = 12  # of the active set, at most
+PATIENT_CORRECTIONS = 60
 NEARLY = 1e-3  # of the largest difference of velocity: a point that parts more slowly may press
+NOISE = 1e-5  # of the impulse that stops the heaviest body: less is what rounding has left
 CONVERGED = 1e-10  # residual as a part of the impulses, squared
 ACCEPTED = 1e-6  # the same: an island with more is not solved
 UNLIKE = 100.0  # largest mass over that mean: what is so uneven the substeps do not hold
@@ -109,7 +120,9 @@ def solve_tree(
     """Solve an island, or leave it to the substeps from now on."""
     rate = REMOVED / substep
     contacts = range(direct.sparse[n, tb.I_CONTACT], direct.sparse[n + 1, tb.I_CONTACT])
-    apart = open_contacts(n, relaxing, substep, bodies, constraints, direct)
+    apart = open_contacts(
+        n, relaxing, 0.0 if relaxing else 1.0, substep, bodies, constraints, direct
+    )
     pressed = any_presses(n, constraints, direct)
     solved = True
     if pressed:
@@ -117,6 +130,10 @@ def solve_tree(
         before = energy_without_contacts(n, constraints, direct)
         residual = iterate_tree(n, bodies, constraints, direct)
         restore_velocities(n, bodies, direct)
+        if residual > ACCEPTED:
+            open_contacts(n, relaxing, COARSE, substep, bodies, constraints, direct)
+            residual = iterate_patiently(n, bodies, constraints, direct)
+            restore_velocities(n, bodies, direct)
         solved = residual <= ACCEPTED
         solved = solved and accept_impulses(n, before, apart, bodies, constraints, direct)
     for contact in contacts:
@@ -134,13 +151,19 @@ def solve_tree(
             note_gaps(contact, substep, bodies, constraints, direct)
 
 
-@inlined
 def open_contacts(
-    n: int, relaxing: bool, substep: float, bodies: Bodies, constraints: Constraints, direct: Direct
+    n: int,
+    relaxing: bool,
+    coarseness: float,
+    substep: float,
+    bodies: Bodies,
+    constraints: Constraints,
+    direct: Direct,
 ) -> float:
-    """Write biases, first states and the scale of impulses of an island.
+    """Write biases and the scale of impulses of an island, and guess its states.
 
-    Returns the sum of the velocities, m/s, at which overlaps are pushed apart.
+    They are known where the coarseness, by which what counts as rounding is larger, is 0. Returns
+    the sum of the velocities, m/s, at which overlaps are pushed apart.
     """
     contacts = range(direct.sparse[n, tb.I_CONTACT], direct.sparse[n + 1, tb.I_CONTACT])
     fastest = apart = largest = 0.0
@@ -149,10 +172,14 @@ def open_contacts(
             contact, relaxing, substep, REMOVED / substep, bodies, constraints, direct
         )
         fastest, apart = max(fastest, speed), apart - bias
+    stopping = direct.factors[n, tb.LARGEST_MASS] * fastest
     for contact in contacts:
-        impulse = guess_state(contact, relaxing, NEARLY * fastest, constraints, direct)
+        noise = NOISE * stopping if coarseness <= 1.0 else inf
+        impulse = guess_state(
+            contact, coarseness > 0.0, NEARLY * fastest, noise, constraints, direct
+        )
         largest = max(largest, impulse)
-    direct.factors[n, tb.IMPULSE_SCALE] = largest + direct.factors[n, tb.LARGEST_MASS] * fastest
+    direct.factors[n, tb.IMPULSE_SCALE] = largest + stopping
     return apart
 
 
@@ -171,23 +198,59 @@ def any_presses(n: int, constraints: Constraints, direct: Direct) -> bool:
 
 def iterate_tree(n: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
     """Find velocities, impulses and active set of an island; return the residual that is left."""
-    sparse, factors = direct.sparse, direct.factors
-    changed, residual = find_residual(n, True, bodies, constraints, direct)
+    changed, residual = find_residual(n, STATES_STAY, 1.0, bodies, constraints, direct)
     for _ in range(CORRECTIONS):
-        if changed > 0 or sparse[n, tb.I_STATUS] == NOT_FACTORED:
-            assemble_matrix(n, constraints, direct)
-            sparse[n, tb.I_STATUS] = NOT_FACTORED
-            if not factor(n, sparse, factors):
-                return 1.0
-            sparse[n, tb.I_STATUS] = FACTORED
-        substitute(n, sparse, factors)
-        for node in range(sparse[n, tb.I_NODE], sparse[n + 1, tb.I_NODE]):
-            for k in range(3):
-                bodies.motion[sparse[node, tb.N_BODY], k] += factors[node, tb.CHANGE + k]
-        changed, residual = find_residual(n, False, bodies, constraints, direct)
+        if not correct_velocities(n, changed > 0, bodies, constraints, direct):
+            return 1.0
+        changed, residual = find_residual(n, ALL_CHANGE, 1.0, bodies, constraints, direct)
         if residual <= CONVERGED:
             return residual
     return residual
+
+
+def iterate_patiently(n: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
+    """Do the same, but change what presses only where all else fits, and then what slides.
+
+    All contacts hold at first, and slide one after the other. Where much slides at once, or normal
+    impulses are next to nothing, the active set would change to and fro.
+    """
+    changed, residual = find_residual(n, STATES_STAY, COARSE, bodies, constraints, direct)
+    for _ in range(PATIENT_CORRECTIONS):
+        if not correct_velocities(n, changed > 0, bodies, constraints, direct):
+            return 1.0
+        before = residual
+        changed, residual = find_residual(n, STATES_STAY, COARSE, bodies, constraints, direct)
+        if residual > ACCEPTED:
+            continue
+        fits = residual <= CONVERGED or residual > 0.5 * before  # which is all that rounding allows
+        changed, residual = find_residual(n, FRICTION_STAYS, COARSE, bodies, constraints, direct)
+        if changed == 0 and change_worst_friction(n, bodies, constraints, direct):
+            changed, residual = find_residual(n, STATES_STAY, COARSE, bodies, constraints, direct)
+        elif changed == 0 and fits:
+            return residual
+    return residual
+
+
+@inlined
+def correct_velocities(
+    n: int, changed: bool, bodies: Bodies, constraints: Constraints, direct: Direct
+) -> bool:
+    """Solve for the momentum that the nodes of an island have left; return whether that is done.
+
+    Its matrix is factored if the active set has changed.
+    """
+    sparse, factors = direct.sparse, direct.factors
+    if changed or sparse[n, tb.I_STATUS] == NOT_FACTORED:
+        assemble_matrix(n, constraints, direct)
+        sparse[n, tb.I_STATUS] = NOT_FACTORED
+        if not factor(n, sparse, factors):
+            return False
+        sparse[n, tb.I_STATUS] = FACTORED
+    substitute(n, sparse, factors)
+    for node in range(sparse[n, tb.I_NODE], sparse[n + 1, tb.I_NODE]):
+        for k in range(3):
+            bodies.motion[sparse[node, tb.N_BODY], k] += factors[node, tb.CHANGE + k]
+    return True
 
 
 @inlined
@@ -200,7 +263,7 @@ def accept_impulses(
     for contact in range(first, last):
         largest = max(largest, apply_contact(contact, bodies, constraints, direct))
     accepted = largest <= WILD * (last - first) * direct.factors[n, tb.IMPULSE_SCALE]
-    accepted = accepted and gains_no_energy(n, before, apart, bodies, direct)
+    accepted = accepted and gains_no_energy(n, before, apart, bodies, constraints, direct)
     if not accepted:
         restore_velocities(n, bodies, direct)
     return accepted

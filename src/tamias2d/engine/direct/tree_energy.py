@@ -2,12 +2,14 @@
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.contacts import add_to_nodes
+from tamias2d.engine.solver.lane import normal_speed, slip_at, velocities_of_one
 from tamias2d.engine.tables import Bodies, Constraints, Direct, Integers
 from tamias2d.generated.definitions import angular_momentum_own, momentum
 from tamias2d.generated.firm_contact import (
     bias_energy,
     linear_energy,
     linear_energy_start,
+    support_energy,
     turning_energy,
     turning_energy_start,
 )
@@ -79,8 +81,47 @@ def take_impulses(contact: int, constraints: Constraints, sparse: Integers, fact
         add_to_nodes(contact, impulse, arm_a, arm_b, tangent, sparse, factors)
 
 
-def gains_no_energy(n: int, before: float, apart: float, bodies: Bodies, direct: Direct) -> bool:
-    """Return whether contacts take energy, except for removing overlap at a velocity, m/s."""
+def energy_of_support(n: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
+    """Return what the support of an island gives by the impulses that were found, J (DD104)."""
+    sparse, total = direct.sparse, 0.0
+    for contact in range(sparse[n, tb.I_CONTACT], sparse[n + 1, tb.I_CONTACT]):
+        is_a, is_b = sparse[contact, tb.C_NODE_A] < 0, sparse[contact, tb.C_NODE_B] < 0
+        if is_a or is_b:
+            total += energy_of_contact(contact, is_a, bodies, constraints, direct)
+    return total
+
+
+def energy_of_contact(
+    contact: int, is_a: bool, bodies: Bodies, constraints: Constraints, direct: Direct
+) -> float:
+    """Return what one of the bodies of a contact, A or B, gives, J."""
+    b, m = direct.sparse[contact, tb.C_BLOCK], direct.sparse[contact, tb.C_LANE]
+    row, lane, total = constraints.blocks[b], constraints.lanes[b], 0.0
+    support = bodies.motion[lane[(tb.BODY_A if is_a else tb.BODY_B) + m]]
+    alone = velocities_of_one(support, is_a)
+    for k in range(lane[tb.POINTS]):
+        at = tb.SHARED + k * tb.POINT_SIZE
+        total += support_energy(
+            direct.factors[contact, tb.NEW_NORMAL + k],
+            direct.factors[contact, tb.NEW_TANGENT + k],
+            normal_speed(m, at, alone, row),
+            slip_at(m, at, alone, row),
+        )
+    return total
+
+
+def gains_no_energy(
+    n: int,
+    before: float,
+    apart: float,
+    bodies: Bodies,
+    constraints: Constraints,
+    direct: Direct,
+) -> bool:
+    """Return whether contacts take energy, beside what their support gives.
+
+    They may remove overlap at a velocity, m/s.
+    """
     energy = mass = 0.0
     for node in range(direct.sparse[n, tb.I_NODE], direct.sparse[n + 1, tb.I_NODE]):
         now, numbers = bodies.motion[direct.sparse[node, tb.N_BODY]], direct.factors[node]
@@ -91,4 +132,5 @@ def gains_no_energy(n: int, before: float, apart: float, bodies: Bodies, direct:
     left = UNSOLVED_ENERGY * linear_energy_start(
         (direct.factors[n, tb.IMPULSE_SCALE], 0.0), mean_mass
     )
-    return energy <= before * LIVELY + left + bias_energy(mass, apart)
+    given = energy_of_support(n, bodies, constraints, direct) + bias_energy(mass, apart)
+    return energy <= before * LIVELY + left + given

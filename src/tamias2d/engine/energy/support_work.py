@@ -6,7 +6,7 @@ block, where some island leans on such.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.energy.support import SUPPORTED_BY_ONE
-from tamias2d.engine.solver.lane import Velocities, normal_speed, slip_at
+from tamias2d.engine.solver.lane import normal_speed, slip_at, velocities_of_one
 from tamias2d.engine.tables import Bodies, Constraints, Islands
 from tamias2d.generated.island_energy import support_work
 
@@ -33,14 +33,7 @@ def work_of_contact(
     """Return what the support of a contact may have given by it at most, J."""
     lanes, row, total = constraints.lanes[b], constraints.blocks[b], 0.0
     support = bodies.motion[lanes[(tb.BODY_A if support_is_a else tb.BODY_B) + m]]
-    of_a = 1.0 if support_is_a else 0.0  # so much of its motion is that of body A
-    of_b = 1.0 - of_a
-    alone = Velocities(
-        (of_a * support[tb.VX], of_a * support[tb.VY]),
-        of_a * support[tb.SPIN],
-        (of_b * support[tb.VX], of_b * support[tb.VY]),
-        of_b * support[tb.SPIN],
-    )
+    alone = velocities_of_one(support, support_is_a)
     for n in range(lanes[tb.POINTS]):
         at = tb.SHARED + n * tb.POINT_SIZE
         total += support_work(

@@ -93,6 +93,18 @@ def normal_speed(m: int, at: int, now: Velocities, row: Array) -> float:
     return row_velocity(now.a, now.spin_a, arm_a, now.b, now.spin_b, arm_b, line)
 
 
+def velocities_of_one(motion: Array, is_a: bool) -> Velocities:
+    """Return the velocities at a contact if only one of its bodies, A or B, moved."""
+    of_a = 1.0 if is_a else 0.0
+    of_b = 1.0 - of_a
+    return Velocities(
+        (of_a * motion[tb.VX], of_a * motion[tb.VY]),
+        of_a * motion[tb.SPIN],
+        (of_b * motion[tb.VX], of_b * motion[tb.VY]),
+        of_b * motion[tb.SPIN],
+    )
+
+
 @inlined
 def slip_at(m: int, at: int, now: Velocities, row: Array) -> float:
     """Return at which speed the surfaces slip at a point, m/s (DD97)."""
