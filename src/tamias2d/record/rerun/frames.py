@@ -14,7 +14,7 @@ import rerun as rr
 from tamias2d.errors import RecordingError
 from tamias2d.record import drawing
 from tamias2d.record.document import joint_line
-from tamias2d.record.rerun import bodies, joints, layout, plots, timelines
+from tamias2d.record.rerun import bodies, joints, layout, messages, plots, timelines
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -42,7 +42,9 @@ class FrameStream:
         self._stream = rr.RecordingStream(self._name)
         if rr.get_application_id(self._stream) is None:
             raise RecordingError(f"{path}: rerun records nothing: the environment says RERUN=off.")
-        self._stream.save(draft)
+        self._encoded = rr.binary_stream(self._stream)
+        # Written by us: rerun's own writer can wait for ever for a disk that is full.
+        self._file = draft.open("wb", buffering=0)
         self._stream.send_recording_name(self._name)
         mark = rr.DynamicArchetype(layout.FRAME_LOOP, components={"path": path.name})
         self._stream.log(layout.RECORDING, mark, static=True)
@@ -103,16 +105,21 @@ class FrameStream:
     def flush(self) -> None:
         """Write what was sent; raise `RecordingError` if that cannot be done."""
         try:
-            self._stream.flush(timeout_sec=_PATIENCE)
-        except (RuntimeError, ValueError) as fault:
+            encoded = self._encoded.read(flush_timeout_sec=_PATIENCE)
+            left = memoryview(messages.of(encoded or b"", begun=self._file.tell() > 0))
+            while left:
+                left = left[self._file.write(left) :]
+        except (OSError, RuntimeError, ValueError) as fault:
+            why = getattr(fault, "strerror", None) or fault
             raise RecordingError(
-                f"{self._path}: cannot be written: {fault}. Check the disk's space and the "
+                f"{self._path}: cannot be written: {why}. Check the disk's space and the "
                 "permissions."
             ) from fault
 
     def end(self) -> None:
         """End the file; nothing can be sent any more."""
         self._stream.disconnect()
+        self._file.close()
 
     def _clear(self, shown: set[str]) -> None:
         """Let entities that show nothing any more vanish."""

@@ -23,6 +23,20 @@ _END = 0
 """The kind of the last message of a file that was ended; what follows it is an index."""
 
 
+def of(encoded: bytes, *, begun: bool) -> bytes:
+    """Return the messages of a whole recording, to go on with one that has begun, or to begin.
+
+    The index at its end is left off, which readers can do without: it is that of a part.
+    """
+    end = _BEGIN
+    while end < len(encoded):
+        kind, length = _HEAD.unpack_from(encoded, end)
+        if kind == _END:
+            break
+        end += _HEAD.size + length
+    return encoded[_BEGIN if begun else 0 : end]
+
+
 def cut(path: Path) -> bool:
     """Take off a message at the end that is not whole; return whether one is left."""
     length = _whole(path)
