@@ -30,11 +30,14 @@ def test_what_nothing_pushes_keeps_its_way_and_its_momentum(seed: int) -> None:
     ("radius", "fall"), [(0.005, 2.0), (0.02, 0.2), (0.02, 2.0), (0.02, 20.0), (0.1, 20.0)]
 )
 def test_nobody_stands_still_with_a_velocity(radius: float, fall: float) -> None:
-    sim, rows = rain(radius, fall)
-    # in a heap that settles a few are pushed to and fro within a step
-    assert standing_share(sim, rows, 40) <= 2e-3
-    x, y = sim.position[rows].T
-    assert (y[np.abs(x) < 400 * radius] > 0.0).all()
+    """In a heap that settles a few are pushed to and fro within a step: of several rains."""
+    shares = []
+    for part in (0.8, 0.9, 1.0, 1.1, 1.2):
+        sim, rows = rain(radius, part * fall)
+        shares.append(standing_share(sim, rows, 40))
+        x, y = sim.position[rows].T
+        assert (y[np.abs(x) < 400 * radius] > 0.0).all()
+    assert np.mean(shares) <= 1e-3
 
 
 @pytest.mark.parametrize("share", [0.003, 0.03])

@@ -63,8 +63,10 @@ def limits(lower: Any = None, upper: Any = None) -> t2.Limits:
     return t2.Limits(restitution=0.0, lower=lower, upper=upper)
 
 
-def spring(stiffness: Any, damping: Any = 0.0, rest: Any = None) -> t2.JointSpring:
-    return t2.JointSpring(stiffness=stiffness, damping=damping, rest=rest)
+def spring(
+    stiffness: Any, damping: Any = 0.0, rest: Any = None, maximum: Any = None
+) -> t2.JointSpring:
+    return t2.JointSpring(stiffness=stiffness, damping=damping, rest=rest, maximum=maximum)
 
 
 DRIVES: dict[str, tuple[Drive, Drive]] = {
@@ -99,6 +101,10 @@ DRIVES: dict[str, tuple[Drive, Drive]] = {
     "springs": (
         lambda sims, _: sims.set_spring("prop", 10 * MOST, damping=9, rest=SHORTEST),
         lambda sim, w: sim.set_spring("prop", spring(10 * MOST[w], 9.0, SHORTEST[w])),
+    ),
+    "springs with a maximum": (
+        lambda sims, _: sims.set_spring("prop", 10 * MOST, damping=9, maximum=MOST),
+        lambda sim, w: sim.set_spring("prop", spring(10 * MOST[w], 9.0, maximum=MOST[w])),
     ),
     "one spring": (
         lambda sims, _: sims.set_spring("prop", 2e3),

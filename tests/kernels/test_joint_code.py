@@ -36,7 +36,18 @@ def stated() -> Scene:
     return scene
 
 
+def bounded(most: float) -> Scene:
+    """A rod on a hinge with a spring, pulled at its tip to a point, both with a maximum."""
+    elbow = t2.JointSpring(stiffness=40.0, damping=3.0, rest=0.5, maximum=most)
+    scene = hung(t2.Revolute(spring=elbow), box(0.5), anchor=(-0.5, 0.0))
+    pull = t2.Target(spring=t2.JointSpring(stiffness=30.0, damping=2.0, maximum=most))
+    scene.add_joint(pull, (0.3, 2.0), "body", other_anchor=(0.5, 0.0))
+    return scene
+
+
 SCENES = {
+    "springs at their maximum": bounded(0.1),
+    "springs below their maximum": bounded(1e4),
     **kinds(),
     "stated": stated(),
     **{name: catalogue.load(name) for name in ("andrews", "ragdolls", "car", "walker")},
@@ -137,7 +148,7 @@ def test_springs_and_motors_push_or_keep_their_speed(sense: int) -> None:
             assert found[0] == pytest.approx(other.accelerations(time, q, rate, free), rel=1e-10)
 
 
-@pytest.mark.parametrize("name", ["ragdolls", "andrews", "stated"])
+@pytest.mark.parametrize("name", ["ragdolls", "andrews", "stated", "springs at their maximum"])
 def test_compiled_code_has_the_bits_of_plain_code(
     name: str, at_price: Callable[[float], None]
 ) -> None:

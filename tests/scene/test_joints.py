@@ -147,6 +147,26 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
         lambda s: hinged(s, spring=t2.JointSpring(stiffness=1, damping=-1)),
         "damping -1 N.m.s/rad of spring of joint 'joint0': must be >= 0",
     ),
+    "a spring of no force": (
+        lambda s: hinged(s, spring=t2.JointSpring(stiffness=1, maximum=0)),
+        "maximum 0 N.m of spring of joint 'joint0': must be > 0",
+    ),
+    "a spring of a negative force": (
+        lambda s: s.add_joint(
+            t2.Target(spring=t2.JointSpring(stiffness=1, maximum=-2)), (0, 0), "rod"
+        ),
+        "maximum -2 N of spring of joint 'joint0': must be > 0",
+    ),
+    "a spring without a finite force": (
+        lambda s: hinged(s, spring=t2.JointSpring(stiffness=1, maximum=float("nan"))),
+        "maximum of spring of joint 'joint0': found nan: must be finite",
+    ),
+    "a target of neither stiffness nor damping": (
+        lambda s: s.add_joint(
+            t2.Target(spring=t2.JointSpring(stiffness=0, maximum=2)), (0, 0), "rod"
+        ),
+        "stiffness 0 N/m of spring of joint 'joint0': must be > 0, or its damping",
+    ),
     "a motor of no torque": (
         lambda s: hinged(s, motor=t2.Motor(speed=1, maximum=0)),
         "maximum 0 N.m of motor of joint 'joint0': must be > 0",
@@ -293,7 +313,8 @@ def test_joints_of_all_kinds_come_back_from_their_text_to_the_last_bit() -> None
     made.add_joint(t2.Target(spring=t2.JointSpring(stiffness=1 / 3)), (2, 1), "b 3")
     limits = t2.Limits(lower=-1 / 3, upper=2 / 3, restitution=0.1)
     motor = t2.Motor(speed=1 / 3, maximum=1 / 7)
-    spring = t2.JointSpring(stiffness=1 / 3, damping=1 / 7)
+    made.add_joint(t2.Target(spring=t2.JointSpring(stiffness=0, damping=9, maximum=1)), (1, 1), 2)
+    spring = t2.JointSpring(stiffness=1 / 3, damping=1 / 7, maximum=2 / 3)
     made.add_joint(t2.Rotary(limits=limits, motor=motor, spring=spring), "b 0", "b 1")
     made.add_joint(t2.Distance(limits=t2.Limits(upper=7 / 3, restitution=0)), "b 0", "b 2")
     made.add_joint(t2.Ratchet(pitch=1 / 3, restitution=0.5), "b 1", "b 2")

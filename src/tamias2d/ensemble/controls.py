@@ -83,13 +83,19 @@ class Controls(Views):
 
     @exclusive
     def set_spring(
-        self, name: str, stiffness: object, *, damping: object = 0.0, rest: object = None
+        self,
+        name: str,
+        stiffness: object,
+        *,
+        damping: object = 0.0,
+        rest: object = None,
+        maximum: object = None,
     ) -> None:
-        """Give a joint's spring other numbers in all worlds; None turns it off (DD64).
+        """Give a joint's spring other numbers in all worlds; None turns it off (DD64, DD103).
 
-        `stiffness`, N m/rad or N/m, `damping`, N m s/rad or kg/s, and `rest`, rad or m, are one for
-        all worlds, or arrays (worlds,); a rest that is left out is the one before. It takes some 50
-        microseconds a world.
+        `stiffness`, N m/rad or N/m, `damping`, N m s/rad or kg/s, `rest`, rad or m, and `maximum`,
+        N m or N, are one for all worlds, or arrays (worlds,); a rest that is left out is the one
+        before, and without a maximum there is none. It takes some 50 microseconds a world.
 
         Raises:
             InputError: a world has no such joint, it has no spring, or a value breaks a rule (R4);
@@ -99,11 +105,11 @@ class Controls(Views):
             StepWarning: it is too stiff for the time step.
         """
         values = [self._per_world(*each) for each in (
-            (stiffness, "stiffness"), (damping, "damping"), (rest, "rest"),
+            (stiffness, "stiffness"), (damping, "damping"), (rest, "rest"), (maximum, "maximum"),
         )]  # fmt: skip
         springs = [
-            None if k is None else JointSpring(stiffness=k, damping=c, rest=at)
-            for k, c, at in zip(*values, strict=True)
+            None if k is None else JointSpring(stiffness=k, damping=c, rest=at, maximum=most)
+            for k, c, at, most in zip(*values, strict=True)
         ]
         joints = self._each_world(lambda w, sim: sim._joints.governed(name, SPRING, springs[w]))
         self._each_world(lambda w, sim: sim._spring_as(joints[w]))

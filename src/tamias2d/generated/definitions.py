@@ -2,13 +2,14 @@
 of a capsule; Bodies of several parts; Inertia in proportion to the mass; Radius of gyration;
 Acceleration by inverse mass; Flow through a step; Momentum; Restitution of a pair; Contact of
 two vertices; Tangential velocity of a contact; Friction of a pair; Kinetic energy; Potential
-energy; Energy lost in an impact; Spring along a joint; Spring about a joint.
+energy; Energy lost in an impact; Spring along a joint; Spring about a joint; Bounded spring of
+a joint.
 
 Generated from srs/definitions.md and srs/models/joints.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, least, pi, sqrt, total
+from tamias2d.spec.functions import Scalar, Vector, largest, least, pi, sqrt, total
 
 
 def point_velocity(velocity: Vector, angular_velocity: Scalar, arm: Vector) -> Vector:
@@ -568,35 +569,35 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
 
 
 def joint_spring_force(
-    stiffness: Scalar, stretch: Scalar, damping: Scalar, stretch_rate: Scalar
+    joint_stiffness: Scalar, stretch: Scalar, damping: Scalar, stretch_rate: Scalar
 ) -> Scalar:
     """Force of a joint's spring and damper, by which its stretch grows (N).
 
-    joint_spring_force = -stiffness*stretch - damping*stretch_rate
+    joint_spring_force = -joint_stiffness*stretch - damping*stretch_rate
 
     Args:
-        stiffness: Force of a spring for each unit of extension, N/m
+        joint_stiffness: Force of a joint's spring for each unit of its stretch, N/m
         stretch: How far a joint is beyond the place at which its spring is at rest, m
         damping: Force of a spring's damper for each unit of the extension's rate, kg/s
         stretch_rate: Rate of a joint's stretch, m/s
 
     Source: DD64, srs/models/joints.md:365.
     """
-    return (-stiffness) * stretch - damping * stretch_rate
+    return (-joint_stiffness) * stretch - damping * stretch_rate
 
 
-def joint_spring_energy(stiffness: Scalar, stretch: Scalar) -> Scalar:
+def joint_spring_energy(joint_stiffness: Scalar, stretch: Scalar) -> Scalar:
     """Energy in a joint's spring that is stretched (J).
 
-    joint_spring_energy = stiffness*stretch**2/2
+    joint_spring_energy = joint_stiffness*stretch**2/2
 
     Args:
-        stiffness: Force of a spring for each unit of extension, N/m
+        joint_stiffness: Force of a joint's spring for each unit of its stretch, N/m
         stretch: How far a joint is beyond the place at which its spring is at rest, m
 
     Source: DD64, srs/models/joints.md:366.
     """
-    return stiffness * stretch * stretch / 2
+    return joint_stiffness * stretch * stretch / 2
 
 
 def joint_spring_torque(
@@ -629,3 +630,74 @@ def rotary_spring_energy(rotary_stiffness: Scalar, twist: Scalar) -> Scalar:
     Source: DD65, srs/models/joints.md:381.
     """
     return rotary_stiffness * twist * twist / 2
+
+
+def joint_pull(pull_along: Scalar, pull_across: Scalar) -> Scalar:
+    """Size of the force of a joint's springs and dampers without their maximum (N).
+
+    joint_pull = sqrt(pull_along**2 + pull_across**2)
+
+    Args:
+        pull_along: Force of the first of them without their maximum, N
+        pull_across: Force of a target's other one likewise, N
+
+    Source: DD103, srs/models/joints.md:402.
+    """
+    return sqrt(pull_along * pull_along + pull_across * pull_across)
+
+
+def force_share(joint_force_most: Scalar, joint_pull: Scalar) -> Scalar:
+    """Share of its force that a spring with a maximum exerts (1).
+
+    force_share = joint_force_most/max(joint_pull, joint_force_most)
+
+    Args:
+        joint_force_most: Largest force of a motor or a spring, or that a joint bears, N
+        joint_pull: Size of the force of a joint's springs and dampers without their maximum, N
+
+    Source: DD103, srs/models/joints.md:403.
+    """
+    return joint_force_most / largest(joint_pull, joint_force_most)
+
+
+def torque_share(joint_torque_most: Scalar, joint_twisting: Scalar) -> Scalar:
+    """Share of its torque that a spring with a maximum exerts (1).
+
+    torque_share = joint_torque_most/max(joint_twisting, joint_torque_most)
+
+    Args:
+        joint_torque_most: Largest torque of a motor or a spring, or that a joint bears, N*m
+        joint_twisting: Size of the torque of a joint's spring and damper without its maximum,
+            N*m
+
+    Source: DD103, srs/models/joints.md:404.
+    """
+    return joint_torque_most / largest(joint_twisting, joint_torque_most)
+
+
+def bounded_spring_energy(force_share: Scalar, joint_spring_energy: Scalar) -> Scalar:
+    """Energy in a joint's spring with a maximum that is stretched (J).
+
+    bounded_spring_energy = force_share*(2 - force_share)*joint_spring_energy
+
+    Args:
+        force_share: Share of its force that a spring with a maximum exerts, 1
+        joint_spring_energy: Energy in a joint's spring that is stretched, J
+
+    Source: DD103, srs/models/joints.md:405.
+    """
+    return force_share * (2 - force_share) * joint_spring_energy
+
+
+def bounded_rotary_energy(torque_share: Scalar, rotary_spring_energy: Scalar) -> Scalar:
+    """Energy in a joint's spring with a maximum that is twisted (J).
+
+    bounded_rotary_energy = torque_share*(2 - torque_share)*rotary_spring_energy
+
+    Args:
+        torque_share: Share of its torque that a spring with a maximum exerts, 1
+        rotary_spring_energy: Energy in a joint's spring that is twisted, J
+
+    Source: DD103, srs/models/joints.md:406.
+    """
+    return torque_share * (2 - torque_share) * rotary_spring_energy

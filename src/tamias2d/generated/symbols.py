@@ -705,14 +705,23 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=464,
     ),
+    "joint_stiffness": Symbol(
+        "joint_stiffness",
+        "N/m",
+        "force of a joint's spring for each unit of its stretch",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\kappa_\\xi",
+        file="srs/symbols.md",
+        line=468,
+    ),
     "rotary_stiffness": Symbol(
         "rotary_stiffness",
         "N*m/rad",
         "torque of a joint's spring for each unit of its twist",
-        range=Range("> 0", low=0.0),
+        range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\theta",
         file="srs/symbols.md",
-        line=468,
+        line=473,
     ),
     "rotary_damping": Symbol(
         "rotary_damping",
@@ -721,7 +730,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\eta_\\theta",
         file="srs/symbols.md",
-        line=473,
+        line=478,
     ),
     "joint_spring_force": Symbol(
         "joint_spring_force",
@@ -729,7 +738,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a joint's spring and damper, by which its stretch grows",
         tex="F^\\xi",
         file="srs/symbols.md",
-        line=478,
+        line=483,
     ),
     "joint_spring_torque": Symbol(
         "joint_spring_torque",
@@ -737,7 +746,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of a joint's spring and damper, by which its twist grows",
         tex="\\tau^\\psi",
         file="srs/symbols.md",
-        line=482,
+        line=487,
     ),
     "joint_spring_energy": Symbol(
         "joint_spring_energy",
@@ -745,7 +754,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is stretched",
         tex="E^\\xi",
         file="srs/symbols.md",
-        line=486,
+        line=491,
     ),
     "rotary_spring_energy": Symbol(
         "rotary_spring_energy",
@@ -753,7 +762,75 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is twisted",
         tex="E^\\psi",
         file="srs/symbols.md",
-        line=490,
+        line=495,
+    ),
+    "joint_pull": Symbol(
+        "joint_pull",
+        "N",
+        "size of the force of a joint's springs and dampers without their maximum",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="P",
+        file="srs/symbols.md",
+        line=499,
+    ),
+    "pull_along": Symbol(
+        "pull_along",
+        "N",
+        "force of the first of them without their maximum",
+        tex="P_\\parallel",
+        file="srs/symbols.md",
+        line=504,
+    ),
+    "pull_across": Symbol(
+        "pull_across",
+        "N",
+        "force of a target's other one likewise",
+        tex="P_\\perp",
+        file="srs/symbols.md",
+        line=508,
+    ),
+    "joint_twisting": Symbol(
+        "joint_twisting",
+        "N*m",
+        "size of the torque of a joint's spring and damper without its maximum",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="P_\\psi",
+        file="srs/symbols.md",
+        line=512,
+    ),
+    "force_share": Symbol(
+        "force_share",
+        "1",
+        "share of its force that a spring with a maximum exerts",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\sigma_F",
+        file="srs/symbols.md",
+        line=517,
+    ),
+    "torque_share": Symbol(
+        "torque_share",
+        "1",
+        "share of its torque that a spring with a maximum exerts",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\sigma_\\tau",
+        file="srs/symbols.md",
+        line=522,
+    ),
+    "bounded_spring_energy": Symbol(
+        "bounded_spring_energy",
+        "J",
+        "energy in a joint's spring with a maximum that is stretched",
+        tex="E^\\xi_\\sigma",
+        file="srs/symbols.md",
+        line=527,
+    ),
+    "bounded_rotary_energy": Symbol(
+        "bounded_rotary_energy",
+        "J",
+        "energy in a joint's spring with a maximum that is twisted",
+        tex="E^\\psi_\\sigma",
+        file="srs/symbols.md",
+        line=531,
     ),
     "motor_speed": Symbol(
         "motor_speed",
@@ -761,7 +838,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed that a motor gives to a joint",
         tex="v_m",
         file="srs/symbols.md",
-        line=494,
+        line=535,
     ),
     "motor_spin": Symbol(
         "motor_spin",
@@ -769,25 +846,25 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that a motor gives to a joint",
         tex="\\omega_m",
         file="srs/symbols.md",
-        line=498,
+        line=539,
     ),
     "joint_force_most": Symbol(
         "joint_force_most",
         "N",
-        "largest force of a motor, or that a joint bears",
+        "largest force of a motor or a spring, or that a joint bears",
         range=Range("> 0", low=0.0),
         tex="F^{\\max}",
         file="srs/symbols.md",
-        line=502,
+        line=543,
     ),
     "joint_torque_most": Symbol(
         "joint_torque_most",
         "N*m",
-        "largest torque of a motor, or that a joint bears",
+        "largest torque of a motor or a spring, or that a joint bears",
         range=Range("> 0", low=0.0),
         tex="\\tau^{\\max}",
         file="srs/symbols.md",
-        line=507,
+        line=548,
     ),
     "tooth_pitch": Symbol(
         "tooth_pitch",
@@ -796,7 +873,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\theta_p",
         file="srs/symbols.md",
-        line=512,
+        line=553,
     ),
     "normal": Symbol(
         "normal",
@@ -805,7 +882,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=526,
+        line=567,
     ),
     "tangent": Symbol(
         "tangent",
@@ -814,7 +891,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=531,
+        line=572,
     ),
     "direction": Symbol(
         "direction",
@@ -822,7 +899,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi_n",
         file="srs/symbols.md",
-        line=536,
+        line=577,
     ),
     "arm": Symbol(
         "arm",
@@ -831,7 +908,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=540,
+        line=581,
     ),
     "separation": Symbol(
         "separation",
@@ -839,7 +916,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=546,
+        line=587,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -847,7 +924,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=550,
+        line=591,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -855,7 +932,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=556,
+        line=597,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -863,7 +940,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=562,
+        line=603,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -871,7 +948,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=566,
+        line=607,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -880,7 +957,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=570,
+        line=611,
     ),
     "coupling": Symbol(
         "coupling",
@@ -888,7 +965,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=575,
+        line=616,
     ),
     "impulse": Symbol(
         "impulse",
@@ -897,7 +974,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=581,
+        line=622,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -905,7 +982,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=586,
+        line=627,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -913,7 +990,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=590,
+        line=631,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -922,7 +999,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=596,
+        line=637,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -931,7 +1008,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=601,
+        line=642,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -939,7 +1016,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=608,
+        line=649,
     ),
     "inverse_rolling_mass": Symbol(
         "inverse_rolling_mass",
@@ -948,7 +1025,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_r",
         file="srs/symbols.md",
-        line=614,
+        line=655,
     ),
     "disc_force": Symbol(
         "disc_force",
@@ -956,7 +1033,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force along the normal that holds a disc up",
         tex="F_d",
         file="srs/symbols.md",
-        line=621,
+        line=662,
     ),
     "rolling_friction": Symbol(
         "rolling_friction",
@@ -964,7 +1041,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force along the tangent with which a disc does not begin to slide",
         tex="F_r",
         file="srs/symbols.md",
-        line=625,
+        line=666,
     ),
     "settling_impulse": Symbol(
         "settling_impulse",
@@ -973,7 +1050,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="j_r",
         file="srs/symbols.md",
-        line=629,
+        line=670,
     ),
     "bounced_impulse": Symbol(
         "bounced_impulse",
@@ -982,7 +1059,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_b",
         file="srs/symbols.md",
-        line=636,
+        line=677,
     ),
     "creep": Symbol(
         "creep",
@@ -990,7 +1067,7 @@ SYMBOLS: dict[str, Symbol] = {
         "way along the tangent in the bounces that are left, at each of which a contact sticks",
         tex="s_b",
         file="srs/symbols.md",
-        line=641,
+        line=682,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -998,7 +1075,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=647,
+        line=688,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -1006,7 +1083,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=651,
+        line=692,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -1015,7 +1092,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=655,
+        line=696,
     ),
     "share": Symbol(
         "share",
@@ -1024,7 +1101,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma",
         file="srs/symbols.md",
-        line=660,
+        line=701,
     ),
     "sense": Symbol(
         "sense",
@@ -1033,7 +1110,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=667,
+        line=708,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -1042,7 +1119,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=674,
+        line=715,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -1051,7 +1128,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=679,
+        line=720,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -1059,7 +1136,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=684,
+        line=725,
     ),
     "overlap": Symbol(
         "overlap",
@@ -1067,7 +1144,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=688,
+        line=729,
     ),
     "line": Symbol(
         "line",
@@ -1076,7 +1153,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=700,
+        line=741,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -1084,7 +1161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=705,
+        line=746,
     ),
     "bend": Symbol(
         "bend",
@@ -1092,7 +1169,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=710,
+        line=751,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -1100,7 +1177,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=715,
+        line=756,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -1109,7 +1186,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=719,
+        line=760,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -1117,7 +1194,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=724,
+        line=765,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -1126,7 +1203,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=728,
+        line=769,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -1135,7 +1212,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=733,
+        line=774,
     ),
     "substeps": Symbol(
         "substeps",
@@ -1144,7 +1221,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="n_h",
         file="srs/symbols.md",
-        line=738,
+        line=779,
     ),
     "slowest_impact": Symbol(
         "slowest_impact",
@@ -1153,7 +1230,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_{\\min}",
         file="srs/symbols.md",
-        line=743,
+        line=784,
     ),
     "surface_speed": Symbol(
         "surface_speed",
@@ -1161,7 +1238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed at which the surface of a body runs along itself, counter-clockwise around the body",
         tex="w_s",
         file="srs/symbols.md",
-        line=748,
+        line=789,
     ),
     "surface_speed_both": Symbol(
         "surface_speed_both",
@@ -1169,7 +1246,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed at which the surfaces of two bodies run along the tangent of their contact, in sum",
         tex="w_{AB}",
         file="srs/symbols.md",
-        line=752,
+        line=793,
     ),
     "surface_slip": Symbol(
         "surface_slip",
@@ -1177,7 +1254,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's surface seen from A's at a contact, along the tangent",
         tex="v_w",
         file="srs/symbols.md",
-        line=756,
+        line=797,
     ),
     "row_velocity_driven": Symbol(
         "row_velocity_driven",
@@ -1185,7 +1262,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of a row after a substep in which forces act and contacts do not",
         tex="u_F",
         file="srs/symbols.md",
-        line=760,
+        line=801,
     ),
     "row_acceleration": Symbol(
         "row_acceleration",
@@ -1193,10 +1270,10 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration of a row by forces",
         tex="a_u",
         file="srs/symbols.md",
-        line=764,
+        line=805,
     ),
     "row_shift": Symbol(
-        "row_shift", "m", "way of a row along its line", tex="s_u", file="srs/symbols.md", line=768
+        "row_shift", "m", "way of a row along its line", tex="s_u", file="srs/symbols.md", line=809
     ),
     "impact_velocity": Symbol(
         "impact_velocity",
@@ -1204,7 +1281,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along the normal with which a gap closes",
         tex="u_{\\mathrm{hit}}",
         file="srs/symbols.md",
-        line=772,
+        line=813,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -1213,7 +1290,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=776,
+        line=817,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -1221,7 +1298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=781,
+        line=822,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -1229,7 +1306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=785,
+        line=826,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -1238,7 +1315,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=789,
+        line=830,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -1247,7 +1324,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=794,
+        line=835,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -1255,7 +1332,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=799,
+        line=840,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -1264,7 +1341,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=803,
+        line=844,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -1273,7 +1350,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=808,
+        line=849,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -1282,7 +1359,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=813,
+        line=854,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -1291,7 +1368,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=820,
+        line=861,
     ),
     "extent": Symbol(
         "extent",
@@ -1300,7 +1377,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=827,
+        line=868,
     ),
     "firmest": Symbol(
         "firmest",
@@ -1309,7 +1386,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=834,
+        line=875,
     ),
     "preload": Symbol(
         "preload",
@@ -1318,7 +1395,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=839,
+        line=880,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -1327,7 +1404,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=844,
+        line=885,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1336,7 +1413,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=849,
+        line=890,
     ),
     "gap_share": Symbol(
         "gap_share",
@@ -1345,7 +1422,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=854,
+        line=895,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1354,7 +1431,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=859,
+        line=900,
     ),
     "half_width": Symbol(
         "half_width",
@@ -1363,7 +1440,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\bar{w}",
         file="srs/symbols.md",
-        line=864,
+        line=905,
     ),
     "corner_fall": Symbol(
         "corner_fall",
@@ -1372,7 +1449,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_f",
         file="srs/symbols.md",
-        line=869,
+        line=910,
     ),
     "extent_thin": Symbol(
         "extent_thin",
@@ -1381,7 +1458,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=875,
+        line=916,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1390,7 +1467,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=880,
+        line=921,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1399,7 +1476,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=885,
+        line=926,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1408,7 +1485,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=890,
+        line=931,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1416,7 +1493,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=895,
+        line=936,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1424,7 +1501,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=899,
+        line=940,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1432,7 +1509,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=903,
+        line=944,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1440,7 +1517,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=907,
+        line=948,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1448,7 +1525,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=911,
+        line=952,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1457,7 +1534,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=915,
+        line=956,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1466,7 +1543,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=920,
+        line=961,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1475,7 +1552,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=925,
+        line=966,
     ),
     "shift": Symbol(
         "shift",
@@ -1484,7 +1561,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=930,
+        line=971,
     ),
     "turn": Symbol(
         "turn",
@@ -1492,7 +1569,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\Theta",
         file="srs/symbols.md",
-        line=935,
+        line=976,
     ),
     "early_share": Symbol(
         "early_share",
@@ -1501,7 +1578,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon_h",
         file="srs/symbols.md",
-        line=939,
+        line=980,
     ),
     "step_share": Symbol(
         "step_share",
@@ -1509,7 +1586,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of a step that is over",
         tex="\\sigma_h",
         file="srs/symbols.md",
-        line=946,
+        line=987,
     ),
     "impulse_late": Symbol(
         "impulse_late",
@@ -1517,7 +1594,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sum of the impulses of a contact in a step, each times the share of the step that was over",
         tex="j_{\\mathrm{late}}",
         file="srs/symbols.md",
-        line=950,
+        line=991,
     ),
     "impulse_turned": Symbol(
         "impulse_turned",
@@ -1526,7 +1603,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{j}",
         file="srs/symbols.md",
-        line=956,
+        line=997,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1535,7 +1612,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=961,
+        line=1002,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1544,7 +1621,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=968,
+        line=1009,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1553,7 +1630,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=973,
+        line=1014,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1562,7 +1639,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=980,
+        line=1021,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1571,7 +1648,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=987,
+        line=1028,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1580,7 +1657,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=993,
+        line=1034,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1588,7 +1665,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=1000,
+        line=1041,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1597,7 +1674,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=1013,
+        line=1054,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1605,7 +1682,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=1018,
+        line=1059,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1613,7 +1690,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=1022,
+        line=1063,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1622,7 +1699,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=1028,
+        line=1069,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1630,7 +1707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=1033,
+        line=1074,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1639,7 +1716,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=1037,
+        line=1078,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1647,7 +1724,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=1042,
+        line=1083,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1656,7 +1733,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=1046,
+        line=1087,
     ),
     "advance": Symbol(
         "advance",
@@ -1665,7 +1742,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=1051,
+        line=1092,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1673,7 +1750,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=1056,
+        line=1097,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1682,7 +1759,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=1060,
+        line=1101,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1690,7 +1767,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=1065,
+        line=1106,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1698,7 +1775,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=1069,
+        line=1110,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1707,7 +1784,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=1073,
+        line=1114,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1715,7 +1792,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=1078,
+        line=1119,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1723,7 +1800,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=1082,
+        line=1123,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1731,7 +1808,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1087,
+        line=1128,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1739,7 +1816,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1093,
+        line=1134,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1748,7 +1825,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_c",
         file="srs/symbols.md",
-        line=1097,
+        line=1138,
     ),
     "slip": Symbol(
         "slip",
@@ -1756,7 +1833,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1104,
+        line=1145,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1764,7 +1841,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="\\mathcal{D}",
         file="srs/symbols.md",
-        line=1110,
+        line=1151,
     ),
     "circling": Symbol(
         "circling",
@@ -1773,7 +1850,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\chi_\\omega",
         file="srs/symbols.md",
-        line=1114,
+        line=1155,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1781,7 +1858,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1121,
+        line=1162,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1790,7 +1867,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1125,
+        line=1166,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1799,7 +1876,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1130,
+        line=1171,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1808,7 +1885,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1135,
+        line=1176,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1816,7 +1893,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1140,
+        line=1181,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1825,7 +1902,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1144,
+        line=1185,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1833,7 +1910,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1149,
+        line=1190,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1841,7 +1918,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1153,
+        line=1194,
     ),
     "arc": Symbol(
         "arc",
@@ -1850,7 +1927,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Theta_{\\max}",
         file="srs/symbols.md",
-        line=1159,
+        line=1200,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1859,7 +1936,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1164,
+        line=1205,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1867,7 +1944,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1174,
+        line=1215,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1875,7 +1952,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1178,
+        line=1219,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1884,7 +1961,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1182,
+        line=1223,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1893,7 +1970,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1187,
+        line=1228,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1902,7 +1979,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1192,
+        line=1233,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1911,7 +1988,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1197,
+        line=1238,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1920,7 +1997,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1202,
+        line=1243,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1928,7 +2005,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1207,
+        line=1248,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1937,7 +2014,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1216,
+        line=1257,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1945,7 +2022,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1221,
+        line=1262,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1954,7 +2031,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1225,
+        line=1266,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1962,7 +2039,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1230,
+        line=1271,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1970,7 +2047,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1234,
+        line=1275,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1979,7 +2056,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1238,
+        line=1279,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1988,7 +2065,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1243,
+        line=1284,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1997,7 +2074,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1248,
+        line=1289,
     ),
     "work": Symbol(
         "work",
@@ -2005,7 +2082,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1253,
+        line=1294,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -2014,7 +2091,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1257,
+        line=1298,
     ),
     "support_work": Symbol(
         "support_work",
@@ -2023,7 +2100,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1262,
+        line=1303,
     ),
     "support_energy": Symbol(
         "support_energy",
@@ -2031,7 +2108,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a support gives by the impulses of a contact",
         tex="E_{\\text{support}}",
         file="srs/symbols.md",
-        line=1267,
+        line=1308,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -2040,7 +2117,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1271,
+        line=1312,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2048,7 +2125,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1276,
+        line=1317,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2056,7 +2133,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_{\\mathrm{sup}}",
         file="srs/symbols.md",
-        line=1280,
+        line=1321,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2065,7 +2142,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1284,
+        line=1325,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2073,7 +2150,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1290,
+        line=1331,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2082,7 +2159,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1294,
+        line=1335,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2091,7 +2168,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1299,
+        line=1340,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2100,7 +2177,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1304,
+        line=1345,
     ),
     "rising_energy_left": Symbol(
         "rising_energy_left",
@@ -2109,7 +2186,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1309,
+        line=1350,
     ),
     "velocity_rising_reduced": Symbol(
         "velocity_rising_reduced",
@@ -2118,7 +2195,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1314,
+        line=1355,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2126,7 +2203,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1319,
+        line=1360,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2135,7 +2212,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1325,
+        line=1366,
     ),
     "energy_along_given_left": Symbol(
         "energy_along_given_left",
@@ -2144,7 +2221,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1330,
+        line=1371,
     ),
     "velocity_reduced": Symbol(
         "velocity_reduced",
@@ -2153,7 +2230,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1335,
+        line=1376,
     ),
     "angular_velocity_reduced": Symbol(
         "angular_velocity_reduced",
@@ -2161,7 +2238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1340,
+        line=1381,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2170,7 +2247,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1344,
+        line=1385,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2178,7 +2255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1349,
+        line=1390,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2187,7 +2264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1353,
+        line=1394,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2195,7 +2272,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1358,
+        line=1399,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2204,7 +2281,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1363,
+        line=1404,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2213,7 +2290,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1368,
+        line=1409,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2222,7 +2299,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1373,
+        line=1414,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2230,7 +2307,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1378,
+        line=1419,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2238,7 +2315,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1382,
+        line=1423,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2246,7 +2323,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1386,
+        line=1427,
     ),
     "energy_defect": Symbol(
         "energy_defect",
@@ -2254,7 +2331,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1390,
+        line=1431,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2263,7 +2340,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1396,
+        line=1437,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2272,7 +2349,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1401,
+        line=1442,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2281,7 +2358,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1408,
+        line=1449,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2290,7 +2367,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1413,
+        line=1454,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2298,7 +2375,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1418,
+        line=1459,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2306,7 +2383,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\ell_v",
         file="srs/symbols.md",
-        line=1423,
+        line=1464,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2314,7 +2391,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1429,
+        line=1470,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2323,7 +2400,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_L",
         file="srs/symbols.md",
-        line=1433,
+        line=1474,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2332,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1440,
+        line=1481,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2341,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1445,
+        line=1486,
     ),
     "energy": Symbol(
         "energy",
@@ -2349,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1450,
+        line=1491,
     ),
     "radius": Symbol(
         "radius",
@@ -2358,7 +2435,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1459,
+        line=1500,
     ),
     "length": Symbol(
         "length",
@@ -2367,7 +2444,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1464,
+        line=1505,
     ),
     "width": Symbol(
         "width",
@@ -2376,7 +2453,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1471,
+        line=1512,
     ),
     "height": Symbol(
         "height",
@@ -2385,7 +2462,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1476,
+        line=1517,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2394,7 +2471,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1481,
+        line=1522,
     ),
     "center": Symbol(
         "center",
@@ -2403,7 +2480,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1486,
+        line=1527,
     ),
     "offset": Symbol(
         "offset",
@@ -2411,7 +2488,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1491,
+        line=1532,
     ),
     "area": Symbol(
         "area",
@@ -2420,7 +2497,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1495,
+        line=1536,
     ),
     "way": Symbol(
         "way",
@@ -2429,7 +2506,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_c",
         file="srs/symbols.md",
-        line=1500,
+        line=1541,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2437,7 +2514,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha_c",
         file="srs/symbols.md",
-        line=1505,
+        line=1546,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2446,7 +2523,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1509,
+        line=1550,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2455,7 +2532,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1514,
+        line=1555,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2463,7 +2540,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta_e",
         file="srs/symbols.md",
-        line=1519,
+        line=1560,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2471,7 +2548,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1523,
+        line=1564,
     ),
     "lean": Symbol(
         "lean",
@@ -2479,7 +2556,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1527,
+        line=1568,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2487,7 +2564,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho_c",
         file="srs/symbols.md",
-        line=1531,
+        line=1572,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2495,7 +2572,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1535,
+        line=1576,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2504,7 +2581,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1541,
+        line=1582,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2512,7 +2589,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1554,
+        line=1595,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2520,7 +2597,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1558,
+        line=1599,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2528,7 +2605,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1562,
+        line=1603,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2536,7 +2613,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1566,
+        line=1607,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2545,7 +2622,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta_C",
         file="srs/symbols.md",
-        line=1570,
+        line=1611,
     ),
     "slope": Symbol(
         "slope",
@@ -2554,7 +2631,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}",
         file="srs/symbols.md",
-        line=1575,
+        line=1616,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2563,7 +2640,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}_0",
         file="srs/symbols.md",
-        line=1580,
+        line=1621,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2572,7 +2649,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta G^2",
         file="srs/symbols.md",
-        line=1585,
+        line=1626,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2581,7 +2658,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="G^2",
         file="srs/symbols.md",
-        line=1590,
+        line=1631,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2589,7 +2666,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="G_\\varphi",
         file="srs/symbols.md",
-        line=1595,
+        line=1636,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2597,7 +2674,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1599,
+        line=1640,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2605,7 +2682,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e_G",
         file="srs/symbols.md",
-        line=1603,
+        line=1644,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2614,7 +2691,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_G",
         file="srs/symbols.md",
-        line=1607,
+        line=1648,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2622,7 +2699,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="G_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1612,
+        line=1653,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2630,7 +2707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_G",
         file="srs/symbols.md",
-        line=1616,
+        line=1657,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2638,7 +2715,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1620,
+        line=1661,
     ),
     "inertia_factor_most": Symbol(
         "inertia_factor_most",
@@ -2646,7 +2723,7 @@ SYMBOLS: dict[str, Symbol] = {
         "most times its own inertia with which a body counts in joints",
         tex="\\kappa_{\\max}",
         file="srs/symbols.md",
-        line=1624,
+        line=1665,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2654,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1628,
+        line=1669,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2662,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1632,
+        line=1673,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2670,7 +2747,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1636,
+        line=1677,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2678,7 +2755,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1640,
+        line=1681,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2686,7 +2763,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1644,
+        line=1685,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2694,7 +2771,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1648,
+        line=1689,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2703,7 +2780,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1652,
+        line=1693,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2711,7 +2788,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda_l",
         file="srs/symbols.md",
-        line=1657,
+        line=1698,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2720,7 +2797,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1661,
+        line=1702,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2728,25 +2805,25 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1666,
+        line=1707,
     ),
     "row_force_most": Symbol(
         "row_force_most",
         "N",
-        "the most that a motor exerts, for slopes of length one",
+        "the most that a motor or a spring exerts, for slopes of length one",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1670,
+        line=1711,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
         "N*s",
-        "the most that a motor gives in a substep, for slopes of length one",
+        "the most that a motor or a spring gives in a substep, for slopes of length one",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1675,
+        line=1716,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2755,7 +2832,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1680,
+        line=1721,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2764,7 +2841,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1685,
+        line=1726,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2772,7 +2849,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1690,
+        line=1731,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2781,7 +2858,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1694,
+        line=1735,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2789,7 +2866,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1699,
+        line=1740,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2797,7 +2874,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1703,
+        line=1744,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2806,7 +2883,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1707,
+        line=1748,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2815,7 +2892,76 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1712,
+        line=1753,
+    ),
+    "row_pull": Symbol(
+        "row_pull",
+        "N",
+        "force of a row's spring and damper without their maximum",
+        tex="P_C",
+        file="srs/symbols.md",
+        line=1758,
+    ),
+    "row_pull_across": Symbol(
+        "row_pull_across",
+        "N",
+        "the same of the other row of a target",
+        tex="P_\\bot",
+        file="srs/symbols.md",
+        line=1762,
+    ),
+    "row_pull_size": Symbol(
+        "row_pull_size",
+        "N",
+        "size of that of both",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="P_\\sigma",
+        file="srs/symbols.md",
+        line=1766,
+    ),
+    "row_share": Symbol(
+        "row_share",
+        "1",
+        "share of its pull that a row's spring with a maximum exerts",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\sigma_P",
+        file="srs/symbols.md",
+        line=1771,
+    ),
+    "whole_impulse": Symbol(
+        "whole_impulse",
+        "N*s",
+        "impulse of a spring at a joint for all of a substep",
+        tex="\\Lambda_\\Theta",
+        file="srs/symbols.md",
+        line=1776,
+    ),
+    "impulse_left": Symbol(
+        "impulse_left",
+        "N*s",
+        "size of what a spring at a joint had left of the substep before",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\Lambda_<",
+        file="srs/symbols.md",
+        line=1780,
+    ),
+    "impulse_room": Symbol(
+        "impulse_room",
+        "N*s",
+        "the most that a spring gives beside that",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\Lambda_{room}",
+        file="srs/symbols.md",
+        line=1785,
+    ),
+    "row_energy_bounded": Symbol(
+        "row_energy_bounded",
+        "J",
+        "energy of a row's spring that has a maximum",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_\\sigma",
+        file="srs/symbols.md",
+        line=1790,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2823,7 +2969,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1717,
+        line=1795,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2832,7 +2978,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1721,
+        line=1799,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2840,7 +2986,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1726,
+        line=1804,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2848,7 +2994,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1730,
+        line=1808,
     ),
     "amplification": Symbol(
         "amplification",
@@ -2857,7 +3003,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1734,
+        line=1812,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -2866,7 +3012,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1739,
+        line=1817,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -2875,7 +3021,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1744,
+        line=1822,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -2884,7 +3030,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1749,
+        line=1827,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -2893,7 +3039,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1754,
+        line=1832,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -2902,7 +3048,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1759,
+        line=1837,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -2911,7 +3057,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=1764,
+        line=1842,
     ),
     "change_most": Symbol(
         "change_most",
@@ -2920,7 +3066,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=1769,
+        line=1847,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -2929,7 +3075,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=1774,
+        line=1852,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -2938,7 +3084,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1779,
+        line=1857,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -2947,7 +3093,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1784,
+        line=1862,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -2955,7 +3101,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1789,
+        line=1867,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -2964,7 +3110,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1793,
+        line=1871,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -2973,7 +3119,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1798,
+        line=1876,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -2982,7 +3128,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1803,
+        line=1881,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -2990,7 +3136,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1808,
+        line=1886,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2999,7 +3145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=1812,
+        line=1890,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -3007,7 +3153,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1817,
+        line=1895,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3015,7 +3161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=1821,
+        line=1899,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3024,7 +3170,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1825,
+        line=1903,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3033,7 +3179,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1830,
+        line=1908,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3042,7 +3188,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1835,
+        line=1913,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3050,7 +3196,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1840,
+        line=1918,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3058,7 +3204,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1844,
+        line=1922,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3066,7 +3212,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1848,
+        line=1926,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3075,7 +3221,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=1852,
+        line=1930,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3084,7 +3230,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=1857,
+        line=1935,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3093,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1862,
+        line=1940,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3102,7 +3248,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1867,
+        line=1945,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3111,7 +3257,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=1872,
+        line=1950,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3120,7 +3266,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=1877,
+        line=1955,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3129,7 +3275,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=1882,
+        line=1960,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3138,7 +3284,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=1887,
+        line=1965,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3146,7 +3292,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1892,
+        line=1970,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3155,7 +3301,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1896,
+        line=1974,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3163,7 +3309,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1901,
+        line=1979,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3172,7 +3318,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1905,
+        line=1983,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3181,7 +3327,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1910,
+        line=1988,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3190,7 +3336,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1915,
+        line=1993,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3199,7 +3345,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1920,
+        line=1998,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3208,7 +3354,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=1925,
+        line=2003,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3216,7 +3362,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1930,
+        line=2008,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3225,7 +3371,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1934,
+        line=2012,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3234,7 +3380,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1939,
+        line=2017,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3243,7 +3389,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1944,
+        line=2022,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3252,7 +3398,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1949,
+        line=2027,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3260,7 +3406,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1954,
+        line=2032,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3268,7 +3414,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1958,
+        line=2036,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3277,7 +3423,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1962,
+        line=2040,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3286,7 +3432,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1967,
+        line=2045,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3295,7 +3441,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1972,
+        line=2050,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3304,7 +3450,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1977,
+        line=2055,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3313,7 +3459,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1982,
+        line=2060,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3322,7 +3468,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1987,
+        line=2065,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3331,7 +3477,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1992,
+        line=2070,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3340,7 +3486,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1997,
+        line=2075,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3349,7 +3495,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=2002,
+        line=2080,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3357,7 +3503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2007,
+        line=2085,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3365,7 +3511,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2011,
+        line=2089,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3374,7 +3520,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2015,
+        line=2093,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3382,7 +3528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2020,
+        line=2098,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3390,7 +3536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2024,
+        line=2102,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3399,7 +3545,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2028,
+        line=2106,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3408,7 +3554,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2033,
+        line=2111,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3417,7 +3563,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2038,
+        line=2116,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3425,7 +3571,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2043,
+        line=2121,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3434,7 +3580,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2047,
+        line=2125,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3442,7 +3588,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2052,
+        line=2130,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3451,7 +3597,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2056,
+        line=2134,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3459,7 +3605,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2061,
+        line=2139,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3468,7 +3614,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2065,
+        line=2143,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3476,7 +3622,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2070,
+        line=2148,
     ),
     "change": Symbol(
         "change",
@@ -3485,7 +3631,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2074,
+        line=2152,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3494,7 +3640,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2079,
+        line=2157,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3503,7 +3649,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2084,
+        line=2162,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3511,7 +3657,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2089,
+        line=2167,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3520,7 +3666,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2093,
+        line=2171,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3528,7 +3674,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2098,
+        line=2176,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3536,7 +3682,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2102,
+        line=2180,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3544,7 +3690,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2106,
+        line=2184,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3553,7 +3699,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2110,
+        line=2188,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3561,7 +3707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2115,
+        line=2193,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3570,6 +3716,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2119,
+        line=2197,
     ),
 }

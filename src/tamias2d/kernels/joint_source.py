@@ -22,8 +22,10 @@ from tamias2d.spec.functions import power
 from tamias2d.spec.printed_constraint import printed_by
 
 ENTRIES = 9  # of a row: slopes by x, y and orientation of A, B and C
-LAW = 4  # numbers of a push: stiffness, rest, damping, constant
+LAW = 6  # numbers of a push: stiffness, rest, damping, constant, most, where its other row is
 _IN_MATH = ("atan2", "cos", "exp", "log", "sin", "sqrt", "tan", "pi")
+_BOUNDED = (definitions.force_share, definitions.torque_share)
+_NAMES = {"largest": "max"}  # in these
 _PLACE = ("position", "orientation")
 _SPEED = ("velocity", "angular_velocity")
 _PATTERN = ("row_starts", "row_entries", "row_columns")
@@ -232,6 +234,7 @@ def joints(demand: JointDemand) -> tuple[str, str]:
         "apart": APART,
     }
     loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate", "convective")]
+    loops += [_pull_of(kind) for kind in demand.pushed if kind == "travel"]
     parts = [template.format(**names) for template in _TEMPLATES]
     helpers = [*loops, *parts[:-1]]
     copies = _copies("\n".join(helpers), demand)
@@ -246,6 +249,7 @@ def _copies(body: str, demand: JointDemand) -> list[str]:
     known: list[Callable[..., Any]] = [
         definitions.joint_spring_force,
         definitions.joint_spring_torque,
+        *(definitions.joint_pull, *_BOUNDED),
         *(elimination.factorised, elimination.inverse_size, elimination.solve),
         *(row_products.along, row_products.across, row_products.squares, row_products.multiply),
         *(row_products.largest, row_products.length_of),
@@ -254,7 +258,7 @@ def _copies(body: str, demand: JointDemand) -> list[str]:
         *(formula.function for kind in demand.pushed for formula in _formulas(functions_of(kind))),
     ]
     called = [f for f in dict.fromkeys(known) if re.search(rf"(?<!def ){f.__name__}\(", body)]
-    copies = [copied(f, {}) for f in called]
+    copies = [copied(f, _NAMES if f in _BOUNDED else {}) for f in called]
     return [copied(power, {}), *copies] if "power(" in "".join(copies) else copies
 
 
@@ -332,20 +336,46 @@ def shapes_of(functions: ConstraintFunctions) -> dict[str, int]:
     }
 
 
+def _pulled(kind: str) -> str:
+    """What the function takes, after a number, that returns the pull of a spring by itself."""
+    table = f"{kind}_push"
+    return f"time, position, velocity, still, {table}_given, {table}_ends, {table}_law"
+
+
+def _pull_of(kind: str) -> str:
+    """Return the function that returns what a spring would exert without a maximum."""
+    lines = [f"def {kind}_pull(k, {_pulled(kind)}):", *(f"    {line}" for line in _pull(kind))]
+    return "\n".join([*lines, "    return pull"])
+
+
+def _pull(kind: str) -> Iterator[str]:
+    """Set what the spring of a row would exert without a maximum, and where its law begins."""
+    functions, table = functions_of(kind), f"{kind}_push"
+    law = "joint_spring_torque" if kind == "angle" else "joint_spring_force"
+    yield from _state(kind, table, moving=True)
+    yield f"(value,) = {_call(functions.constraint)}"
+    yield f"(speed,) = {_call(functions.rate)}"
+    yield f"at = {LAW} * k"
+    numbers = [f"{table}_law[at{f' + {i}' if i else ''}]" for i in range(3)]
+    yield f"pull = {law}({numbers[0]}, value - {numbers[1]}, {numbers[2]}, speed)"
+
+
 def _pushes(demand: JointDemand) -> Iterator[str]:
     """Add what springs and motors give to the accelerations."""
     for kind in demand.pushed:
         functions = functions_of(kind)
         table = f"{kind}_push"
-        law = "joint_spring_torque" if kind == "angle" else "joint_spring_force"
         yield f"for k in range(len({table}_law) // {LAW}):"
-        yield from (f"    {line}" for line in _state(kind, table, moving=True))
-        yield f"    (value,) = {_call(functions.constraint)}"
-        yield f"    (speed,) = {_call(functions.rate)}"
-        yield f"    at = {LAW} * k"
-        numbers = [f"{table}_law[at{f' + {i}' if i else ''}]" for i in range(LAW)]
-        stretch = f"value - {numbers[1]}"
-        yield f"    push = {law}({numbers[0]}, {stretch}, {numbers[2]}, speed) + {numbers[3]}"
+        yield from (f"    {line}" for line in _pull(kind))
+        share = "torque_share" if kind == "angle" else "force_share"
+        yield f"    most, size = {table}_law[at + 4], abs(pull)"
+        yield "    if most > 0.0:"
+        if kind == "travel":  # of which a target has two
+            yield f"        if {table}_law[at + 5] != 0.0:"
+            yield f"            other = k + int({table}_law[at + 5])"
+            yield f"            size = joint_pull(pull, {kind}_pull(other, {_pulled(kind)}))"
+        yield f"        pull = {share}(most, size) * pull"
+        yield f"    push = pull + {table}_law[at + 3]"
         for i, end in enumerate(functions.bodies):
             body = f"{table}_ends[{len(functions.bodies)} * k + {i}]"
             yield f"    push_along({body}, push, {_call(functions.slopes[end])}, inverse, rate)"

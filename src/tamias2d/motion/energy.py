@@ -19,7 +19,7 @@ def energy_between(scene: Scene, history: History) -> Array:
     for joint in scene.joints:
         for freedom in joint.freedoms:
             if freedom.spring is not None:
-                total += _of_joint(joint.measured(freedom, 0.0), freedom, history)
+                total += _of_joint(joint, freedom, history)
     return total if scene.attraction is None else total + _of_attraction(scene, history)
 
 
@@ -34,25 +34,39 @@ def _of_spring(spring: Spring, history: History) -> Array:
 
 
 def _of_joint(joint: Joint, freedom: Freedom, history: History) -> Array:
-    """Return the energy in the spring of a joint, for the joint that measures it."""
-    known: dict[str, Any] = dict(joint.given)
-    for end, body in zip(ENDS, joint.ends, strict=True):
+    """Return the energy in the spring of a freedom of a joint."""
+    spring = freedom.spring
+    assert spring is not None
+    value, turns = _stretch(joint, freedom, history), freedom.measure == "angle"
+    energy = definitions.rotary_spring_energy if turns else definitions.joint_spring_energy
+    found: Array = energy(spring.stiffness, value)
+    if spring.maximum is None:
+        return found
+    pull = spring.stiffness * value
+    if turns:
+        share = definitions.torque_share(spring.maximum, np.abs(pull))
+        return np.asarray(definitions.bounded_rotary_energy(share, found))
+    others = [each for each in joint.freedoms if joint.kind == "target" and each is not freedom]
+    across = sum(spring.stiffness * _stretch(joint, each, history) for each in others)
+    share = definitions.force_share(spring.maximum, definitions.joint_pull(pull, across))
+    return np.asarray(definitions.bounded_spring_energy(share, found))
+
+
+def _stretch(joint: Joint, freedom: Freedom, history: History) -> Array:
+    """Return how far a freedom of a joint is beyond where its spring is at rest, m or rad."""
+    measured = joint.measured(freedom, 0.0)
+    known: dict[str, Any] = dict(measured.given)
+    for end, body in zip(ENDS, measured.ends, strict=True):
         known[f"position_{end}"] = (
             (0.0, 0.0)
             if body is None
             else (history.position[:, body, 0], history.position[:, body, 1])
         )
         known[f"orientation_{end}"] = 0.0 if body is None else history.orientation[:, body]
-    (value,) = joint.functions.constraint(known)
-    spring = freedom.spring
-    assert spring is not None
-    energy = (
-        definitions.rotary_spring_energy
-        if freedom.measure == "angle"
-        else definitions.joint_spring_energy
-    )
-    found: Array = energy(spring.stiffness, value - (spring.rest or 0.0))
-    return found
+    (value,) = measured.functions.constraint(known)
+    assert freedom.spring is not None
+    stretch: Array = value - (freedom.spring.rest or 0.0)
+    return stretch
 
 
 def _of_attraction(scene: Scene, history: History) -> Array:

@@ -10,11 +10,12 @@ from tamias2d.state import Array
 
 @dataclass(frozen=True, kw_only=True)
 class Pushes:
-    """What springs and slipping motors exert along rows (DD64, DD65, GD22)."""
+    """What springs and slipping motors exert along rows (DD64, DD65, DD103, GD22)."""
 
     rows: ConstraintRows
     laws: Array
-    """(k, 4) for the joints of the rows: stiffness, rest, damping, and a constant push."""
+    """(k, 6) for the joints of the rows: stiffness, rest, damping, a constant push, and the most
+    of the spring, 0 for any, with how much farther on the other travel of a target is."""
 
 
 @dataclass(frozen=True, kw_only=True)

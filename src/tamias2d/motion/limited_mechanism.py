@@ -64,6 +64,9 @@ class LimitedMechanism:
         first = {joint: rows[0] for joint, rows, _ in self.measures.of_joints()}
         self.row = {of: first[k] for k, of in enumerate(self.freedoms)}
         """The row of each freedom among the measures."""
+        targets = [number for number, joint in self._joint.items() if joint.kind == "target"]
+        self._pair = {(number, k): (number, 1 - k) for number in targets for k in (0, 1)}
+        """Of each travel of a target the other one."""
         self.fastest = np.zeros(len(self.freedoms))
         """The largest speeds that have made up the rate of each, m/s or rad/s."""
         self._largest = 0.0
@@ -131,7 +134,10 @@ class LimitedMechanism:
             if of[0] in mode.broken or not (spring or sense):
                 continue
             law = (spring.stiffness, spring.rest or 0.0, spring.damping) if spring else (0.0,) * 3
-            laws.append((*law, sense * self.most(of) if sense else 0.0))
+            constant = sense * self.most(of) if sense else 0.0
+            most = (spring.maximum or 0.0) if spring else 0.0
+            way = self._pair[of][1] - of[1] if of in self._pair else 0
+            laws.append((*law, constant, most, way))
             measures.append(self._joint[of[0]].measured(each, 0.0))
         if not measures:
             return None
@@ -293,11 +299,14 @@ class LimitedMechanism:
         values = self.measures.values(now.time, now.position)
         rates = self.measures.rates(*now[:3])
         found = {of: sense * self.most(of) for of, sense in mode.driven if sense}
-        for of, each in self.freedoms.items():
-            if each.spring is not None:
-                row = self.row[of]
-                push = _spring_push(each, float(values[row]), float(rates[row]))
-                found[of] = found.get(of, 0.0) + push
+        pulls = {
+            of: _spring_pull(each, float(values[self.row[of]]), float(rates[self.row[of]]))
+            for of, each in self.freedoms.items()
+            if each.spring is not None
+        }
+        for of, pull in pulls.items():
+            other = pulls[self._pair[of]] if of in self._pair else None
+            found[of] = _bounded(self.freedoms[of], pull, other) + found.get(of, 0.0)
         return {of: push for of, push in found.items() if of[0] not in mode.broken}
 
     def pulled(self, now: Now, mode: Mode) -> Array:
@@ -369,8 +378,23 @@ class LimitedMechanism:
         return found
 
 
-def _spring_push(each: Freedom, value: float, rate: float) -> float:
-    """Return what the spring of a freedom exerts on it, N m or N (DD64, DD65)."""
+def _bounded(each: Freedom, pull: float, other: float | None) -> float:
+    """Return what a spring exerts that would exert a pull, N m or N, by itself (DD103).
+
+    That of the other travel of a target comes with it.
+    """
+    assert each.spring is not None
+    most = each.spring.maximum
+    if most is None:
+        return pull
+    if each.measure == "angle":
+        return float(definitions.torque_share(most, abs(pull))) * pull
+    size = abs(pull) if other is None else definitions.joint_pull(pull, other)
+    return float(definitions.force_share(most, size)) * pull
+
+
+def _spring_pull(each: Freedom, value: float, rate: float) -> float:
+    """Return what the spring of a freedom exerts on it without a maximum, N m or N (DD64, DD65)."""
     spring = each.spring
     assert spring is not None
     angle = each.measure == "angle"

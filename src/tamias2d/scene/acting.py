@@ -66,7 +66,14 @@ def only_slowed(scene: SceneData) -> bool:
 
 
 def kinked(scene: SceneData) -> bool:
-    """Return whether some force has a kink: a scheme of high order has none of it across that."""
+    """Return whether some force has a kink: a scheme of high order has none of it across that.
+
+    The spring of a joint has one where it comes to exert its maximum.
+    """
+    if any(
+        each.spring and each.spring.maximum for joint in scene.joints for each in joint.freedoms
+    ):
+        return True
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
     return any(law.kinked for _, law in varying_laws(scene, moving))
 

@@ -1,6 +1,6 @@
 """What a joint leaves free: an angle, a travel or a distance, with limits, a motor, a spring.
 
-Each is measured by a constraint of srs/models/joints.md (GD21, GD22, DD64, DD65).
+Each is measured by a constraint of srs/models/joints.md (GD21, GD22, DD64, DD65, DD103).
 """
 
 import math
@@ -39,8 +39,14 @@ def spring_symbols(measure: Measure) -> dict[str, str]:
             "stiffness": "rotary_stiffness",
             "damping": "rotary_damping",
             "rest": "joint_angle",
+            "maximum": "joint_torque_most",
         }
-    return {"stiffness": "stiffness", "damping": "damping", "rest": "joint_travel"}
+    return {
+        "stiffness": "joint_stiffness",
+        "damping": "damping",
+        "rest": "joint_travel",
+        "maximum": "joint_force_most",
+    }
 
 
 @suggests
@@ -74,12 +80,14 @@ class Motor:
 class JointSpring:
     """What pulls a joint to `rest`, rad or m, as at the start unless given (DD64, DD65).
 
-    With `stiffness`, N m/rad or N/m, and `damping`, N m s/rad or kg/s.
+    With `stiffness`, N m/rad or N/m, and `damping`, N m s/rad or kg/s. Both together exert a
+    torque, N m, or a force, N, of at most `maximum`; None for what they do (DD103).
     """
 
     stiffness: float
     damping: float = 0.0
     rest: float | None = None
+    maximum: float | None = None
 
 
 _OFF = Motor(speed=0.0, maximum=0.0)  # it gives nothing
@@ -183,7 +191,7 @@ def last_tooth(angle: float, pitch: float) -> float:
 
 def target(of: str, *, spring: object) -> tuple[Freedom, Freedom]:
     """Return both travels of a point that springs alike pull to another one, checked."""
-    pull = _checked(spring, JointSpring, spring_symbols("travel"), f"spring of {of}", "spring")
+    pull = _pulling(spring, "travel", of)
     refuse_rest(pull, of)
     along = Freedom(measure="travel", spring=replace(pull, rest=0.0))
     return along, replace(along, across=True)
@@ -262,7 +270,20 @@ def _motor(value: object, measure: Measure, of: str) -> Motor | None:
 def _spring(value: object, measure: Measure, of: str) -> JointSpring | None:
     if value is None:
         return None
-    return _checked(value, JointSpring, spring_symbols(measure), f"spring of {of}", "spring")
+    return _pulling(value, measure, of)
+
+
+def _pulling(value: object, measure: Measure, of: str) -> JointSpring:
+    """Return a spring, checked: it has a stiffness, or is a damper by itself."""
+    what = f"spring of {of}"
+    spring = _checked(value, JointSpring, spring_symbols(measure), what, "spring")
+    if spring.stiffness == 0 and spring.damping == 0:
+        unit = "N*m/rad" if measure == "angle" else "N/m"
+        raise RuleError(
+            f"stiffness 0 {unit} of {what}: must be > 0, or its damping (DD64). Give one of them.",
+            *("spring", "stiffness"),
+        )
+    return spring
 
 
 def _checked(value: object, kind: type[_T], symbols: Mapping[str, str], what: str, key: str) -> _T:

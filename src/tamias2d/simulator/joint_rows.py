@@ -44,7 +44,8 @@ def row_count(joint: Joint) -> int:
 
 def _governed(joint: Joint, freedom: Freedom) -> Iterable[JointRow]:
     for law, at, numbers in laws_of(freedom):
-        yield _row(joint.measured(freedom, at), law, numbers)
+        row = _row(joint.measured(freedom, at), law, numbers)
+        yield row._replace(across=freedom.across) if joint.kind == "target" else row
 
 
 def laws_of(freedom: Freedom) -> Iterable[tuple[int, float, LawNumbers]]:
@@ -59,7 +60,8 @@ def laws_of(freedom: Freedom) -> Iterable[tuple[int, float, LawNumbers]]:
         most = math.inf if motor.maximum is None else motor.maximum
         yield tb.MOTOR, 0.0, (motor.speed, most, 0.0, 0.0, 0.0)
     if spring:
-        numbers = (0.0, 0.0, spring.stiffness, spring.damping, 0.0)
+        most = math.inf if spring.maximum is None else spring.maximum
+        numbers = (0.0, most, spring.stiffness, spring.damping, 0.0)
         yield tb.SPRING, cast(float, spring.rest), numbers
 
 

@@ -53,6 +53,12 @@ MOTOR = GovernedBy("motor", with_motor, "GD22", "one, Motor(speed=, maximum=)")
 SPRING = GovernedBy("spring", with_spring, "DD64", "one, JointSpring(stiffness=, damping=)")
 
 
+def _bounded(joint: Joint) -> bool:
+    """Return whether a spring of a joint has a maximum; those are solved otherwise."""
+    springs = [each.spring for each in joint.freedoms if each.spring]
+    return any(spring.maximum is not None for spring in springs)
+
+
 class JointSet:
     """Joints by their names."""
 
@@ -199,7 +205,7 @@ class JointSet:
         self._joints[joint.name] = joint
         if self._layout is not None and not self.new:
             self._layout.govern(joint, before)
-            if joint.name in self._layout.alike:
+            if joint.name in self._layout.alike or _bounded(joint) != _bounded(before):
                 self._change()
         return True
 

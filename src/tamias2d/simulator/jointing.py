@@ -129,10 +129,11 @@ class Jointing(Stepping):
 
     @exclusive
     def set_spring(self, name: str, spring: JointSpring | None) -> None:
-        """Give a joint's spring another stiffness, damping and rest; None turns it off (DD64).
+        """Give a joint's spring other numbers; None turns it off (DD64, DD103).
 
-        The rest that is left out is the one before. It takes some 50 microseconds, and may be done
-        before each step; what the spring holds more then, the mechanism is given.
+        The rest that is left out is the one before; without a maximum there is none. It takes some
+        50 microseconds, and may be done before each step; what the spring holds more then, the
+        mechanism is given. Where it gets a maximum, or loses it, joints are set up anew.
 
         Raises:
             InputError: there is no joint of that name, it has no spring, or a value breaks a rule

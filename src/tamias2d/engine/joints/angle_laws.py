@@ -5,7 +5,7 @@ Rows of other joints do the same with slopes for places, too, which are zero her
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.hinged_yield import yield_at_hinge
-from tamias2d.engine.joints.linearise import firmness_by_law
+from tamias2d.engine.joints.linearise import firmness_by_law, spring_now
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.hinge_tree import law_impulse
 from tamias2d.generated.joint_rows import angle_values
@@ -78,7 +78,7 @@ def error_of_law(j: int, substep: float, bodies: Bodies, joints: Joints) -> None
     elif firm > 0.0:
         rate, given = rate_of_law(j, bodies, joints), numbers[tb.J_GIVEN]
         start, share = numbers[tb.J_AIM], numbers[tb.J_SHARE]
-        stiffness, damping = law[tb.LAW_STIFFNESS], law[tb.LAW_DAMPING]
+        stiffness, damping = spring_now(j, joints)
         error = spring_error(angle, start, rate, given, stiffness, damping, share, firm, substep)
     numbers[tb.J_ERROR] = error
 

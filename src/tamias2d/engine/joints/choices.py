@@ -1,5 +1,7 @@
 """Positions of mechanisms with limits and motors: first which of these hold, then where to (IM15).
 
+Springs that have a maximum are as soft as that asks for.
+
 A limit that is tried in vain, or a motor that would have to give more than it can, leads to places
 that mean nothing. So rows are chosen as if their slopes did not change, and bodies are placed by
 what was chosen.
@@ -11,6 +13,11 @@ Source: block principal pivoting, Judice and Pires (1994); one by one, a primal 
 from math import inf
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.bounded_springs import (
+    begin_bounded,
+    bound_springs,
+    soften_springs,
+)
 from tamias2d.engine.joints.governed import (
     change_row,
     choose_rows,
@@ -44,6 +51,8 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
 
     Again, they have changed little. Limits push only, and motors give no more than they can.
     """
+    if joints.mechanisms[n, tb.M_CHOOSING] == 1:
+        begin_bounded(n, again, bodies, joints)
     if joints.mechanisms[n, tb.M_GOVERNED] == 1 and not again:
         factor_mechanism(n, substep, bodies, joints)
     meshed = joints.mechanisms[n, tb.M_MESHED] == 1
@@ -60,9 +69,13 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
             bring_to_aims(n, True, first, substep, bodies, joints)
         find_position_errors(n, substep, bodies, joints)
         note_offsets(n, substep, bodies, joints)
-        if k + 1 == MOST_CHOICES or not choose_rows(n, time, bodies, joints)[0]:
-            return
-        factor_mechanism(n, substep, bodies, joints)
+        if k + 1 < MOST_CHOICES:
+            softened = soften_springs(n, substep, joints)
+            if choose_rows(n, time, bodies, joints)[0] or softened:
+                factor_mechanism(n, substep, bodies, joints)
+                continue
+        bound_springs(n, substep, bodies, joints)
+        return
 
 
 def choose_by_slopes(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
@@ -77,8 +90,9 @@ def choose_by_slopes(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
         start_impulses(n, 0.0, joints)
         solve_joint_errors(n, substep, most, bodies, joints)
         predict(n, substep, bodies, joints)
+        softened = soften_springs(n, substep, joints)
         changed, torn = choose_rows(n, time, bodies, joints)
-        if not changed:
+        if not changed and not softened:
             return first
         factor_mechanism(n, substep, bodies, joints)
         predict(n, substep, bodies, joints)

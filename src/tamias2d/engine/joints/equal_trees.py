@@ -47,12 +47,13 @@ def equal_trees(
 def _shape(tree: HingeTree, rows: Sequence[JointRow]) -> Shape | None:
     """Return what a tree is like; None if more holds it than the hinges of its bodies.
 
-    The angle of each of these may have one spring.
+    The angle of each of these may have one spring, without a maximum.
     """
     springs = [rows[k] for k in tree.joints[sum(hinge is not None for hinge in tree.hinges) :]]
     angles = {frozenset(spring.ends[:2]) for spring in springs}
     inside = all(angle <= set(tree.bodies) for angle in angles)
-    if not inside or len(angles) < len(springs) or any(row.law != tb.SPRING for row in springs):
+    alike = all(row.law == tb.SPRING and not row.bounded for row in springs)
+    if not inside or len(angles) < len(springs) or not alike:
         return None
     place = {body: k for k, body in enumerate(tree.bodies)}
     found = []

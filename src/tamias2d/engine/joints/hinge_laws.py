@@ -6,6 +6,11 @@ Cost: for each choice that changes, two visits more to each body, and a solution
 from math import inf
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joints.bounded_springs import (
+    begin_bounded,
+    bound_springs,
+    soften_springs,
+)
 from tamias2d.engine.joints.choices import (
     MOST_CHOICES,
     MOST_STEPS,
@@ -45,6 +50,8 @@ def keep_tree_positions(
 
     Again, they have changed little. Limits push only, and motors give no more than they can.
     """
+    if joints.mechanisms[n, tb.M_CHOOSING] == 1:
+        begin_bounded(n, again, bodies, joints)
     if joints.mechanisms[n, tb.M_GOVERNED] == 1 and not again:
         hang_tree(n, substep, bodies, joints)
     if joints.mechanisms[n, tb.M_CHOOSING] == 0:
@@ -58,9 +65,13 @@ def keep_tree_positions(
         bring_tree_to_aims(n, first, substep, bodies, joints)
         find_gap_errors(n, substep, bodies, joints)
         note_offsets_of_tree(n, substep, bodies, joints)
-        if k + 1 == MOST_CHOICES or not choose_rows(n, time, bodies, joints)[0]:
-            return
-        hang_tree(n, substep, bodies, joints)
+        if k + 1 < MOST_CHOICES:
+            softened = soften_springs(n, substep, joints)
+            if choose_rows(n, time, bodies, joints)[0] or softened:
+                hang_tree(n, substep, bodies, joints)
+                continue
+        bound_springs(n, substep, bodies, joints)
+        return
 
 
 def choose_by_slopes_of_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
@@ -73,8 +84,9 @@ def choose_by_slopes_of_tree(n: int, substep: float, bodies: Bodies, joints: Joi
     for _ in range(MOST_TRIALS):
         answer_tree(n, substep, most, bodies, joints)
         predict_tree(n, substep, bodies, joints)
+        softened = soften_springs(n, substep, joints)
         changed, torn = choose_rows(n, time, bodies, joints)
-        if not changed:
+        if not changed and not softened:
             return first
         hang_tree(n, substep, bodies, joints)
         predict_tree(n, substep, bodies, joints)

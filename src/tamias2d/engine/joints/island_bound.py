@@ -8,10 +8,11 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.energy.step_energy import UNLIMITED
 from tamias2d.engine.energy.support import SUPPORTED_BY_MORE, SUPPORTED_BY_ONE, support_island
 from tamias2d.engine.joints.acting import acts, note_tied
+from tamias2d.engine.joints.bounded_springs import energy_of_spring
 from tamias2d.engine.joints.yielding import energy_driven, yields
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.island_energy import kinetic_energy_most, lift_work
-from tamias2d.generated.joint_step import drive_work, kept_way, row_energy
+from tamias2d.generated.joint_step import drive_work, kept_way
 from tamias2d.state import Array
 
 
@@ -80,7 +81,7 @@ def energy_of_springs(n: int, joints: Joints) -> float:
         return energy
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         if joints.joints[j, tb.J_LAW] == tb.SPRING:
-            energy += row_energy(joints.laws[j, tb.LAW_STIFFNESS], joints.numbers[j, tb.J_ROW])
+            energy += energy_of_spring(j, joints)
     return energy
 
 

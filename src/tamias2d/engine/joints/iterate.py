@@ -6,10 +6,11 @@ Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.linearise import FIRM
+from tamias2d.engine.joints.linearise import FIRM, yield_of_row
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import angular_velocity_later, row_rate, velocity_later
+from tamias2d.kernels.assembled import inlined
 
 MOST_ITERATIONS_OF_MESH = 4  # in each substep; what is left is made up for in the next ones
 MESH_ACCURACY = 1e-2  # of the errors of the rows, without the impulses of the last time
@@ -28,14 +29,31 @@ def iterate_mesh(n: int, bodies: Bodies, joints: Joints) -> None:
         for r in range(joints.joints[j, tb.J_ROWS]):
             error = numbers[tb.J_ERROR + r]
             numbers[tb.J_RESIDUAL + r] = -error - change_of_rate(j, r, joints)
+            numbers[tb.J_RESIDUAL + r] -= given_way(j, r, numbers[tb.J_IMPULSE + r], joints)
             numbers[tb.J_SEARCH + r] = 0.0
-            whole += error * error * numbers[tb.J_FIRMNESS + r] / FIRM
+            whole += own_answer(j, r, error * error, bodies, joints)
     clear_nodes(n, tb.VELOCITY_START, joints)
     for k in range(MOST_ITERATIONS_OF_MESH):
         before, size = size, sweep_both_ways(n, bodies, joints)
         if not size > MESH_ACCURACY * MESH_ACCURACY * whole:
             return
         step_along(n, size, size / before if k > 0 else 0.0, joints)
+
+
+@inlined
+def given_way(j: int, r: int, impulse: float, joints: Joints) -> float:
+    """Return by which rate, m/s, a row gives way to an impulse by itself: that of a spring does."""
+    firm = joints.numbers[j, tb.J_FIRMNESS + r]
+    return impulse / firm if joints.joints[j, tb.J_LAW] == tb.SPRING and firm > 0.0 else 0.0
+
+
+def own_answer(j: int, r: int, rate: float, bodies: Bodies, joints: Joints) -> float:
+    """Return which impulse a row by itself gives against a rate, m/s."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    firm = numbers[tb.J_FIRMNESS + r]
+    if ends[tb.J_LAW] == tb.SPRING and firm > 0.0:
+        return rate / (yield_of_row(r, ends, numbers, bodies, joints) + 1.0 / firm)
+    return rate * firm / FIRM
 
 
 def clear_nodes(n: int, column: int, joints: Joints) -> None:
@@ -53,7 +71,7 @@ def sweep_both_ways(n: int, bodies: Bodies, joints: Joints) -> float:
         numbers = joints.numbers[j]
         for r in range(joints.joints[j, tb.J_ROWS]):
             left = numbers[tb.J_RESIDUAL + r] - change_of_rate(j, r, joints)
-            numbers[tb.J_TRIED + r] = left * numbers[tb.J_FIRMNESS + r] / FIRM
+            numbers[tb.J_TRIED + r] = own_answer(j, r, left, bodies, joints)
             give_to_nodes(j, r, numbers[tb.J_TRIED + r], bodies, joints)
     clear_nodes(n, tb.CHANGE, joints)
     product = 0.0
@@ -63,7 +81,7 @@ def sweep_both_ways(n: int, bodies: Bodies, joints: Joints) -> float:
         for more in range(joints.joints[j, tb.J_ROWS]):
             r = joints.joints[j, tb.J_ROWS] - 1 - more
             rate = change_of_rate(j, r, joints)
-            numbers[tb.J_TRIED + r] -= rate * numbers[tb.J_FIRMNESS + r] / FIRM
+            numbers[tb.J_TRIED + r] -= own_answer(j, r, rate, bodies, joints)
             give_to_nodes(j, r, numbers[tb.J_TRIED + r], bodies, joints)
             product += numbers[tb.J_TRIED + r] * numbers[tb.J_RESIDUAL + r]
     return product
@@ -83,6 +101,7 @@ def step_along(n: int, size: float, kept: float, joints: Joints) -> None:
         for r in range(joints.joints[j, tb.J_ROWS]):
             numbers[tb.J_SEARCH + r] = numbers[tb.J_TRIED + r] + kept * numbers[tb.J_SEARCH + r]
             numbers[tb.J_TRIED + r] = change_of_rate(j, r, joints)
+            numbers[tb.J_TRIED + r] += given_way(j, r, numbers[tb.J_SEARCH + r], joints)
             curvature += numbers[tb.J_SEARCH + r] * numbers[tb.J_TRIED + r]
     share = size / curvature if curvature > 0.0 else 0.0
     for j in range(first, last):

@@ -30,6 +30,8 @@ class JointRow(NamedTuple):
     """Its row, if it has an equation of its own; `given` are its anchors then."""
     steepness: tuple[float, float] = (1.0, 1.0)
     """By how much the value of that row changes for each m, and for each rad, about."""
+    across: bool | None = None
+    """Of a target, whether it is the travel across; None of what has one row to pull."""
 
     @property
     def number(self) -> int:
@@ -77,6 +79,11 @@ class JointRow(NamedTuple):
     def turned(self) -> bool:
         """Whether it is a motor that does not stand still."""
         return self.law == MOTOR and self.numbers[0] != 0
+
+    @property
+    def bounded(self) -> bool:
+        """Whether it is a spring with a maximum."""
+        return self.law == SPRING and self.numbers[1] < math.inf
 
     @property
     def governed(self) -> bool:

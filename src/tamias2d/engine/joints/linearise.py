@@ -131,13 +131,23 @@ def firmness_by_law(
     """
     firm = firmness_that_yields(yielding)
     if joints.joints[j, tb.J_LAW] == tb.SPRING:
-        stiffness, damping = joints.laws[j, tb.LAW_STIFFNESS], joints.laws[j, tb.LAW_DAMPING]
+        stiffness, damping = spring_now(j, joints)
         share = implicit_share(stiffness, damping, hinged, substep)
         joints.numbers[j, tb.J_SHARE] = share
         return min(firm, spring_firmness(stiffness, damping, share, substep))
     if joints.joints[j, tb.J_STATE] != tb.HOLDS:
         return 0.0
     return min(firm, most) if most > 0.0 else firm
+
+
+@inlined
+def spring_now(j: int, joints: Joints) -> tuple[float, float]:
+    """Return the stiffness, N/m, and the damping, kg/s, of the spring of a row: its share of them.
+
+    It is less than one where that has a maximum, and would exert more.
+    """
+    share, law = joints.numbers[j, tb.J_EXERTED], joints.laws[j]
+    return share * law[tb.LAW_STIFFNESS], share * law[tb.LAW_DAMPING]
 
 
 def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:

@@ -1,6 +1,6 @@
 """Joints as rows of the engine's arrays: which bodies they hold, and how these form mechanisms."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from itertools import chain, combinations
 
@@ -77,6 +77,9 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
         joints.members[1:, tb.JOINED_BODY] = list(member)
     _write_plans(store, plans)
     places = _write_joints(store, rows, mechanisms, plans, trees, member)
+    for first, second in _targets(rows):
+        pair = places[first], places[second]
+        joints.joints[pair, tb.J_PAIR] = places[second], tb.OF_PAIR
     write_programs(joints, rows, places)
     _write_trees(store, rows, trees, member, places)
     write_blocks_of(store, blocks)
@@ -85,6 +88,18 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     joints.apart_first[:] = np.searchsorted(lows, np.arange(len(joints.apart_first)))
     store.world.touching.counts[[tb.ARRANGED, tb.ISLANDS_KNOWN]] = 0
     return places
+
+
+def _targets(rows: Sequence[JointRow]) -> Iterator[tuple[int, int]]:
+    """Yield both rows of each target whose spring has a maximum; equal ones are interchangeable."""
+    found: dict[tuple[object, ...], tuple[list[int], list[int]]] = {}
+    for k, row in enumerate(rows):
+        if row.bounded and row.across is not None:
+            anchors = (row.given[:2], row.given[4:6])
+            along, across = found.setdefault((row.ends, anchors, row.numbers), ([], []))
+            (across if row.across else along).append(k)
+    for along, across in found.values():
+        yield from zip(along, across, strict=True)
 
 
 def move_anchor(store: Store, place: int, kind: str, end: str, point: Vector) -> None:
@@ -207,7 +222,8 @@ def _write_joints(
         for k in by_level(mechanism, rows) if net else mechanism:
             row = rows[k]
             joints.joints[j, [tb.J_KIND, tb.J_ROWS]] = row.number, row.row_count
-            joints.joints[j, tb.J_EQUATION] = -1
+            joints.joints[j, [tb.J_EQUATION, tb.J_PAIR]] = -1, tb.NO_PAIR
+            joints.numbers[j, tb.J_EXERTED] = 1.0
             own = [0 if body is None else member[body] for body in row.ends]
             nodes = [
                 tb.UNUSED
@@ -224,7 +240,7 @@ def _write_joints(
             joints.mechanisms[n, tb.M_TIMED] |= row.timed
             joints.mechanisms[n, tb.M_TURNED_BY_MOTOR] |= row.turned
             joints.mechanisms[n, tb.M_GOVERNED] |= row.governed
-            joints.mechanisms[n, tb.M_CHOOSING] |= row.law in CHOOSING
+            joints.mechanisms[n, tb.M_CHOOSING] |= row.law in CHOOSING or row.bounded
             joints.mechanisms[n, tb.M_BOUNCING] |= row.numbers[tb.LAW_RESTITUTION] > 0.0
             joints.joints[j, [tb.J_LAW, tb.J_STATE]] = row.law, tb.HOLDS
             joints.laws[j] = row.numbers

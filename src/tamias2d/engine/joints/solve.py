@@ -17,6 +17,7 @@ from tamias2d.engine.joints.linearise import (
     factor_mechanism,
     place_members,
     rows_where_placed,
+    spring_now,
 )
 from tamias2d.engine.joints.opening import closing_rate, share_closed
 from tamias2d.engine.joints.placed_rows import write_values
@@ -214,7 +215,7 @@ def error_of_row(j: int, r: int, substep: float, bodies: Bodies, joints: Joints)
     rate = rate_of_row(j, r, bodies, joints)
     if joints.joints[j, tb.J_LAW] == tb.MOTOR:
         return drive_error(rate, law[tb.LAW_RATE])
-    stiffness, damping = law[tb.LAW_STIFFNESS], law[tb.LAW_DAMPING]
+    stiffness, damping = spring_now(j, joints)
     start, given, share = numbers[tb.J_AIM + r], numbers[tb.J_GIVEN + r], numbers[tb.J_SHARE]
     if firm == 0.0:
         return 0.0

@@ -38,7 +38,7 @@ M_TIMED = _mechanisms()  # 1 if an equation that changes with time drives it
 M_CARRIED = _mechanisms()  # 1 if that, or some of it, moves as it is told
 M_DRIVEN = _mechanisms()  # 1 if a spring, or what changes with time, may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
-M_CHOOSING = _mechanisms()  # 1 if it has limits or motors
+M_CHOOSING = _mechanisms()  # 1 if it has limits, motors, or springs with a maximum
 M_BOUNCING = _mechanisms()  # 1 if it has limits that bounce
 M_NEAR = _mechanisms()  # 1 if it may reach a limit in this part
 M_TOUCHED = _mechanisms()  # 1 if contacts touch it
@@ -60,13 +60,15 @@ J_EDGE = _joint(3)  # of the pairs AB, AC and BC, or -1 where one does not move
 J_LAW = _joint()  # what governs its row, one of those below
 J_STATE = _joint()  # whether a limit or a motor holds, one of those below
 J_EQUATION = _joint()  # its equation, or -1 where it is one of a kind
+J_PAIR = _joint()  # of the spring of a target: its other row, or one of those below
 
 KEPT, LOWER_LIMIT, UPPER_LIMIT, MOTOR, SPRING = range(5)  # at zero; one row if not KEPT
 HOLDS, FREE_ROW, AT_MOST, AT_LEAST = range(4)  # a motor gives the most forwards, or backwards
+NO_PAIR, OF_PAIR = -1, -2  # a row by itself; the second row of a target
 
 _laws = Columns()  # numbers of a law
 LAW_RATE = _laws()  # m/s or rad/s, of a motor, or of what an equation keeps
-LAW_MOST = _laws()  # N or N m, of a motor
+LAW_MOST = _laws()  # N or N m, of a motor or a spring; endless where there is no maximum
 LAW_STIFFNESS = _laws()  # N/m or N m/rad
 LAW_DAMPING = _laws()  # kg/s or N m s
 LAW_RESTITUTION = _laws()  # of a limit
@@ -132,6 +134,9 @@ J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
 J_OFFSET = _joint_numbers(3)  # m or rad, to which a substep leads each row, less its rate's way
 J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients
 J_TRIED = _joint_numbers(3)  # N s, residual over the matrix, about
+J_EXERTED = _joint_numbers()  # share of its stiffness and damping with which a spring counts
+J_SOFTNESS = _joint_numbers()  # one over the share that was tried before, 0 if none was
+J_SPARE = _joint_numbers()  # the most of such a spring, over what it would have given then
 
 _joined = Columns()  # members: the plane, the nodes, then static and then kinematic bodies
 JOINED_BODY = _joined()  # row of the body
