@@ -15,6 +15,7 @@ from typer.core import TyperGroup
 from tamias2d.errors import TamiasError
 
 INTERRUPTED = 130  # as shells report a program that ended by Ctrl-C
+UNREAD = 141  # likewise one that ended since nobody reads what it prints
 
 
 class _Commands(TyperGroup):
@@ -33,6 +34,8 @@ class _Commands(TyperGroup):
                 flush()
         except TamiasError as fault:
             _stop(str(fault), 2)
+        except BrokenPipeError:  # whoever reads has enough
+            raise typer.Exit(UNREAD) from None
         except OSError as fault:
             if fault.filename is None:
                 raise

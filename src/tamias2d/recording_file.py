@@ -50,9 +50,12 @@ def refuse_place(path: Path) -> None:
 
 
 def refuse_missing(path: Path, *, made_by: str) -> None:
-    """Raise `RecordingError` if there is no file at this path; say which code makes one."""
+    """Raise `RecordingError` if there is no file at this path; say what makes one."""
+    where = path_text(path)
+    if os.path.isdir(path):
+        raise RecordingError(f"{where}: is a directory. Give the name of a file in it.")
     if not os.path.isfile(path):  # False for what is no name, too
-        raise RecordingError(f"{path_text(path)}: there is no such file. Make it by `{made_by}`.")
+        raise RecordingError(f"{where}: there is no such file. Make it by {made_by}.")
 
 
 @contextmanager
@@ -63,9 +66,27 @@ def aside(path: Path) -> Iterator[Path]:
         RecordingError: the directory is missing, or the file cannot be written (a full disk).
     """
     refuse_place(path)
+    with _told(path), storage.aside(path) as draft:
+        yield draft
+
+
+@contextmanager
+def growing(path: Path) -> Iterator[Path]:
+    """Likewise, but what was written is kept, as `part_of` says, where the block ends by an error.
+
+    Raises:
+        RecordingError: likewise.
+    """
+    refuse_place(path)
+    with _told(path), storage.growing(path) as draft:
+        yield draft
+
+
+@contextmanager
+def _told(path: Path) -> Iterator[None]:
+    """Let an error of the operating system be one of the file at a path."""
     try:
-        with storage.aside(path) as draft:
-            yield draft
+        yield
     except OSError as fault:
         why = fault.strerror or type(fault).__name__
         raise RecordingError(

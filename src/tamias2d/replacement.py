@@ -7,6 +7,7 @@ import stat
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from itertools import count
 from pathlib import Path
 
 try:
@@ -37,6 +38,25 @@ def aside(path: Path, *, mode: int = 0o666) -> Iterator[Path]:
         draft.unlink(missing_ok=True)
         if held is not None:
             os.close(held)
+
+
+@contextmanager
+def growing(path: Path, *, mode: int = 0o666) -> Iterator[Path]:
+    """Likewise for what is written bit by bit: its draft is kept where the block does not end well.
+
+    Its name tells what it is part of: of `session.rrd` it is `session.part.rrd`, or
+    `session.part2.rrd` where there is one from before. An empty one is not kept.
+    """
+    target, before = _target(path)
+    draft = _part(target, mode if before is None else 0o600)
+    try:
+        yield draft
+        _finish(draft, before)
+        draft.replace(target)
+    except BaseException:
+        if not draft.stat().st_size:
+            draft.unlink()
+        raise
 
 
 def write_aside(path: Path, content: bytes, *, mode: int = 0o666) -> None:
@@ -72,6 +92,16 @@ def _draft(folder: Path, mode: int) -> tuple[Path, int | None]:
         if draft.exists():  # it was not removed before it was held
             return draft, held
         os.close(held)
+
+
+def _part(target: Path, mode: int) -> Path:
+    """Make an empty file beside another one, with a name that tells so; raises OSError."""
+    for number in count(1):
+        draft = target.with_suffix(f".part{number if number > 1 else ''}{target.suffix}")
+        with suppress(FileExistsError):
+            os.close(os.open(draft, os.O_RDWR | os.O_CREAT | os.O_EXCL, mode))
+            return draft
+    raise AssertionError
 
 
 def _finish(draft: Path, mode: int | None) -> None:

@@ -125,7 +125,9 @@ def _why(header: Header, *, intact: bool) -> str:
 def replay(path: str | Path) -> None:
     """Open a recording in rerun's viewer, and return when it is closed.
 
-    An `.npz` is opened too: by way of a temporary `.rrd`.
+    An `.npz` is opened too: by way of a temporary `.rrd`. A run is read before, so that a damaged
+    file is told, not shown as an empty window; a frame loop is opened at once, also one that its
+    program could not end.
 
     Raises:
         InputError: the name is that of no recording.
@@ -133,10 +135,11 @@ def replay(path: str | Path) -> None:
     """
     path = Path(path)
     with suppress(FrameLoopError):  # there is nothing but what the viewer shows
-        files.stored(path)  # so that a damaged file is told here, not by an empty window
+        files.stored(path)
     viewer = files.rerun(path, "the viewer", otherwise="check the file by `replay --check`")
     if path.suffix == ".rrd":
-        viewer.view(path, named=path)
+        with viewer.whole(path) as shown:
+            viewer.view(shown, named=path)
         return
     with tempfile.TemporaryDirectory(prefix="tamias2d-") as folder:
         shown = Path(folder, f"{path.stem}.rrd")

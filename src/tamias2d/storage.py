@@ -11,9 +11,9 @@ from tempfile import TemporaryDirectory
 import platformdirs
 
 from tamias2d.errors import InputError
-from tamias2d.replacement import aside, write_aside
+from tamias2d.replacement import aside, growing, write_aside
 
-__all__ = ["aside", "home", "home_path", "make_own", "refuse_shared", "results_path",
+__all__ = ["aside", "growing", "home", "home_path", "make_own", "refuse_shared", "results_path",
            "write_aside"]  # fmt: skip
 
 _OTHERS = stat.S_IWGRP | stat.S_IWOTH

@@ -22,6 +22,7 @@ from tamias2d.commands.names import find_method
 from tamias2d.commands.output import followed, print_table
 from tamias2d.commands.step_warnings import as_lines
 from tamias2d.errors import RecordingError, StepWarning
+from tamias2d.record import load
 from tamias2d.scene import catalogue, needs
 from tamias2d.simulate import simulate
 from tamias2d.solve import Interrupted
@@ -88,6 +89,23 @@ joints:
 """
 
 
+def test_run_says_which_energy_it_tells(call: Call) -> None:
+    """Of a planet in a field it is the kinetic one, and of a thrown body that and another."""
+    for scene, kind in (("kepler", "kinetic"), ("bouncing-disc", "kinetic and potential")):
+        assert answer(call("run", scene, "--json"))["final"]["energy_is"] == kind
+
+
+def test_impacts_in_json_have_no_digits_of_rounding(call: Call) -> None:
+    """Where the text has 0; nor is there a zero below zero."""
+    text = call("run", "galperin-100", "--json").stdout
+    told = "".join(
+        str(impact["point"] + impact["normal"]) for impact in json.loads(text)["impacts"]
+    )
+    assert "e-1" not in told
+    assert "-0.0," not in told
+    assert "-0.0]" not in told
+
+
 def test_run_says_what_broke(call: Call, tmp_path: Path) -> None:
     """It bears 3 m g sin a at an angle a below the level: 30 N after 0.332 s."""
     scene = tmp_path / "thread.yaml"
@@ -134,6 +152,19 @@ def test_run_keeps_a_recording_that_checks(call: Call, tmp_path: Path, suffix: s
     assert "identical" in checked.stdout
 
 
+@pytest.mark.parametrize(
+    ("scene", "duration", "samples"),
+    [("andrews", "0.03", 241), ("tc1", "1e-9", 241), ("tc3", "3 s", 361), ("tc3", "4.5 s", 271)],
+)
+def test_a_short_run_is_recorded_as_finely_as_a_long_one(
+    call: Call, tmp_path: Path, scene: str, duration: str, samples: int
+) -> None:
+    path = tmp_path / "run.npz"
+    call("run", scene, "--duration", duration, "--record", path)
+    assert len(load(path).times) == samples
+    assert call("replay", path, "--check").exit_code == 0
+
+
 def test_run_draws_a_plot(call: Call, tmp_path: Path) -> None:
     assert call("run", "tc3", "--plot", tmp_path / "run.svg").exit_code == 0
     assert (tmp_path / "run.svg").read_text().lstrip().startswith("<?xml")
@@ -174,7 +205,7 @@ def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -
         (["run", "tc3", "--record", "run.txt"], "a run is saved as .rrd"),
         (["replay", "scene.yaml"], "Give a file that `tamias2d run --record`"),
         (["replay", "."], "a directory: a run is saved as .rrd"),
-        (["run", "tc3", "--record", ""], "--record: '.': names no file"),
+        (["run", "tc3", "--record", ""], "--record: '' or '.': names no file"),
         (["run", "tc3", "--plot", "no/such/run.png"], "there is no directory no/such"),
         (["explain", "."], ".: a directory (R2)"),
         (["verify", "tc1"], "Did you mean 'TC1'?"),
@@ -183,7 +214,10 @@ def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -
         (["explain", "tc33"], "SCENE: 'tc33'"),
         (["verify", "TC99"], "'TC99' is no item"),
         (["trace", "TC99"], "TC99"),
-        (["replay", "no.rrd"], "no.rrd: there is no such file"),
+        (["replay", "no.rrd"], "no.rrd: there is no such file. Make it by `tamias2d run SCENE --r"),
+        (["run", "tc3", "--method", "rk4"], "Did you mean runge-kutta-4?"),
+        (["run", "tc3", "--method", "leapfrog"], "Did you mean velocity-verlet?"),
+        (["run", "kepler", "--quality", "0.01"], "there is nothing to measure (R5). Ask for a tol"),
         (["replay", "no.txt", "--check"], "suffix '.txt'"),
     ],
 )

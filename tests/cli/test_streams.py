@@ -58,6 +58,14 @@ def test_a_reader_that_has_enough_is_no_fault(tmp_path: Path) -> None:
     assert b"Traceback" not in done.stderr
 
 
+@pytest.mark.parametrize("words", ["run tc1", "run tc1 --json", "scenes", "explain dominoes"])
+def test_what_nobody_reads_is_no_failed_check(tmp_path: Path, words: str) -> None:
+    """A shell reports 141 of what ends since its reader has gone; 1 is that of a failed check."""
+    done = shell(f"(sleep 1; tamias2d {words}; echo $? >code) | true", tmp_path)
+    assert (tmp_path / "code").read_text().strip() == "141"
+    assert done.stderr == b""
+
+
 def test_letters_that_the_output_lacks_are_escaped(tmp_path: Path) -> None:
     body = "ü: {shape: none, mass: 1 kg, position: [0 m, 0 m]}"
     scene = f"gravity: [0 m/s^2, 0 m/s^2]\nbodies:\n  {body}\n"

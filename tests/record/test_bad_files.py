@@ -88,7 +88,7 @@ def test_a_missing_file_and_a_directory(tmp_path: Path, suffix: str) -> None:
     path = tmp_path / f"run{suffix}"
     assert "there is no such file" in refusal(path)
     path.mkdir()
-    assert "there is no such file" in refusal(path)
+    assert "is a directory. Give the name of a file in it" in refusal(path)
 
 
 @pytest.mark.parametrize("name", ["run.txt", "run", "run.RRD", ".npz"])

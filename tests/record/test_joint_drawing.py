@@ -61,6 +61,19 @@ def test_links_without_shapes_go_from_anchor_to_anchor() -> None:
     assert limbs[2].points[:, 1] == pytest.approx(limbs[1].points[:, 1], abs=1e-12)
 
 
+def test_a_spring_does_not_hang_in_the_air() -> None:
+    """Of a body without shape a line leads to where the spring holds it."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    for x in (0.0, 5.0):
+        scene.add_body(None, mass=1.0, inertia=0.1, position=(x, 0.0), angular_velocity=1.0)
+    scene.add_spring(0, 1, stiffness=1.0, rest_length=0.5, anchor=(0.0, 1.0))
+    run = t2.simulate(scene, duration=0.3, times=np.linspace(0, 0.3, 4))
+    coil, limb = joint_drawing.lines(run, drawing.view_of(run))
+    assert (coil.kind, limb.kind) == ("spring", "joint")
+    assert limb.points[:, 0] == pytest.approx(run.position[:, 0], abs=1e-14)
+    assert limb.points[:, 1] == pytest.approx(coil.points[:, 0], abs=1e-14)
+
+
 def test_a_slide_has_ticks_at_its_limits_and_a_hinge_spokes() -> None:
     _, lines = drawn("Prismatic(limits=...)")
     ticks = [line.points[-1].mean(axis=0) for line in lines if line.kind == "limit"]
@@ -103,6 +116,20 @@ def test_the_view_holds_what_bodies_hang_from() -> None:
     run, _ = drawn("Pulley(posts=...)")
     view = drawing.view_of(run)
     assert view.center[1] + view.half[1] > 0.3
+
+
+def test_events_of_joints_stand_at_the_samples_that_show_them(tmp_path: Path) -> None:
+    chunk = pytest.importorskip("rerun.chunk")
+    run, _ = drawn("break_force=...")
+    run.save(tmp_path / "run.rrd")
+    parts = (part for part in chunk.RrdReader(tmp_path / "run.rrd").stream() if not part.is_static)
+    batches = {part.entity_path: part.to_record_batch() for part in parts}
+    (step,) = np.searchsorted(run.times, run.joint_events.time)
+    assert step > 0
+    for path in ("/impacts/joints", "/joint_events"):
+        assert batches[path].column("step").to_pylist() == [step]
+    (((text,),),) = [batches["/impacts/joints"].column("TextLog:text").to_pylist()]
+    assert text.endswith("breaks")
 
 
 def test_a_recording_shows_joints_reactions_and_events(tmp_path: Path) -> None:

@@ -183,7 +183,9 @@ def test_an_engine_that_is_missing_is_named_and_has_no_point(
     assert "<!-- Pymunk: nothing was measured -->" in path.read_text()
 
 
-@pytest.mark.parametrize(("low", "high", "labels"), [(2e-3, 2e-2, 3), (1e-9, 1.0, 5)])
+@pytest.mark.parametrize(
+    ("low", "high", "labels"), [(2e-3, 2e-2, 3), (1.3e-3, 8e-2, 5), (1e-9, 1.0, 5)]
+)
 def test_labels_of_an_axis_are_a_few(low: float, high: float, labels: int) -> None:
     """Powers of ten, or twos and fives beside them; nothing else, which would overlap."""
     from matplotlib.figure import Figure

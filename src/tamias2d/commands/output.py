@@ -33,14 +33,14 @@ def prepare() -> None:
 def _output() -> Iterator[None]:
     """Give a fault of standard output its name, and print nothing more to it.
 
-    That a reader has enough is no fault of anybody.
+    That a reader has enough is no fault of anybody, and has no name.
     """
     try:
         yield
     except OSError as fault:
         if fault.errno != errno.EPIPE:
             fault.filename = "standard output"
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         raise
 
 

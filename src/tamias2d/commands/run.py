@@ -3,21 +3,27 @@
 import math
 import shlex
 import sys
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from tamias2d.commands.exact import KnownError, known_errors
 from tamias2d.commands.names import find_method, find_scene, share, span_of, step_for
 from tamias2d.commands.output import command, error_text, figure, pair, print_json, print_table, say
 from tamias2d.commands.step_warnings import untold
 from tamias2d.errors import InputError, SimulationError, TamiasError
+from tamias2d.record.energies import energies
 from tamias2d.record.files import refuse_file
 from tamias2d.run import Run
 from tamias2d.scene import Body
 from tamias2d.simulate import simulate
-from tamias2d.solve import Interrupted
+from tamias2d.solve import FRAMES, Interrupted
+from tamias2d.state import Array
 
+_FEWEST = 240  # samples
 _SHOWN = 5  # impacts, and events of joints
 _BODIES = 30  # whose states are shown
 _ROUNDING = 1e-12  # of a place, relative to the size of a body
@@ -34,8 +40,9 @@ class _Files:
         """Refuse what cannot be written, before anything is computed."""
         for option, path in (("--record", self.record), ("--plot", self.plot)):
             if path is not None and not path.name:
+                given = "'' or '.'" if path == Path() else repr(str(path))  # paths of one kind
                 raise InputError(
-                    f"{option}: {str(path)!r}: names no file (R5). Give one, for example "
+                    f"{option}: {given}: names no file (R5). Give one, for example "
                     f"{option} {'run.rrd' if option == '--record' else 'run.png'}."
                 )
         if self.record:
@@ -73,13 +80,15 @@ def run_scene(
     files.check()
     chosen = None if method is None else find_method(method)
     step = step_for(chosen, time_step)
+    span = span_of(scene, name, duration)
     try:
         with untold():
             run = simulate(
                 scene,
-                duration=span_of(scene, name, duration),
+                duration=span,
                 method=chosen,
                 time_step=step,
+                times=_times(span) if step is None else None,
                 tolerance=share(tolerance, option="--tolerance"),
                 quality=share(quality, option="--quality"),
                 progress=sys.stderr.isatty(),
@@ -102,6 +111,14 @@ def run_scene(
         files.write(run)  # last: a full disk loses no answer, and a lost answer no file
     if not as_json:
         _print_files(files)
+
+
+def _times(duration: float) -> Array | None:
+    """Return the times of samples, s, where those that a run has by itself are few to look at."""
+    count = math.ceil(duration * FRAMES)
+    if not 0 < count < _FEWEST:
+        return None
+    return np.linspace(0.0, duration, count * math.ceil(_FEWEST / count) + 1)
 
 
 def _keep(run: Run | None, files: _Files) -> None:
@@ -200,8 +217,12 @@ def _seen(run: Run, k: int) -> list[float]:
     """Where the bodies of impact k touched; 0 for what is rounding beside their size."""
     shapes = (run.scene.bodies[i].shape for i in run.impacts.bodies[k])
     sizes = (shape.bounding_radius for shape in shapes if shape is not None)
-    size = min(filter(math.isfinite, sizes), default=0.0)
-    return [0.0 if abs(x) < _ROUNDING * size else float(x) for x in run.impacts.point[k]]
+    return _rounded(run.impacts.point[k], min(filter(math.isfinite, sizes), default=0.0))
+
+
+def _rounded(values: Iterable[float], size: float) -> list[float]:
+    """Return numbers, 0 for what is rounding beside a size."""
+    return [0.0 if abs(x) <= _ROUNDING * size else float(x) for x in values]
 
 
 def _print_errors(errors: list[KnownError]) -> None:
@@ -227,6 +248,7 @@ def _as_json(run: Run, name: str, errors: list[KnownError], files: _Files) -> di
             "time": float(run.times[-1]),
             "bodies": _final(run),
             "energy": float(run.energy[-1]),
+            "energy_is": "kinetic" if len(energies(run)) == 1 else "kinetic and potential",
             "momentum": run.momentum[-1].tolist(),
             "angular_momentum": float(run.angular_momentum[-1]),
         },
@@ -273,8 +295,8 @@ def _impact(run: Run, k: int) -> dict[str, Any]:
     return {
         "time": float(impacts.time[k]),
         "bodies": [run.scene.bodies[i].name for i in impacts.bodies[k]],
-        "point": impacts.point[k].tolist(),
-        "normal": impacts.normal[k].tolist(),
+        "point": _seen(run, k),
+        "normal": _rounded(impacts.normal[k], 1.0),
         "impulse": float(impacts.impulse[k]),
         "normal_velocity": float(impacts.normal_velocity[k]),
     }

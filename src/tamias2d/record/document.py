@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from tamias2d.record import header as headers
 
 if TYPE_CHECKING:
+    from tamias2d.motion.joint_events import JointEvent
     from tamias2d.run_data import RunData
     from tamias2d.simulator import Simulator
 
@@ -21,7 +22,8 @@ def about(run: RunData) -> str:
         f"# {scene.name or 'A scene without a name'}",
         scene.says,
         f"**{run.method}**, {run.duration:g} s{step}, {len(run.times)} samples, "
-        f"{len(run.impacts)} impacts. Gravity ({scene.gravity[0]:g}, {scene.gravity[1]:g}) m/s².",
+        f"{len(run.impacts)} impacts{_joint_events(run)}. "
+        f"Gravity ({scene.gravity[0]:g}, {scene.gravity[1]:g}) m/s².",
         "\n".join(f"- {note}" for note in run.notes),
         _certificate(run),
         _bodies(run),
@@ -30,6 +32,10 @@ def about(run: RunData) -> str:
         ", ".join(f"{name} {version}" for name, version in headers.versions().items()),
     ]
     return "\n\n".join(line for line in lines if line)
+
+
+def _joint_events(run: RunData) -> str:
+    return f", {len(run.joint_events)} events of joints" if len(run.joint_events) else ""
 
 
 def about_frames(sim: Simulator) -> str:
@@ -100,10 +106,8 @@ def _generated(name: str) -> str:
     return resources.files("tamias2d.generated").joinpath(name).read_text("utf-8")
 
 
-def joint_line(run: RunData, k: int) -> str:
-    """One event of a joint in one line."""
-    events = run.joint_events
-    joint = run.scene.joints[events.joint[k]]
-    value = f", {events.value[k]:.4g}" if events.value[k] else ""
-    unit = "" if not value else " rad" if events.words[k] == "clicks" else " N s or N m s"
-    return f"{events.time[k]:.6g} s: joint {joint.name} {events.words[k]}{value}{unit}"
+def joint_line(joint: str, event: JointEvent[Any]) -> str:
+    """One event of a joint with a name in one line."""
+    value = f", {event.value:.4g}" if event.value else ""
+    unit = "" if not value else " rad" if event.words == "clicks" else " N s or N m s"
+    return f"{event.time:.6g} s: joint {joint} {event.words}{value}{unit}"

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tamias2d.record.filling import parallels, rings
+from tamias2d.record.held_points import held_points
 from tamias2d.record.line_marks import dashes, ticks
 from tamias2d.scene import Box, Capsule, Chain, Disc, HalfPlane, pieces_of
 
@@ -20,7 +22,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from tamias2d.record.drawn import Drawn
+    from tamias2d.record.drawn import Drawn, Frames
     from tamias2d.run_data import RunData
     from tamias2d.scene import Body, Compound, Part
     from tamias2d.scene.shapes import Single
@@ -39,6 +41,7 @@ KINEMATIC_COLOUR: Colour = (125, 145, 180)
 CIRCLE_SIDES = 72
 HATCHES = 48
 _KEPT = 256  # shapes: bodies that come and go in a loop are of few kinds
+_LOST = 6.0  # times as far as half of all go, or the scene is wide at first
 _LARGER = 1.2  # times what a view that grows has to hold
 FILL_LINES, COARSE_LINES, COARSE_BOX_LINES = 24, 8, 3
 
@@ -126,28 +129,28 @@ class Look:
     bands: list[tuple[Points, float]]
     """Ends (2, 2) and half-width of lines as wide as a capsule, in metres."""
     areas: list[tuple[Points, float]]
-    """Parallel lines (l, 2, 2) that fill a piece, and their half-width, in metres."""
+    """Lines (l, v, 2) that fill a piece, and their half-width, in metres."""
     lines: list[Points]
     """(v, 2) each: outlines, a spoke that shows how it is turned, the edge of the ground."""
 
 
-def look(body: Body, view: View, *, crowd: bool = False) -> Look:
+def look(body: Body, view: View, *, balls: bool = False, coarse: bool = False) -> Look:
     """Take a body apart; a sensor is left empty.
 
-    In a crowd a disc is one point, which a viewer shades like a ball, and areas are coarse.
+    A disc may be one point, which a viewer shades like a ball, and areas filled coarsely.
     """
     if body.shape is None or isinstance(body.shape, HalfPlane) or is_hollow(body):
         return Look([], [], [], strokes(body, view))
-    return _look_of(body.shape, spoke=not body.static, crowd=crowd)
+    return _look_of(body.shape, spoke=not body.static, balls=balls, coarse=coarse)
 
 
 @lru_cache(_KEPT)
-def _look_of(shape: Single | Compound, *, spoke: bool, crowd: bool) -> Look:
+def _look_of(shape: Single | Compound, *, spoke: bool, balls: bool, coarse: bool) -> Look:
     """Take a shape apart, perhaps with a spoke."""
     rims = [_outline(piece) for piece in pieces_of(shape)]
     found = Look([], [], [], [_spoke(rims[0])] if spoke else [])
     for piece, rim in zip(pieces_of(shape), rims, strict=True):
-        if crowd and isinstance(piece.shape, Disc | Capsule):
+        if balls and isinstance(piece.shape, Disc | Capsule):
             ends = np.array(piece.core)
             found.discs.extend((end, piece.shape.radius) for end in ends)
             if len(ends) > 1:
@@ -155,7 +158,7 @@ def _look_of(shape: Single | Compound, *, spoke: bool, crowd: bool) -> Look:
         else:
             found.lines.append(rim)
             if np.ptp(rim[:, 1]):
-                found.areas.append(_filling(rim, _lines_of(piece, crowd=crowd)))
+                found.areas.extend(_areas_of(piece, rim, coarse=coarse))
     return found
 
 
@@ -164,37 +167,17 @@ def titled(run: RunData, what: str) -> str:
     return f"{run.scene.name}: {what}" if run.scene.name else what
 
 
-def _lines_of(piece: Part, *, crowd: bool) -> int:
-    if crowd:
-        return COARSE_BOX_LINES if isinstance(piece.shape, Box) else COARSE_LINES
-    return FILL_LINES
+def _areas_of(piece: Part, rim: Points, *, coarse: bool) -> Iterator[tuple[Points, float]]:
+    if isinstance(piece.shape, Disc | Capsule):
+        yield parallels(rim, COARSE_LINES if coarse else FILL_LINES)
+    elif coarse:
+        yield parallels(rim, COARSE_BOX_LINES if isinstance(piece.shape, Box) else COARSE_LINES)
+    else:
+        yield from rings(rim)
 
 
 def _spoke(rim: Points) -> Points:
     return np.array([(0.0, 0.0), (rim[1] + rim[2]) / 2])
-
-
-def _filling(rim: Points, lines: int) -> tuple[Points, float]:
-    """Parallel lines (l, 2, 2) along the longer side that fill a rim, and their half-width.
-
-    A viewer ends a line with half a disc, so that the ends keep that far from the rim.
-    """
-    if np.ptp(rim[:, 1]) > np.ptp(rim[:, 0]):
-        filling, half = _filling(rim[:, ::-1], lines)
-        return filling[..., ::-1], half
-    middle = rim[:-1].mean(axis=0)
-    rim = middle + 0.98 * (rim - middle)  # what curves is within its corners
-    low, high = rim[:, 1].min(), rim[:, 1].max()
-    half = (high - low) / lines / 2
-    heights = low + half + 2 * half * np.arange(lines)
-    (x0, y0), (x1, y1) = rim[:-1].T, rim[1:].T
-    with np.errstate(divide="ignore", invalid="ignore"):
-        part = (heights[:, None] - y0) / (y1 - y0)
-        crossing = np.where((part >= 0) & (part <= 1), x0 + part * (x1 - x0), np.nan)
-    left, right = np.nanmin(crossing, axis=1), np.nanmax(crossing, axis=1)
-    inset = np.minimum(half, (right - left) / 2)
-    ends = np.column_stack([left + inset, right - inset])
-    return np.stack([ends, np.broadcast_to(heights[:, None], ends.shape)], axis=-1), half
 
 
 def _ground(body: Body, shape: HalfPlane, view: View) -> list[Points]:
@@ -225,7 +208,37 @@ def placed(points: Points, position: Points, orientation: float) -> Points:
 
 def view_of(run: Drawn) -> View:
     """The view that holds every bounded body during the whole run, with a margin of 8 %."""
-    low, high = _extent(run)
+    return _around(*_boxes(run))
+
+
+def view_of_most(frames: Frames) -> View:
+    """Likewise, but of what flies off, many times as far as others go, the beginning alone.
+
+    What half of all do is not flying off, unless it leads away from ground that is known.
+    """
+    (lows, highs), (first_lows, first_highs) = _boxes(frames), _boxes(frames.first())
+    centre = first_lows.min(axis=0) / 2 + first_highs.max(axis=0) / 2
+    reach, first_reach = _reach(lows, highs, centre), _reach(first_lows, first_highs, centre)
+    begun, half = float(first_reach.max()), float(np.sort(reach)[(len(reach) - 1) // 2])
+    known = any(body.static and _is_bounded(body) for body in frames.scene.bodies)
+    most = min(half, _LOST * begun) if known else half
+    near = (reach <= _LOST * max(begun, most))[:, None]
+    return _around(np.where(near, lows, first_lows), np.where(near, highs, first_highs))
+
+
+def _is_bounded(body: Body) -> bool:
+    return body.shape is not None and not isinstance(body.shape, HalfPlane)
+
+
+def _reach(lows: Points, highs: Points, centre: Points) -> Points:
+    """How far boxes (b, 2) go from a centre, (b,), in metres."""
+    farthest: Points = np.maximum(np.abs(lows - centre), np.abs(highs - centre)).max(axis=1)
+    return farthest
+
+
+def _around(lows: Points, highs: Points) -> View:
+    """The view that holds boxes by their corners (b, 2), with a margin."""
+    low, high = lows.min(axis=0), highs.max(axis=0)
     span = float((high - low).max()) or 2.0  # one particle at rest: 2 m around it
     half = 0.54 * np.maximum(high - low, span / 4)  # in a narrow strip nothing could be seen
     return _view(low / 2 + high / 2, half)
@@ -262,10 +275,11 @@ def _view(center: Points, half: Points) -> View:
     return View((float(center[0]), float(center[1])), (float(half[0]), float(half[1])))
 
 
-def _extent(run: Drawn) -> tuple[Points, Points]:
-    """Lower left and upper right corner (2,) of where bounded bodies have been, in metres.
+def _boxes(run: Drawn) -> tuple[Points, Points]:
+    """Lower left and upper right corners (b, 2) of where each bounded body has been, in metres.
 
-    What holds them to the plane is within, too.
+    The points at which joints and springs hold have boxes, too: of bodies without shapes they are
+    all that there is to see.
     """
     boxes = []
     for index, body in enumerate(run.scene.bodies):
@@ -275,21 +289,9 @@ def _extent(run: Drawn) -> tuple[Points, Points]:
             if isinstance(body.shape, Chain) and not body.kinematic:
                 path, size = placed(outlines(body)[0], path[0], body.orientation), 0.0
             boxes.append((path.min(axis=0) - size, path.max(axis=0) + size))
-    boxes += [(np.array(point), np.array(point)) for point in _fixed(run)]
+    boxes += [(path.min(axis=0), path.max(axis=0)) for path in held_points(run)]
     lows, highs = zip(*boxes or [(np.full(2, -1.0), np.full(2, 1.0))], strict=True)
-    return np.min(lows, axis=0), np.max(highs, axis=0)
-
-
-def _fixed(run: Drawn) -> Iterator[tuple[float, float]]:
-    """Points of the plane at which joints and springs hold, in metres."""
-    for joint in run.scene.joints:
-        if joint.model == "pulley" and joint.ends[2] is None:
-            given = dict(joint.parameters)
-            yield from (given["post_a"], given["post_b"])  # type: ignore[misc]
-        elif joint.model != "equation":
-            ends = zip(joint.ends[:2], joint.anchors[:2], strict=True)
-            yield from (at for body, at in ends if body is None and joint.model != "gear")
-    yield from (spring.point for spring in run.scene.springs if spring.second is None)
+    return np.array(lows), np.array(highs)
 
 
 def round_length(length: float) -> float:

@@ -73,6 +73,15 @@ class Frames:
     orientation: Array
     joint_events: JointEvents
 
+    def first(self) -> Frames:
+        """Return the first of them alone."""
+        return replace(
+            self,
+            times=self.times[:1],
+            position=self.position[:1],
+            orientation=self.orientation[:1],
+        )
+
     def standing(self) -> Frames:
         """Return the static bodies alone."""
         still = [k for k, body in enumerate(self.scene.bodies) if body.static]

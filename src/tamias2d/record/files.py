@@ -56,7 +56,12 @@ def load(path: str | Path) -> RunData:
 def stored(path: Path) -> tuple[Header, Arrays]:
     """Read the header and the arrays of a recording; raises as `load` does."""
     kind = _kind(path, _RECORDED)
-    refuse_missing(path, made_by="run.save(path)")
+    left = path.with_suffix(".part.rrd")
+    if os.path.isfile(left) and not os.path.exists(path):
+        raise RecordingError(
+            f"{path}: there is no such file: its recorder has not ended it. Give {left}."
+        )
+    refuse_missing(path, made_by="`tamias2d run SCENE --record FILE` or `run.save(path)`")
     found: tuple[Header, Arrays] = kind.read(path)
     return found
 

@@ -9,9 +9,10 @@ import numpy as np
 
 from tamias2d.motion.joint_events import BREAKS
 from tamias2d.record.drawing import Colour
+from tamias2d.record.held_points import ends_of, point_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from numpy.typing import NDArray
 
@@ -62,11 +63,10 @@ def lines(run: Drawn, view: View) -> Iterator[Line]:
             shown = np.where(gone[:, None, None], points[:, :1], points)
             yield Line(joint.name, kind, shown)
     for number, spring in enumerate(run.scene.springs):
-        first = _point(run, spring.first, spring.anchor)
-        second = _point(
-            run, spring.second, spring.other_anchor if spring.second is not None else spring.point
-        )
-        yield Line(f"spring {number}", "spring", _coil(first, second, view))
+        name = f"spring {number}"
+        yield Line(name, "spring", _coil(*ends_of(run, spring), view))
+        for points in _limbs(run, spring.ends):
+            yield Line(name, "joint", points)
 
 
 def reactions(run: RunData, view: View) -> tuple[Points, Points] | None:
@@ -79,7 +79,7 @@ def reactions(run: RunData, view: View) -> tuple[Points, Points] | None:
         return None
     ends = [1 if joint.ends[1] is not None else 0 for joint in joints]
     places = [
-        _point(run, joint.ends[end], joint.anchors[end])
+        point_of(run, joint.ends[end], joint.anchors[end])
         for joint, end in zip(joints, ends, strict=True)
     ]
     force = run.reactions.force[:, np.arange(len(joints)), ends]
@@ -94,7 +94,7 @@ class _Drawn:
 
     def __init__(self, run: Drawn, joint: Joint, view: View) -> None:
         self.run, self.joint, self.view = run, joint, view
-        self.a, self.b = (_point(run, joint.ends[k], joint.anchors[k]) for k in (0, 1))
+        self.a, self.b = (point_of(run, joint.ends[k], joint.anchors[k]) for k in (0, 1))
         body = joint.ends[0]
         still = np.zeros(len(run.times))
         self.turn = still if body is None else run.orientation[:, body]
@@ -120,7 +120,7 @@ def _joint(drawn: _Drawn) -> Iterator[tuple[str, Points]]:
             posts = [_post(drawn, key) for key in ("post_a", "post_b")]
             yield "joint", np.stack([drawn.a, *posts, drawn.b], axis=1)
         case "gear":
-            centres = [_point(drawn.run, joint.ends[k], joint.anchors[k]) for k in (0, 1)]
+            centres = [point_of(drawn.run, joint.ends[k], joint.anchors[k]) for k in (0, 1)]
             yield "axis", np.stack(centres, axis=1)
         case "weld":
             yield "joint", _cross(drawn.b, view)
@@ -131,18 +131,18 @@ def _joint(drawn: _Drawn) -> Iterator[tuple[str, Points]]:
             yield "joint", _ring(drawn.b, view)
     for freedom in joint.freedoms:
         yield from _freedom(drawn, freedom)
-    yield from _limbs(drawn)
+    ends = zip(joint.ends, joint.anchors, strict=True)
+    yield from (("joint", points) for points in _limbs(drawn.run, ends))
 
 
-def _limbs(drawn: _Drawn) -> Iterator[tuple[str, Points]]:
+def _limbs(run: Drawn, ends: Iterable[tuple[int | None, Any]]) -> Iterator[Points]:
     """Yield lines from the centres of bodies without shapes to the points at which they are held.
 
     A body that two joints hold is a link from one to the other so.
     """
-    run = drawn.run
-    for body, anchor in zip(drawn.joint.ends, drawn.joint.anchors, strict=True):
+    for body, anchor in ends:
         if body is not None and run.scene.bodies[body].shape is None and any(anchor):
-            yield "joint", np.stack([run.position[:, body], _point(run, body, anchor)], axis=1)
+            yield np.stack([run.position[:, body], point_of(run, body, anchor)], axis=1)
 
 
 def _freedom(drawn: _Drawn, freedom: Freedom) -> Iterator[tuple[str, Points]]:
@@ -185,20 +185,8 @@ def _slide(drawn: _Drawn) -> Iterator[tuple[str, Points]]:
     yield "joint", _ring(drawn.b, drawn.view)
 
 
-def _point(run: Drawn, body: int | None, at: Any) -> Points:
-    """Return where a point of a body, or of the plane, is at each sample, (k, 2)."""
-    if body is None:
-        return np.tile(np.array(at, dtype=np.float64), (len(run.times), 1))
-    turn = run.orientation[:, body]
-    x, y = at
-    arm = np.column_stack(
-        [np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y]
-    )
-    return np.asarray(run.position[:, body] + arm)
-
-
 def _post(drawn: _Drawn, key: str) -> Points:
-    return _point(drawn.run, drawn.joint.ends[2], dict(drawn.joint.parameters)[key])
+    return point_of(drawn.run, drawn.joint.ends[2], dict(drawn.joint.parameters)[key])
 
 
 def _ring(at: Points, view: View) -> Points:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tamias2d.balance import kinetic_energy
 from tamias2d.errors import InputError, RecordingError, path_text
 from tamias2d.record import drawing, joint_drawing
 from tamias2d.record.animation import animate
+from tamias2d.record.energies import energies
 from tamias2d.recording_file import aside, checked_path, refuse_place
 from tamias2d.scene import HalfPlane
 
@@ -151,11 +151,7 @@ def _heights(axes: Any, run: RunData) -> None:
 
 
 def _energy(axes: Any, run: RunData) -> None:
-    kinetic = kinetic_energy(run.scene, run.velocity, run.angular_velocity)
-    series = {"energy": run.energy, "kinetic": kinetic, "potential": run.energy - kinetic}
-    if not series["potential"].any():  # fields and laws of forces have none
-        series = {"kinetic energy": kinetic}
-    for (name, values), colour in zip(series.items(), drawing.PALETTE, strict=False):
+    for (name, values), colour in zip(energies(run).items(), drawing.PALETTE, strict=False):
         axes.plot(run.times, values, label=name, color=_unit(colour), linewidth=1.2)
     axes.set(xlabel="time, s", ylabel="energy, J")
     axes.margins(x=0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,12 +10,13 @@ from tamias2d.errors import InputError, RecordingError
 from tamias2d.record import drawing, files
 from tamias2d.record.document import about_frames
 from tamias2d.record.frame_block import FrameBlock
-from tamias2d.recording_file import aside, checked_path, refuse_place
+from tamias2d.recording_file import checked_path, growing, refuse_place
 from tamias2d.scene.rules import shown
 from tamias2d.simulator import Simulator
 from tamias2d.suggestions import suggests
 
 if TYPE_CHECKING:
+    from tamias2d.motion.joint_events import JointEvent
     from tamias2d.record.drawing import Colour, View
     from tamias2d.record.drawn import Frames
     from tamias2d.record.frame_block import Key
@@ -30,7 +31,9 @@ class Recorder:
 
     Take a frame whenever the viewer is to show one: after each call of `step`, or less often. The
     file is whole when the recorder is closed, which the end of a `with` block does, also where an
-    error ends it. It cannot be computed again: what a program does between steps is not in it.
+    error ends it. Until then what is written is beside it, in `NAME.part.rrd`, and stays there if
+    the program is killed. It cannot be computed again: what a program does between steps is not in
+    it.
     """
 
     def __init__(self, sim: Simulator, path: str | Path) -> None:
@@ -54,10 +57,15 @@ class Recorder:
             )
         refuse_place(self._path)
         rerun = files.rerun(self._path, otherwise="keep sim.position in an array")
-        self._open = ExitStack()
-        draft = self._open.enter_context(aside(self._path))
-        self._stream = rerun.FrameStream(draft, self._path, about_frames(sim))
-        self._open.callback(self._stream.end)
+        with ExitStack() as opened:
+            self._draft = opened.enter_context(growing(self._path))
+            self._stream = rerun.FrameStream(self._draft, self._path, about_frames(sim))
+            opened.callback(self._stream.end)
+            self._open = opened.pop_all()
+        self._cut = rerun.cut
+        self._happened: list[JointEvent[str]] = []
+        """Since the last frame; the simulator adds to it."""
+        sim._heard = (*sim._heard, self._happened)
         self._block: FrameBlock | None = None  # of frames that are not written yet
         self._known: dict[Key, Body] = {}
         self._forms = 0  # of the simulator as these were asked for
@@ -95,24 +103,34 @@ class Recorder:
             self._block = FrameBlock(self._sim, now, self._frames, known)
             self._known, self._forms = self._block.bodies, now.forms
         self._block.add(now)
-        self._stream.joint_events(now.time, self._frames, self._sim.joint_events)
+        self._tell_joints()
         self._frames += 1
 
     def close(self) -> None:
         """Write what is left, and let the file appear under its name; once is enough.
 
         Raises:
-            RecordingError: it cannot be written.
+            RecordingError: it cannot be written; what could be is kept, as the error says.
         """
         if self._closed:
             return
+        self._tell_joints()
         if self._block is not None:
             self._write()
-        self._closed = True
-        with self._open:
-            if self._view is not None:
-                self._stream.view(self._view)  # which may have grown
-            self._stream.flush()
+        if self._view is not None:
+            self._stream.view(self._view)  # which may have grown
+        self._flush()
+        self._end()
+        try:
+            self._open.close()
+        except RecordingError as fault:
+            raise self._lost(fault) from fault.__cause__
+
+    def _tell_joints(self) -> None:
+        """Write what happened to joints since the last frame, as the next one shows it."""
+        if self._happened:
+            self._stream.joint_events(self._frames, self._happened)
+            self._happened.clear()
 
     def _write(self) -> None:
         """Write the block of frames; where that cannot be done the recorder is closed."""
@@ -122,17 +140,35 @@ class Recorder:
         view = self._look_at(frames)
         colours = [self._colour(body, key) for key, body in block.bodies.items()]
         self._stream.send(frames, block.totals(), block.first, view, colours)
+        self._flush()
+
+    def _flush(self) -> None:
+        """Let all be in the file; where that cannot be done, keep what is, and close."""
         try:
             self._stream.flush()
         except RecordingError as fault:
-            self._closed = True
-            with self._open:  # which takes the draft away
-                raise fault from fault.__cause__
+            self._end()
+            with suppress(RecordingError), self._open:
+                raise
+            raise self._lost(fault) from fault.__cause__
+
+    def _end(self) -> None:
+        """Take nothing any more."""
+        self._closed = True
+        self._sim._heard = tuple(e for e in self._sim._heard if e is not self._happened)
+
+    def _lost(self, fault: RecordingError) -> RecordingError:
+        """Return an error that says, too, what there is of the recording."""
+        if self._draft.exists() and self._cut(self._draft):
+            kept = f"What could be written is in {self._draft}, for `tamias2d replay`."
+        else:
+            kept = "Nothing could be written."
+        return RecordingError(f"{fault} {kept}")
 
     def _look_at(self, frames: Frames) -> View:
         """Return the view, which grows with what there is, but not after what is lost for good."""
         if self._view is None:
-            self._ground = self._view = drawing.view_of(frames)
+            self._ground = self._view = drawing.view_of_most(frames)
             self._stream.view(self._view)
         standing = frames.standing()
         if standing.scene.bodies:

@@ -70,7 +70,7 @@ def read(path: Path) -> dict[str, NDArray[Any]]:
     Raises:
         RecordingError: there is no file, or it is none of arrays.
     """
-    refuse_missing(path, made_by="sim.save(path)")
+    refuse_missing(path, made_by="`sim.save(path)`")
     return archive.read(path, remedy="Save it again.")
 
 

@@ -49,6 +49,7 @@ class Stepping(Views):
     __slots__ = (
         "_events",
         "_happened",
+        "_heard",
         "_jointed",
         "_joints",
         "_left",
@@ -66,6 +67,7 @@ class Stepping(Views):
         "_varying",
         "_warned",
     )  # fmt: skip
+    _heard: tuple[list[JointEvent[str]], ...]  # of recorders, which empty them
     _joints: JointSet
     _names: BodyNames
     _staying: set[int]  # rows of the scene's bodies that are there
@@ -78,6 +80,7 @@ class Stepping(Views):
         self._lock = Lock()
         self._events = ContactEvents()
         self._engine, self._sleeps = engine, engine.sleeps
+        self._heard = ()
         self._warned = Warned()
         self._look()
         self._forget()
@@ -149,6 +152,11 @@ class Stepping(Views):
         if self._touching is not None:
             self._touching = TouchReport(contacts=self._touching.contacts)
 
+    def _tell(self, events: Collection[JointEvent[str]]) -> None:
+        """Tell what happened to joints: until the next call of `step`, and to who records."""
+        for told in (self._happened, *self._heard):
+            told += events
+
     def _advance(self, count: int) -> None:
         """Take some steps, or raise `RuleError`."""
         before = self._engine.steps
@@ -177,7 +185,7 @@ class Stepping(Views):
             self._left = engine.pose.copy()
             if (changes := engine.limit_changes) != self._limit_changes:
                 self._limit_changes = changes
-                self._happened += self._joints.limit_events(before, step)
+                self._tell(self._joints.limit_events(before, step))
         if self._scene is None or SPRINGS in self._warned:
             return
         if (row := engine.lossy_springs) >= 0:
@@ -265,7 +273,7 @@ class Stepping(Views):
         """Take over what the step did to joints; what was held by one that broke wakes."""
         engine = self._engine
         found, freed = self._joints.look(engine.pose, self.time, self._time_step)
-        self._happened += found
+        self._tell(found)
         if freed:
             engine.wake(np.array(sorted(freed), dtype=np.int64))
         self._unsettled |= self._joints.new

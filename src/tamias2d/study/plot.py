@@ -42,7 +42,7 @@ _PASSES = {
     ("pyb2d3", 16): "#777777",
 }
 _ROUNDING = 2.0**-52
-_FEW_POWERS = 30.0  # times its low end is the high end of an axis with few powers of ten
+_FEW_POWERS = 2  # of ten on an axis: fewer are no scale
 _PASSED = "passes through the contacts (seconds were not measured)"
 CostOf = Callable[[Point], float | None]
 CostOfContacts = Callable[[ContactPoint], float | None]
@@ -267,12 +267,11 @@ def _limits(axes: Any, study: Study, tolerance: float | None) -> None:
     if tolerance is not None:
         axes.axvline(tolerance, color="black", linewidth=1.2, linestyle="--")
         axes.annotate(
-            f"tolerance {tolerance:g} ",
-            (tolerance, 1.0),
+            f"tolerance {tolerance:g}",
+            (tolerance, 1.01),  # above: within it would lie over lines
             xycoords=("data", "axes fraction"),
-            ha="right",
-            va="top",
-            rotation=90,
+            ha="center",
+            va="bottom",
             fontsize="small",
         )
 
@@ -283,7 +282,8 @@ def _mark(*every: Any) -> None:
 
     for axes in every:
         for axis, (low, high) in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
-            narrow = high < _FEW_POWERS * low
+            powers = math.floor(math.log10(high)) - math.ceil(math.log10(low)) + 1
+            narrow = powers < _FEW_POWERS
             axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if narrow else (1.0,)))
             shown = (math.inf, math.inf) if narrow else None
             axis.set_major_formatter(LogFormatterSciNotation(minor_thresholds=shown))

@@ -16,6 +16,7 @@ from tamias2d.errors import InputError
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Scene
+from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import shown
 from tamias2d.solve import solve
 from tamias2d.state import Array, History
@@ -140,6 +141,11 @@ def is_of_quality(certificate: Certificate) -> bool:
 def _certified(run: Run, quality: float) -> Run:
     """Return a run with its certificate; raise `ToleranceError` if it is not of the quality."""
     found = quality_of(run.scene, _history(run))
+    if found.energy is None and not pairs_that_can_meet(run.scene, run.duration):
+        raise InputError(
+            f"quality {quality:g}: nothing in the scene can touch, and something gives energy: "
+            "there is nothing to measure (R5). Ask for a tolerance."
+        )
     if found.size > quality:
         raise _refusal(quality, found.size)
     return _stating(run, found)

@@ -7,8 +7,9 @@ float32, so the float64 states go beside it, as the component group `tamias2d.St
 """
 
 from tamias2d.record.rerun.frames import FrameStream
+from tamias2d.record.rerun.messages import cut, whole
 from tamias2d.record.rerun.program import view
 from tamias2d.record.rerun.reading import read
 from tamias2d.record.rerun.writing import write
 
-__all__ = ["FrameStream", "read", "view", "write"]
+__all__ = ["FrameStream", "cut", "read", "view", "whole", "write"]

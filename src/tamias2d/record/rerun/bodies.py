@@ -56,21 +56,28 @@ Key = tuple[bool, str, int]  # whether it stands still, its layer, and its numbe
 
 def draw(stream: rr.RecordingStream, run: RunData, view: View, times: Times) -> None:
     """Send all bodies of a run: those that stand still once, the others at each sample."""
-    crowd = sum(not body.static for body in run.scene.bodies) > CROWD
-    found = layers(run, view, drawing.colours(run), crowd=crowd)
+    found = layers(run, view, drawing.colours(run), balls=is_crowd(run))
     for key, batch in sorted(found.items()):
         stream.log(entity(key), look(key, batch, run), static=True)
         still = key[0]
         send(stream, key, batch, run, (lambda _: []) if still else times)
 
 
-def layers(drawn: Drawn, view: View, colours: Sequence[Colour], *, crowd: bool) -> dict[Key, Batch]:
+def is_crowd(drawn: Drawn) -> bool:
+    """Whether so many bodies move that they are drawn in a way that loads quickly."""
+    return sum(not body.static for body in drawn.scene.bodies) > CROWD
+
+
+def layers(drawn: Drawn, view: View, colours: Sequence[Colour], *, balls: bool) -> dict[Key, Batch]:
     """Return the parts of all bodies, each with its colour, by the entities that show them."""
+    crowd = is_crowd(drawn)
     found: dict[Key, Batch] = defaultdict(Batch)
     for k, (body, colour) in enumerate(zip(drawn.scene.bodies, colours, strict=True)):
         shade = tuple(channel // 2 for channel in colour)
         width = -1.0 if body.static else -0.5 if crowd else -1.5
-        for layer, points, radius in _parts(drawing.look(body, view, crowd=crowd), width):
+        for layer, points, radius in _parts(
+            drawing.look(body, view, balls=balls, coarse=crowd), width
+        ):
             key = (body.static, layer, len(points))
             found[key].add(points, k, radius, shade if layer == "areas" else colour)  # type: ignore[arg-type]
     return dict(found)

@@ -13,7 +13,8 @@ import rerun as rr
 
 from tamias2d.errors import RecordingError
 from tamias2d.record import drawing
-from tamias2d.record.rerun import bodies, joints, layout, plots, timelines
+from tamias2d.record.document import joint_line
+from tamias2d.record.rerun import bodies, joints, layout, messages, plots, timelines
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 
 _CONTACTS = f"{layout.WORLD}/contacts"
 _CONTACT_COLOUR: Colour = (235, 200, 60)
+_REMEDY = "Begin with a new simulator."
 _PATIENCE = 60.0  # s, that the disk may take
 _DOT, _ABOVE = 2.5, 40.0  # points of the screen; bodies and joints are drawn below
 
@@ -40,7 +42,9 @@ class FrameStream:
         self._stream = rr.RecordingStream(self._name)
         if rr.get_application_id(self._stream) is None:
             raise RecordingError(f"{path}: rerun records nothing: the environment says RERUN=off.")
-        self._stream.save(draft)
+        self._encoded = rr.binary_stream(self._stream)
+        # Written by us: rerun's own writer can wait for ever for a disk that is full.
+        self._file = draft.open("wb", buffering=0)
         self._stream.send_recording_name(self._name)
         mark = rr.DynamicArchetype(layout.FRAME_LOOP, components={"path": path.name})
         self._stream.log(layout.RECORDING, mark, static=True)
@@ -66,7 +70,7 @@ class FrameStream:
         self, frames: Frames, totals: Totals, first: int, view: View, colours: Sequence[Colour]
     ) -> None:
         """Send frames, of which the first one has this number, with the colours of bodies."""
-        clock = timelines.nanoseconds(frames.times, self._path, "Begin with a new simulator.")
+        clock = timelines.nanoseconds(frames.times, self._path, _REMEDY)
         steps = first + np.arange(len(clock))
 
         def times(part: slice) -> list[rr.TimeColumn]:
@@ -75,7 +79,7 @@ class FrameStream:
         stream = self._stream
         stream.set_time(layout.TIME, duration=clock[0].astype("timedelta64[ns]"))
         stream.set_time(layout.STEP, sequence=int(steps[0]))
-        layers = bodies.layers(frames, view, colours, crowd=True)
+        layers = bodies.layers(frames, view, colours, balls=True)  # quick for any number of them
         lines = joints.entities(frames, view)
         self._clear({*map(bodies.entity, layers), *lines})
         for key, batch in sorted(layers.items()):
@@ -90,27 +94,32 @@ class FrameStream:
             joints.send(stream, path, members, times)
         self._send_totals(totals, times(slice(None)))
 
-    def joint_events(self, time: float, frame: int, events: Sequence[JointEvent[str]]) -> None:
-        """Send a line of text for each event of a joint until a time, s."""
-        self._stream.set_time(layout.TIME, duration=time)
-        self._stream.set_time(layout.STEP, sequence=frame)
-        for event in events:
-            told = f"{event.time:.6g} s: joint {event.joint} {event.what}"
-            self._stream.log(layout.JOINT_LOG, rr.TextLog(told))
+    def joint_events(self, frame: int, events: Sequence[JointEvent[str]]) -> None:
+        """Send a line of text for each event of a joint, at its time, before a frame is taken."""
+        texts = [joint_line(event.joint, event) for event in events]
+        instants = np.array([event.time for event in events])
+        clock = timelines.nanoseconds(instants, self._path, _REMEDY)
+        times = timelines.columns(clock, np.full(len(texts), frame))
+        self._stream.send_columns(layout.JOINT_LOG, times, rr.TextLog.columns(text=texts))
 
     def flush(self) -> None:
         """Write what was sent; raise `RecordingError` if that cannot be done."""
         try:
-            self._stream.flush(timeout_sec=_PATIENCE)
-        except (RuntimeError, ValueError) as fault:
+            encoded = self._encoded.read(flush_timeout_sec=_PATIENCE)
+            left = memoryview(messages.of(encoded or b"", begun=self._file.tell() > 0))
+            while left:
+                left = left[self._file.write(left) :]
+        except (OSError, RuntimeError, ValueError) as fault:
+            why = getattr(fault, "strerror", None) or fault
             raise RecordingError(
-                f"{self._path}: cannot be written: {fault}. Check the disk's space and the "
+                f"{self._path}: cannot be written: {why}. Check the disk's space and the "
                 "permissions."
             ) from fault
 
     def end(self) -> None:
         """End the file; nothing can be sent any more."""
         self._stream.disconnect()
+        self._file.close()
 
     def _clear(self, shown: set[str]) -> None:
         """Let entities that show nothing any more vanish."""

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 def draw(stream: rr.RecordingStream, run: RunData, times: list[rr.TimeColumn]) -> None:
     """Send a line of text for each event of a joint, and its numbers."""
     events = run.joint_events
-    texts = [document.joint_line(run, k) for k in range(len(events))]
+    joints = run.scene.joints
+    texts = [document.joint_line(joints[event.joint].name, event) for event in events]
     stream.send_columns(layout.JOINT_LOG, times, rr.TextLog.columns(text=texts))
     numbers = {name: exact.column(getattr(events, name)) for name in history.OF_JOINT_EVENTS}
     columns = rr.DynamicArchetype.columns(layout.JOINT_EVENT, components=numbers)

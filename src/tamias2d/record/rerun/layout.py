@@ -27,14 +27,8 @@ ABOUT, MODELS, SCENE = "/about", "/models", "/scene"
 ENERGY, MOMENTUM, SPIN = "/plots/energy", "/plots/momentum", "/plots/angular_momentum"
 SPEED, COUNT = "/plots/speed", "/plots/bodies"
 
-SERIES = {
-    ENERGY: ["energy", "kinetic", "potential"],
-    MOMENTUM: ["x", "y"],
-    SPIN: ["angular momentum"],
-}
-"""The lines of each plot."""
 FRAME_SERIES = {ENERGY: ["kinetic"], SPEED: ["fastest", "mean"], COUNT: ["bodies"]}
-"""Likewise of a frame loop."""
+"""The lines of each plot of a frame loop."""
 FRAME_LOOP = "tamias2d.FrameLoop"
 """Marks the recording of a frame loop, which has no header."""
 HEADER, SAMPLE = "tamias2d.Recording", "tamias2d.Sample"

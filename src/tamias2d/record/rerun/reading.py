@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from tamias2d.errors import FrameLoopError, RecordingError
 from tamias2d.record import history
+from tamias2d.record.rerun.messages import whole
 from tamias2d.record.rerun.program import verify
 
 if TYPE_CHECKING:
@@ -25,14 +26,15 @@ REFUSED, FRAME_LOOP = 3, 4
 
 
 def read(path: Path) -> tuple[Header, Arrays]:
-    """Read header and arrays; raise `RecordingError` if the file is damaged or not one of ours."""
-    if not verify(path):
-        raise _damaged(path)
-    with TemporaryDirectory(prefix="tamias2d-") as folder:
+    """Read header and arrays; raise `RecordingError` if the file is damaged or not one of ours.
+
+    Of a frame loop, which raises `FrameLoopError`, only the beginning is read.
+    """
+    with TemporaryDirectory(prefix="tamias2d-") as folder, whole(path) as intact:
         exact = Path(folder, "exact.npz")
         # -P: what lies where the user happens to be is not imported
         done = subprocess.run(
-            [sys.executable, "-P", "-m", UNPACKING, str(path), str(exact)],
+            [sys.executable, "-P", "-m", UNPACKING, str(intact), str(exact)],
             capture_output=True,
             encoding="utf-8",
             errors="replace",
@@ -43,6 +45,8 @@ def read(path: Path) -> tuple[Header, Arrays]:
                 f"{path}: records a frame loop: what the program did between its steps is not in "
                 f"it, so that it cannot be computed again. Look at it by `tamias2d replay {path}`."
             )
+        if not verify(path):
+            raise _damaged(path)
         if done.returncode == REFUSED:
             raise RecordingError(done.stdout)
         if done.returncode:

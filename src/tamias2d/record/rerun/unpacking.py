@@ -95,7 +95,7 @@ def _impacts(columns: Columns) -> Arrays:
 
 
 def _joint_events(columns: Columns) -> Arrays:
-    """All that there are; their steps count them."""
+    """All that there are, in the order in which they were."""
     rows = {
         name: _joined(columns, f"{layout.JOINT_EVENT}:{name}", layout.JOINT_EVENTS)
         for name in history.OF_JOINT_EVENTS

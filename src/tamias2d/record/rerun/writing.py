@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import rerun as rr
 
-from tamias2d.balance import kinetic_energy
 from tamias2d.errors import RecordingError
 from tamias2d.record import document, drawing, header as headers, history
+from tamias2d.record.energies import energies
 from tamias2d.record.rerun import (
     bodies,
     exact,
@@ -72,7 +72,8 @@ def write(run: RunData, path: Path) -> None:
         impacts.draw(stream, run, view, timelines.columns(instants, samples))
     if len(run.joint_events):
         instants = np.rint(run.joint_events.time * 1e9).astype(np.int64)
-        joint_events.draw(stream, run, timelines.columns(instants, np.arange(len(instants))))
+        samples = np.searchsorted(run.times, run.joint_events.time)
+        joint_events.draw(stream, run, timelines.columns(instants, samples))
     # Written by us: rerun's own writer can wait for ever for a disk that is full.
     with aside(path) as draft:
         draft.write_bytes(encoded.read() or b"")
@@ -92,12 +93,14 @@ def _texts(stream: rr.RecordingStream, run: RunData, header: headers.Header) -> 
 
 
 def _plots(stream: rr.RecordingStream, run: RunData, times: list[rr.TimeColumn]) -> None:
-    kinetic = kinetic_energy(run.scene, run.velocity, run.angular_velocity)
-    energies = np.column_stack([run.energy, kinetic, run.energy - kinetic])
-    values = {layout.ENERGY: energies, layout.MOMENTUM: run.momentum}
-    values[layout.SPIN] = run.angular_momentum
-    for path, names in layout.SERIES.items():
-        plots.plot(stream, path, names, drawing.PALETTE[: len(names)], times, values[path])
+    energy = energies(run)
+    shown = {
+        layout.ENERGY: (list(energy), np.column_stack([*energy.values()])),
+        layout.MOMENTUM: (["x", "y"], run.momentum),
+        layout.SPIN: (["angular momentum"], run.angular_momentum),
+    }
+    for path, (names, values) in shown.items():
+        plots.plot(stream, path, names, drawing.PALETTE[: len(names)], times, values)
     moving = [k for k, body in enumerate(run.scene.bodies) if body.dynamic]
     speeds = np.hypot(*np.moveaxis(run.velocity[:, moving], -1, 0))
     if 0 < len(moving) <= NAMED:
