@@ -214,7 +214,8 @@ def iterate_patiently(n: int, bodies: Bodies, constraints: Constraints, direct: 
     """Do the same, but change what presses only where all else fits, and then what slides.
 
     All contacts hold at first, and slide one after the other. Where much slides at once, or normal
-    impulses are next to nothing, the active set would change to and fro.
+    impulses are next to nothing, the active set would change to and fro. One that does not fit in
+    the end is not accepted, however small the residual.
     """
     changed, residual = find_residual(n, STATES_STAY, COARSE, bodies, constraints, direct)
     for _ in range(PATIENT_CORRECTIONS):
@@ -230,7 +231,7 @@ def iterate_patiently(n: int, bodies: Bodies, constraints: Constraints, direct: 
             changed, residual = find_residual(n, STATES_STAY, COARSE, bodies, constraints, direct)
         elif changed == 0 and fits:
             return residual
-    return residual
+    return 1.0
 
 
 @inlined
