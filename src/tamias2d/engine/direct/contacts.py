@@ -115,6 +115,8 @@ def apply_contact(contact: int, bodies: Bodies, constraints: Constraints, direct
     one, other = bodies.motion[lane[tb.BODY_A + m]], bodies.motion[lane[tb.BODY_B + m]]
     line, across = (row[tb.R_NX + m], row[tb.R_NY + m]), (-row[tb.R_NY + m], row[tb.R_NX + m])
     largest = 0.0
+    if lane[tb.POINTS] == 2:
+        share_tangents(row[tb.R_FRICTION + m], factors[contact])
     for k in range(lane[tb.POINTS]):
         at = tb.SHARED + k * tb.POINT_SIZE + m
         normal = max(factors[contact, tb.NEW_NORMAL + k], 0.0)
@@ -130,6 +132,17 @@ def apply_contact(contact: int, bodies: Bodies, constraints: Constraints, direct
         apply_impulse_to(m, more, across, arm_a, arm_b, row, one, other)
         largest = max(largest, normal)
     return largest
+
+
+def share_tangents(friction: float, numbers: Array) -> None:
+    """Let each of two points give as much of their tangent impulses as its friction allows."""
+    first, second = numbers[tb.NEW_TANGENT], numbers[tb.NEW_TANGENT + 1]
+    most = tangent_impulse_most(max(numbers[tb.NEW_NORMAL], 0.0), friction)
+    most_second = tangent_impulse_most(max(numbers[tb.NEW_NORMAL + 1], 0.0), friction)
+    both = first + second
+    second = limited_tangent_impulse(both - limited_tangent_impulse(first, most), most_second)
+    numbers[tb.NEW_TANGENT] = limited_tangent_impulse(both - second, most)
+    numbers[tb.NEW_TANGENT + 1] = second
 
 
 def apply_impulse_to(
