@@ -23,11 +23,22 @@ def store_blocks(joints: Joints) -> None:
             for r in range(first + 1, last):
                 member = joints.sparse[n, tb.I_NODE] + r - first
                 store_lane(m, joints.tree_lanes[r], joints.hinges[member])
-                if joints.members[member, tb.JOINED_SPRING] >= 0:
-                    numbers = joints.numbers[joints.members[member, tb.JOINED_SPRING]]
-                    store_spring(m, joints.tree_lanes[r], numbers)
             store_hinge_impulses(n, joints)
         joints.tree_blocks[b, tb.T_WRITTEN] = 1
+
+
+def store_springs_of_blocks(joints: Joints) -> None:
+    """Store how far the springs of blocks are stretched, and what they gave in a part."""
+    for b in range(joints.counts[tb.TREE_BLOCKS]):
+        first, last = joints.tree_blocks[b, tb.T_FIRST], joints.tree_blocks[b + 1, tb.T_FIRST]
+        for m in range(LANES):
+            n = joints.tree_blocks[b, tb.T_MECHANISM + m]
+            if n < 0 or joints.mechanisms[n, tb.M_STATUS] == tb.ASLEEP:
+                continue
+            for r in range(first + 1, last):
+                spring = joints.members[joints.sparse[n, tb.I_NODE] + r - first, tb.JOINED_SPRING]
+                if spring >= 0:
+                    store_spring(m, joints.tree_lanes[r], joints.numbers[spring])
 
 
 def store_lane(m: int, row: Array, hinge: Array) -> None:

@@ -9,7 +9,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.acceptance import may_be_rejected, note_most_motion
 from tamias2d.engine.joints.block_gather import begin_blocks
 from tamias2d.engine.joints.block_left import give_left_of_blocks, note_left_of_blocks
-from tamias2d.engine.joints.block_scatter import store_blocks
+from tamias2d.engine.joints.block_scatter import store_blocks, store_springs_of_blocks
 from tamias2d.engine.joints.block_solve import aim_blocks, bring_blocks_to_aims, fit_blocks
 from tamias2d.engine.joints.bounce import bounce_limits, note_limits
 from tamias2d.engine.joints.energy import (
@@ -186,6 +186,7 @@ def end_joints(world: World) -> None:
             kick_half(n, True, bodies, joints)
     note_before_joints(tb.FREE_OF_CONTACTS, tb.FREE_OF_CONTACTS, world)
     fit_blocks(tb.FREE_OF_CONTACTS, tb.FREE_OF_CONTACTS, bodies, joints)
+    store_springs_of_blocks(joints)
     for n in range(joints.counts[tb.MECHANISMS]):
         alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
         status = joints.mechanisms[n, tb.M_STATUS]
