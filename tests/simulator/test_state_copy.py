@@ -230,7 +230,8 @@ def test_all_that_changes_a_simulator_is_tried_here() -> None:
 def test_a_state_is_all_that_may_change() -> None:
     """Whoever gives a simulator another attribute decides whether a state holds it."""
     follow = {"_events", "_jointed", "_seen", "_unsettled", "_varying", "_views", "_earlier"}
-    stay = {"_engine", "_lock", "_sleeps", "_substeps", "_time_step"}  # the engine goes back itself
+    stay = {"_engine", "_heard", "_lock", "_sleeps", "_substeps", "_time_step"}
+    # the engine goes back itself, and recorders hear on
     texts = {"_warned"}  # whose texts a state holds
     kinds = t2.Simulator.__mro__
     names = {name for kind in kinds for name in getattr(kind, "__slots__", ())} - {"__weakref__"}

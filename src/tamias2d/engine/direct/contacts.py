@@ -108,14 +108,19 @@ def add_to_nodes(
         node[tb.CHANGE + 2] = angular_momentum_b_after(node[tb.CHANGE + 2], impulse, arm_b)
 
 
-def apply_contact(contact: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
-    """Apply the proposed impulses, as far as a contact can give them; return the largest normal."""
+def apply_contact(
+    contact: int, shares: bool, bodies: Bodies, constraints: Constraints, direct: Direct
+) -> float:
+    """Apply the proposed impulses, as far as a contact can give them; return the largest normal.
+
+    Its points may share what friction they hold by.
+    """
     b, m = direct.sparse[contact, tb.C_BLOCK], direct.sparse[contact, tb.C_LANE]
     row, lane, factors = constraints.blocks[b], constraints.lanes[b], direct.factors
     one, other = bodies.motion[lane[tb.BODY_A + m]], bodies.motion[lane[tb.BODY_B + m]]
     line, across = (row[tb.R_NX + m], row[tb.R_NY + m]), (-row[tb.R_NY + m], row[tb.R_NX + m])
     largest = 0.0
-    if lane[tb.POINTS] == 2:
+    if shares and lane[tb.POINTS] == 2:
         share_tangents(row[tb.R_FRICTION + m], factors[contact])
     for k in range(lane[tb.POINTS]):
         at = tb.SHARED + k * tb.POINT_SIZE + m

@@ -262,9 +262,9 @@ def accept_impulses(
 ) -> bool:
     """Apply the impulses of an island; take them back and return False if they are wild."""
     first, last = direct.sparse[n, tb.I_CONTACT], direct.sparse[n + 1, tb.I_CONTACT]
-    largest = 0.0
+    largest, shares = 0.0, not is_uneven(n, direct.factors)  # what rounding decided is to be told
     for contact in range(first, last):
-        largest = max(largest, apply_contact(contact, bodies, constraints, direct))
+        largest = max(largest, apply_contact(contact, shares, bodies, constraints, direct))
     accepted = largest <= WILD * (last - first) * direct.factors[n, tb.IMPULSE_SCALE]
     accepted = accepted and gains_no_energy(n, before, apart, bodies, constraints, direct)
     if not accepted:
