@@ -30,10 +30,13 @@ def chosen(*, joints: bool, had_joints: bool) -> Library:
     return JOINTED if joints or (had_joints and not CONTACT.is_loaded()) else CONTACT
 
 
-@cache
 def functions(library: Library, *, compiled: bool) -> SimpleNamespace:
     """Return the entries of a library by their names: compiled, or as plain Python."""
-    if compiled:
-        return library.compiled()
-    silent = np.errstate(all="ignore")  # compiled arithmetic does not warn
+    return library.compiled() if compiled else _silent(library)
+
+
+@cache
+def _silent(library: Library) -> SimpleNamespace:
+    """Return the plain entries, which do not warn, as compiled arithmetic does not."""
+    silent = np.errstate(all="ignore")
     return SimpleNamespace(**{name: silent(f) for name, f in vars(library.plain()).items()})

@@ -45,7 +45,7 @@ from tamias2d.kernels.assembled import inlined
 
 REMOVED = 0.2  # of an overlap, in a substep
 CORRECTIONS = 12  # of the active set, at most
-PATIENT_CORRECTIONS = 60
+PATIENT_CORRECTIONS = 60  # likewise, of the second try
 NEARLY = 1e-3  # of the largest difference of velocity: a point that parts more slowly may press
 NOISE = 1e-5  # of the impulse that stops the heaviest body: less is what rounding has left
 CONVERGED = 1e-10  # residual as a part of the impulses, squared
