@@ -11,7 +11,7 @@ from tamias2d.contact.constrained_acceleration import opening_acceleration
 from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.frictional_rest import island_of
 from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
-from tamias2d.contact.impacts import Impacts, quieten, refuse_jointed, with_mechanisms
+from tamias2d.contact.impacts import Impacts, quieten
 from tamias2d.contact.inelastic_impact import JammedError, jam_impulses
 from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.lasting_contact import Island
@@ -23,6 +23,7 @@ from tamias2d.contact.manifold import (
     normal_velocity,
     speed_scale,
 )
+from tamias2d.contact.mobility import refuse_switching, with_mechanisms
 from tamias2d.contact.one_surface import strike_as_one
 from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.refusal import LastingContactError, RangeError, UndecidedContactError, named
@@ -217,7 +218,9 @@ class Instant:
         constrained = {
             i for pair in self.touching_pairs if pair in self._world.lasting for i in pair
         }
-        self.changed |= {i for i in constrained if self._world.cores[i].dynamic}
+        self.changed |= constrained
+        reached = with_mechanisms(self._world.cores, sorted(self.changed))
+        self.changed = {i for i in reached if self._world.cores[i].dynamic}
 
     def _staying_islands(self) -> tuple[list[Contact], list[Island]]:
         """Return the contacts that stay, and their islands, after impulses where contacts jam."""
@@ -236,11 +239,11 @@ class Instant:
             for contact in touch.contacts
             if abs(self._rate(contact)) <= touch.noise
         ]
-        refuse_jointed(self._world.cores, staying, "they stay in contact", self.time)
+        refuse_switching(self._world.cores, staying, "they stay in contact", self.time)
         self._refuse_corners(staying)
         islands = self._islands(staying)
         while low := self._unresolved_bounces(islands, staying):
-            refuse_jointed(self._world.cores, low, "they come to rest on each other", self.time)
+            refuse_switching(self._world.cores, low, "they come to rest on each other", self.time)
             self._refuse_corners(low)
             staying += low
             islands = self._islands(staying)
@@ -248,7 +251,7 @@ class Instant:
 
     def _resolve_jam(self, jam: JammedError) -> bool:
         """Apply the impulses that end the sliding of contacts that jam (DD68), if there are any."""
-        found, stopped = jam_impulses(self._world.cores, jam)
+        found, stopped = jam_impulses(self._world.mobility, jam)
         self._stopped |= stopped
         quieten(self.touching_pairs.values())
         self.contact_impulses += [
@@ -256,7 +259,7 @@ class Instant:
             for contact, push, _ in found
             if push > 0
         ]
-        apply(self._world.cores, found, self.states)
+        apply(self._world.mobility, found, self.states)
         bodies = {i for contact, *_ in found for i in (contact.a, contact.b)}
         moving = {i for i in bodies if self._world.cores[i].dynamic}
         self.changed |= moving
@@ -275,7 +278,7 @@ class Instant:
         cores = self._world.cores
         groups: list[tuple[set[int], list[Contact]]] = []
         for contact in contacts:
-            bodies = {i for i in (contact.a, contact.b) if cores[i].dynamic}
+            bodies = set(self._world.mobility.reached([contact]))
             joined = [contact]
             for group in [group for group in groups if group[0] & bodies]:
                 groups.remove(group)
@@ -293,7 +296,9 @@ class Instant:
         found = []
         for bodies, joined in groups:
             free = {i: self._free(i) for i in sorted(bodies)}
-            island = island_of(cores, placed, joined, free, min(slight), pair_friction)
+            island = island_of(
+                cores, placed, joined, free, min(slight), pair_friction, self._world.mobility
+            )
             self._stopped |= island.stopped  # also of the islands into which it falls
             alone = len(island.bodies) == 1 or len(island.lasting) == len(joined)
             found += [island] if alone else self._islands(island.lasting)
