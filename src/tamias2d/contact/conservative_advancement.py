@@ -89,7 +89,8 @@ class Pair:
                 return time
             tiny_steps += self._touching or step < tiny
             if tiny_steps > _TINY_STEPS:
-                if self._lasting and self._closes(time):
+                tied = any(core.jointed for core in self.cores)
+                if (self._lasting or tied) and self._closes(time):
                     return time
                 apart = time_apart(time, tiny, end)
                 if apart is None:
@@ -117,7 +118,8 @@ class Pair:
     def _closes(self, time: float) -> bool:
         """Whether a corner that comes down beside a lasting contact is there, but for rounding.
 
-        Angles in float64 may stand still for longer than it takes.
+        Angles in float64 may stand still for longer than it takes, and bodies that joints tie to
+        what lies on something hardly move.
         """
         nearest, tolerance = self._nearest(time)
         return nearest.value <= tolerance and nearest.rate < 0
