@@ -89,10 +89,11 @@ class Pair:
                 return time
             tiny_steps += self._touching or step < tiny
             if tiny_steps > _TINY_STEPS:
-                tied = any(core.jointed for core in self.cores)
-                if (self._lasting or tied) and self._closes(time):
+                if self._lasting and self._closes(time):
                     return time
                 apart = time_apart(time, tiny, end)
+                if apart is None and self._tied_to_lie(time):
+                    return time
                 if apart is None:
                     break
                 time, tiny_steps = apart, 0
@@ -118,11 +119,15 @@ class Pair:
     def _closes(self, time: float) -> bool:
         """Whether a corner that comes down beside a lasting contact is there, but for rounding.
 
-        Angles in float64 may stand still for longer than it takes, and bodies that joints tie to
-        what lies on something hardly move.
+        Angles in float64 may stand still for longer than it takes.
         """
         nearest, tolerance = self._nearest(time)
         return nearest.value <= tolerance and nearest.rate < 0
+
+    def _tied_to_lie(self, time: float) -> bool:
+        """Whether they touch, and joints may tie one to what lies on the other: it hardly moves."""
+        nearest, tolerance = self._nearest(time)
+        return any(core.jointed for core in self.cores) and nearest.value <= tolerance
 
     def _undecided(self, time: float) -> UndecidedContactError:
         return UndecidedContactError(
