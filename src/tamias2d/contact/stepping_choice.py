@@ -13,18 +13,18 @@ MEANT_TO_TOUCH = 1e-6
 """Bodies that overlap by a smaller part of their size at the start are meant to touch there."""
 
 
-def steps_because(scene: Scene, duration: float) -> str | None:
+def steps_because(scene: Scene, duration: float, *, within: bool = False) -> str | None:
     """Return why a scene is stepped through its contacts for a duration in s, or None (R12).
 
     A scene is stepped where impacts cannot be located at all, and where more than a hundred moving
     bodies can meet, unless compiled code follows them (`is_event_driven`) and they do not settle.
     One with joints is stepped where these hold what may rub or rest on something, or too much to be
-    solved exactly.
+    solved exactly. To stay `within` a tolerance it is located wherever it can be.
     """
     for body in in_pieces(scene).bodies:
         if what := beyond_location(body):
             return f"body '{body.name}': {what}"
-    if scene.joints and (why := _too_much_for_joints(scene, duration)):
+    if scene.joints and (why := _too_much_for_joints(scene, duration, within=within)):
         return why
     if sum(body.dynamic and body.shape is not None for body in scene.bodies) <= MANY:
         return None
@@ -35,11 +35,13 @@ def steps_because(scene: Scene, duration: float) -> str | None:
     return f"{count} moving bodies can meet, more than {MANY}" if count > MANY else None
 
 
-def _too_much_for_joints(scene: Scene, duration: float) -> str | None:
+def _too_much_for_joints(scene: Scene, duration: float, *, within: bool) -> str | None:
     """Return why joints, or what they hold, cannot be solved exactly, or None."""
     held = {k for joint in scene.joints for k in joint.bodies if scene.bodies[k].dynamic}
     if len(held) > MOST_HELD:
         return f"joints hold {len(held)} moving bodies, more than {MOST_HELD}"
+    if within and not any(joint.may_switch for joint in scene.joints):
+        return None
     for pair in pairs_that_can_meet(scene, duration):
         tied = next((k for k in pair if k in held), None)
         if tied is not None and (scene.friction(*pair) or scene.restitution(*pair) == 0):
