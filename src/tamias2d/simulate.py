@@ -38,9 +38,11 @@ def simulate(
     do not settle. The first of the run's `notes` names the method and the reason.
 
     `times` are those of the samples, s, sorted and within the run; without them it is 60 a second,
-    or every step (`time_step`, s) of a stepped method. Between steps through contacts states are
-    interpolated. `progress` shows a bar on standard error. A run takes at most `work_limit` steps
-    of a method that chooses them itself, and impacts; it ends early if it can be seen to take more.
+    or every step (`time_step`, s) of a stepped method. Steps through contacts are of 1/60 s where
+    none is asked for, and a 240th of a run that is shorter than half a second. States between two
+    are interpolated; the last one may end beyond the run, but none is longer than it. `progress`
+    shows a bar on standard error. A run takes at most `work_limit` steps of a method that chooses
+    them itself, and impacts; it ends early if it can be seen to take more.
 
     With a `tolerance` method and step are those that meet it at the least cost, found by pilot
     runs, and the run has a certificate (`recommend` says what is bounded).

@@ -10,6 +10,7 @@ import pytest
 import tamias2d as t2
 from tamias2d import replay
 from tamias2d.contact import OverlapError
+from tamias2d.errors import InputError
 from tamias2d.motion import ClosedForm, Stepped
 from tamias2d.solve import Interrupted
 from tamias2d.state import place_between
@@ -123,6 +124,47 @@ def test_the_approach_of_what_begins_to_touch() -> None:
     assert run.impacts.time[0] == pytest.approx(speed / G, abs=2e-3)
     assert -run.impacts.normal_velocity[0] == pytest.approx(speed, abs=2e-3 * G)
     assert run.impacts.impulse.max() <= 3 * speed * 1.01
+
+
+def struck_wall() -> t2.Scene:
+    """A disc of 1 mm meets a wall after 0.1 ms, and half as fast leaves it; stepped."""
+    scene = t2.Scene(gravity=(0, 0))
+    surface = {"restitution": 0.5, "friction": 0.0}
+    scene.add_static(t2.HalfPlane(normal=(-1.0, 0.0), offset=0.0), **surface)
+    disc, place = t2.Disc(radius=5e-4), (-7e-4, 0.0)
+    scene.add_body(disc, mass=1e-6, position=place, velocity=(2.0, 0.0), **surface)
+    scene.add_kinematic(disc, position=(0.0, 1.0), velocity=(0.0, 0.0), **surface)
+    return scene
+
+
+def test_a_run_of_a_millisecond_takes_steps_that_fit_into_it() -> None:
+    run = t2.simulate(struck_wall(), duration=1e-3, times=np.linspace(0.0, 1e-3, 6))
+    assert run.method == Stepped()
+    assert run.time_step == 1e-3 / 240
+    places = np.array([-0.7, -0.6, -0.8, -1.0, -1.2, -1.4]) * 1e-3
+    assert run.position[:, 1, 0] == pytest.approx(places, abs=1e-6)
+    assert run.velocity[1:, 1, 0] == pytest.approx(-1.0)
+
+
+@pytest.mark.parametrize("duration", [0.5, 0.51, 4.0])
+def test_a_run_of_half_a_second_takes_the_usual_steps(duration: float) -> None:
+    assert t2.simulate(struck_wall(), duration=duration).time_step == 1 / 60
+
+
+def test_a_step_that_is_longer_than_the_run_is_refused() -> None:
+    with pytest.raises(InputError, match=r"longer than the run of 0\.001 s.*Give at most"):
+        t2.simulate(struck_wall(), duration=1e-3, method=Stepped(), time_step=1 / 60)
+    run = t2.simulate(struck_wall(), duration=1e-3, method=Stepped(), time_step=1e-3)
+    assert run.cost is not None
+    assert run.cost.steps == 1
+
+
+def test_a_world_of_an_ensemble_takes_the_steps_that_a_run_takes() -> None:
+    times = np.linspace(0.0, 1e-3, 6)
+    vary = {"bodies.body1.mass": [1e-6]}
+    worlds = t2.ensemble(struck_wall(), vary=vary, duration=1e-3, times=times, bodies=[1])
+    run = t2.simulate(struck_wall(), duration=1e-3, times=times)
+    np.testing.assert_array_equal(worlds["position"][0, :, 0], run.position[:, 1])
 
 
 def test_samples_at_the_ends_of_steps_are_states_of_the_simulator() -> None:

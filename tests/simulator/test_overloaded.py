@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.scene.compound import Shape
 
 SURFACE = {"friction": 0.6, "restitution": 0.0}
 
@@ -150,3 +151,80 @@ def test_a_crusher_is_named_though_the_floor_is_what_is_pressed_into() -> None:
     assert sim.warnings
     assert "'press', which goes on whatever it meets" in sim.warnings[0]
     assert "stop it where it cannot go" in sim.warnings[0]
+
+
+def floors() -> dict[str, Shape]:
+    return {
+        "half-plane": t2.HalfPlane(normal=(0.0, 1.0), offset=0.0),
+        "chain": t2.Chain(vertices=[(8.0, 0.0), (-8.0, 0.0)]),
+        "one-sided chain": t2.Chain(vertices=[(8.0, 0.0), (-8.0, 0.0)], one_sided=True),
+        "segment": t2.Segment(length=16.0),
+    }
+
+
+def pressed(
+    floor: str, shape: Shape, widths: float, *, height: float, substeps: int = 4
+) -> t2.Simulator:
+    """Something on a floor that gravity moves by so many of its widths, m, in a substep."""
+    gravity = widths * (60 * substeps) ** 2
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -gravity)), substeps=substeps)
+    sim.add_static(floors()[floor], name="floor", **SURFACE)
+    sim.add(shape, mass=1.0, position=(0.0, height), name="body", **SURFACE)
+    return sim
+
+
+@pytest.mark.parametrize("floor", floors())
+def test_what_sinks_through_a_floor_is_told_whatever_the_floor_is(floor: str) -> None:
+    sim = pressed(floor, t2.Box(width=0.8, height=0.4), 1.44 * 0.4, height=0.2)
+    sim.step(60)
+    assert sim.position[1, 1] < 0.0
+    assert any("overlap by more than a quarter" in text for text in sim.warnings)
+
+
+@pytest.mark.parametrize("substeps", [1, 4, 8])
+@pytest.mark.parametrize("widths", [1.1, 4.0, 100.0])
+@pytest.mark.parametrize("floor", floors())
+def test_what_is_pressed_by_more_than_its_width_in_a_substep_is_told(
+    floor: str, widths: float, substeps: int
+) -> None:
+    box = t2.Box(width=1.0, height=1.0)
+    sim = pressed(floor, box, widths, height=0.5, substeps=substeps)
+    sim.step(120)
+    (text,) = [text for text in sim.warnings if "presses them together" in text]
+    assert "'floor'" in text
+    assert "'body'" in text
+    assert "Give a shorter step or more substeps" in text
+
+
+@pytest.mark.parametrize("floor", floors())
+@pytest.mark.parametrize(
+    ("shape", "height", "width"),
+    [
+        (t2.Box(width=1.0, height=1.0), 0.5, 1.0),
+        (t2.Disc(radius=0.5), 0.5, 1.0),
+        (t2.Capsule(length=1.0, radius=0.1), 0.1, 0.2),
+    ],
+)
+def test_what_is_pressed_by_less_is_held_and_not_told(
+    floor: str, shape: Shape, height: float, width: float
+) -> None:
+    sim = pressed(floor, shape, 0.5 * width, height=height)
+    sim.step(120)
+    assert sim.warnings == ()
+    assert sim.position[1, 1] == pytest.approx(height, abs=0.15 * width)
+
+
+def test_what_is_pulled_away_is_not_told() -> None:
+    sim = on_floor()
+    rocket = sim.add(t2.Box(width=0.1, height=0.2), mass=1.0, position=(0.0, 0.1), **SURFACE)
+    sim.force[rocket] = 0.0, 1e5
+    sim.step(10)
+    assert sim.position[rocket, 1] > 100.0
+    assert sim.warnings == ()
+
+
+def test_discs_that_are_followed_exactly_are_not_told_however_they_are_pressed() -> None:
+    sim = pressed("half-plane", t2.Disc(radius=0.5), 100.0, height=0.5)
+    sim.step(120)
+    assert [text for text in sim.warnings if "presses them together" in text] == []
+    assert sim.position[1, 1] == pytest.approx(0.5, abs=1e-9)

@@ -37,10 +37,10 @@ class Model:
         surface = {"friction": 0.5, "restitution": 0.0}
         return self.scene.add_body(shape, mass=mass, position=self(x, y), **surface)
 
-    def disc(self, x: float, y: float, radius: float) -> int:
-        shape = t2.Disc(radius=radius * self.unit)
+    def disc(self, x: float, y: float, radius: float, spin: float = 0.0) -> int:
+        shape, moving = t2.Disc(radius=radius * self.unit), {"angular_velocity": spin}
         surface = {"friction": 0.5, "restitution": 0.0}
-        return self.scene.add_body(shape, mass=1.0, position=self(x, y), **surface)
+        return self.scene.add_body(shape, mass=1.0, position=self(x, y), **surface, **moving)
 
     def point(self, x: float, y: float, inertia: float) -> int:
         inertia = inertia * self.unit**2
@@ -141,9 +141,20 @@ def car(m: Model) -> None:
     m.scene.add_joint(Weld(), arm, m.box(0.0, 1.9, 0.2, 0.2), at=m(0.0, 1.8))
 
 
+def whirling_bobs(m: Model) -> None:
+    """Their springs hold them at their centres, and beside them, while they turn fast."""
+    for k in range(4):
+        m.disc(k, 0.0, 0.2, spin=30.0)
+    m.scene.add_spring(0, 1, stiffness=100.0, rest_length=0.7 * m.unit)
+    anchor, other = m(0.1, 0.0), m(-0.1, 0.05)
+    m.scene.add_spring(
+        2, 3, stiffness=300.0, rest_length=0.6 * m.unit, anchor=anchor, other_anchor=other
+    )
+
+
 MECHANISMS = (
-    driven_arm, rotor_of_no_size, geared_rotors_of_no_size, chain, equal_chains, four_bars, slides,
-    car,
+    whirling_bobs, driven_arm, rotor_of_no_size, geared_rotors_of_no_size, chain, equal_chains,
+    four_bars, slides, car,
 )  # fmt: skip
 
 

@@ -151,14 +151,23 @@ class Engine(StepCalls):
 
     @property
     def limits(self) -> int:
-        """How often something was found to tell, of the next two or of joints."""
+        """How often something was found to tell, of the next three or of joints."""
         return self.world.control.counts.item(tb.LIMITS)  # asked for in each step
 
     @property
     def sunk(self) -> tuple[int, int] | None:
         """The rows of the first two bodies that sank into each other, or None."""
+        return self._noted(tb.SUNK_A, tb.SUNK_B)
+
+    @property
+    def pressed(self) -> tuple[int, int] | None:
+        """The rows of the first two bodies that loads pressed together too hard, or None."""
+        return self._noted(tb.PRESSED_A, tb.PRESSED_B)
+
+    def _noted(self, a: int, b: int) -> tuple[int, int] | None:
+        """Return the rows of two bodies whose slots were noted in two columns, or None."""
         counts, row = self.world.control.counts, self.world.state.body_of_slot
-        first, second = int(counts[tb.SUNK_A]), int(counts[tb.SUNK_B])
+        first, second = int(counts[a]), int(counts[b])
         return (int(row[first - 1]), int(row[second - 1])) if first else None
 
     @property

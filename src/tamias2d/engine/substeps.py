@@ -20,6 +20,7 @@ from tamias2d.engine.joints.stages import (
     store_joints,
 )
 from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
+from tamias2d.engine.pressed import note_pressed
 from tamias2d.engine.solver.blocks import clear_lanes, fill_lanes
 from tamias2d.engine.solver.impulses import store_impulses
 from tamias2d.engine.solver.integration import apply_forces, begin_step, integrate_positions
@@ -65,6 +66,7 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
         for stage in range(max(front - number + 1, 0), min(front, last) + 1):
             take_stage(stage, front - stage, substep, world, contacts)
     note_unsolved(control, world.direct)
+    note_pressed(control, world.bodies, contacts, world.touching, constraints)
     constraints.counts[tb.LANES_FILLED] = 1
     looked_at = constraints.counts[tb.BOUNCING] + constraints.counts[tb.FREE_ISLANDS] > 0
     if looked_at or makes_energy(constraints.energy):

@@ -43,9 +43,18 @@ def too_long_for_contacts(
             remedy = "Move it by a velocity, not by its position, and stop it where it cannot go."
         text = (
             f"{first} and {second}, {when}: they overlap by more than a quarter of the "
-            f"thinner one's width, and ever more; {step} do not hold {what} (IM10). {remedy}"
+            f"thinner one's width, or of the length of what is thin, and ever more; {step} do not "
+            f"hold {what} (IM10). {remedy}"
         )
         yield "overlap", text
+    if (pair := engine.pressed) is not None:
+        first, second = map(name_of, pair)
+        text = (
+            f"{first} and {second}, {when}: what presses them together moves one of them by more "
+            f"than its width in a substep; {step} do not hold that, and they may pass each other "
+            "(IM10). Give a shorter step or more substeps."
+        )
+        yield "pressed", text
     if (row := engine.outweighed) >= 0:
         text = (
             f"{name_of(row)}, {when}: it touches or is joined to masses so different from its own "

@@ -19,6 +19,8 @@ from tamias2d.work_limit import WORK_LIMIT
 
 FRAMES = 60
 """Samples in a second, where nothing else is asked; and steps, where contacts are stepped."""
+_FEW, _STEPS_OF_SHORT = 30, 240
+_ROUNDED = 1e-9  # of a duration
 _MOST = 2**30  # bytes that a history, or the times of all steps, may take
 
 
@@ -35,10 +37,17 @@ class Plan(NamedTuple):
 
     def by_steps(self, reason: str) -> "Plan":
         """Return the same run stepped through its contacts, for a reason."""
-        method = Stepped()
-        return self._replace(
-            method=method, time_step=1 / FRAMES, notes=(f"{method}, 1/{FRAMES} s: {reason}",)
-        )
+        method, step = Stepped(), usual_step(self.duration)
+        told = f"1/{FRAMES} s" if step == 1 / FRAMES else f"{step:.3g} s"
+        return self._replace(method=method, time_step=step, notes=(f"{method}, {told}: {reason}",))
+
+
+def usual_step(duration: float) -> float:
+    """Return the step in which contacts are taken where none is asked for, s.
+
+    A run in which few of the usual ones fit is about something faster than these.
+    """
+    return 1 / FRAMES if duration * FRAMES >= _FEW else duration / _STEPS_OF_SHORT
 
 
 def planned(
@@ -64,6 +73,7 @@ def planned(
         raise InputError(f"time_step {time_step!r}: {chosen} {need} time step (R5). {remedy}")
     if time_step is not None:
         time_step = number(time_step, "time_step", "the run", "Give it in s.", at=("time_step",))
+        _refuse_longer(chosen, time_step, duration)
     _refuse_endless(scene, duration, time_step, kept=times is None)
     steps = grid(duration, time_step or 1 / FRAMES) if times is None else _samples(times, duration)
     _check_limit(work_limit)
@@ -76,6 +86,16 @@ def _check_limit(work_limit: int) -> None:
         raise InputError(
             f"work_limit {work_limit!r} of the run: must be a whole number of at least 1 (R4). "
             "Give how many steps and impacts it may take."
+        )
+
+
+def _refuse_longer(method: Method, time_step: float, duration: float) -> None:
+    """Refuse a step through contacts that ends beyond the run: its middle would not be known."""
+    if isinstance(method, Stepped) and time_step > duration * (1 + _ROUNDED):
+        raise InputError(
+            f"time_step {time_step!r} s of the run: found one longer than the run of {duration!r} "
+            "s: what happens within a step through contacts is not followed (R12). Give at most "
+            f"the duration, or such as {usual_step(duration):.3g} s."
         )
 
 
@@ -106,7 +126,7 @@ def _method(
     """Return the method with the reason for it, and the step that it takes if none is asked for."""
     if method is None:
         if reason := steps_because(scene, duration):
-            return Stepped(), f"{Stepped()}: {reason}", 1 / FRAMES
+            return Stepped(), f"{Stepped()}: {reason}", usual_step(duration)
         return *_located(scene), None
     if not isinstance(method, Solvable):
         raise InputError(

@@ -17,3 +17,13 @@ def extent_if_free(i: int, bodies: Bodies) -> float:
     """Return half of the least width of a body that moves freely, m; infinite of any other."""
     half: float = bodies.properties[i, tb.MIN_EXTENT]
     return half if bodies.kind[i] == tb.DYNAMIC else NOT_THIN
+
+
+def half_extent(i: int, bodies: Bodies) -> float:
+    """Return half of the least width of a body, m; half of its length where it is thin.
+
+    What is thin knows its side, and may be deep for a while.
+    """
+    half: float = bodies.properties[i, tb.MIN_EXTENT]
+    wide: float = bodies.properties[i, tb.BOUNDING_RADIUS]
+    return half if half > tb.THINNEST * wide else wide

@@ -8,6 +8,7 @@ from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.chain_sides import note_sides
 from tamias2d.engine.narrow_phase.manifold import known_gap, smallest_gap, update_manifold
 from tamias2d.engine.narrow_phase.margins import CLOSE
+from tamias2d.engine.narrow_phase.thickness import half_extent
 from tamias2d.engine.tables import (
     Bodies,
     BroadPhase,
@@ -108,11 +109,9 @@ def note_sinking(i: int, j: int, gap: float, control: Control, bodies: Bodies) -
     """Note the first two bodies whose overlap is deep where it grows: nothing holds them apart.
 
     It is asked as a step begins, and between its shortest parts: between longer ones an impact may
-    press bodies together for a while. Thin bodies know their side, however deep they are.
+    press bodies together for a while.
     """
-    least = min(bodies.properties[i, tb.MIN_EXTENT], bodies.properties[j, tb.MIN_EXTENT])
-    wide = min(bodies.properties[i, tb.BOUNDING_RADIUS], bodies.properties[j, tb.BOUNDING_RADIUS])
-    sunk = (gap < -SUNK * least) & (least > tb.THINNEST * wide)
+    sunk = gap < -SUNK * min(half_extent(i, bodies), half_extent(j, bodies))
     asked = control.counts[tb.TICK] == 0 or control.counts[tb.LEVEL] == tb.MOST_LEVEL
     if sunk and asked and control.counts[tb.SUNK_A] == 0:
         control.counts[tb.SUNK_A], control.counts[tb.SUNK_B] = i + 1, j + 1

@@ -152,7 +152,8 @@ def solve_held(n: int, time_step: float, bodies: Bodies, springs: Springs) -> bo
 def move(n: int, bodies: Bodies, springs: Springs) -> tuple[float, float]:
     """Change the displacements of a network by the solution.
 
-    Returns the largest change, and the largest displacement or what float64 can tell of a position.
+    Returns the largest change, and the largest displacement or what float64 can tell of a position,
+    m. What turns is measured where springs hold it, so that no unit of length decides.
     """
     change = far = 0.0
     for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
@@ -160,8 +161,17 @@ def move(n: int, bodies: Bodies, springs: Springs) -> tuple[float, float]:
         far = max(far, ROUNDED / SOLVED * (abs(pose[tb.X]) + abs(pose[tb.Y])))
         for c in range(3):
             row[tb.SHIFT + c] += row[tb.SOLUTION + c]
+        for c in range(2):
             far = max(far, abs(row[tb.SHIFT + c]))
             change = max(change, abs(row[tb.SOLUTION + c]))
+    for s in range(springs.networks[n, tb.N_SPRING], springs.networks[n + 1, tb.N_SPRING]):
+        spring = springs.springs[s]
+        for end in range(2):
+            k, at = springs.ends[s, end], tb.ANCHOR_A if end == tb.MEMBER_A else tb.ANCHOR_B
+            if k >= 0:
+                row, arm = springs.members[k], abs(spring[at]) + abs(spring[at + 1])
+                far = max(far, arm * abs(row[tb.SHIFT + 2]))
+                change = max(change, arm * abs(row[tb.SOLUTION + 2]))
     return change, far
 
 

@@ -28,8 +28,12 @@ FINEST = _control()  # level of the shortest part of the last step
 PART_SUBSTEPS = _control()  # of a part
 SUNK_A = _control()  # slot, plus 1, of a body that another sinks into; 0 for none so far
 SUNK_B = _control()  # of the other one
+PRESSED_A = _control()  # slot, plus 1, of a body that loads press too hard on another; 0 for none
+PRESSED_B = _control()  # of the other one
 OUTWEIGHED = _control()  # slot, plus 1, of a body of an island of masses too different to be solved
-LIMITS = _control()  # how often something was found to tell: of these two, or of joints
+LIMITS = (
+    _control()
+)  # how often something was found to tell: of these pairs and this body, or of joints
 LOADS_VARY = _control()  # 1 if loads vary, and are put right as the step ends
 ALL_ASLEEP = _control()  # 1 if no body was awake in the last step, and nobody came or went since
 EVENTS_TOLD = _control()  # 1 if what begins and ceases to touch in each step is logged
