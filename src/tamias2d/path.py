@@ -84,5 +84,17 @@ class Paths(Protocol):
         Impulses are in N s and N m s, changes of velocities in m/s and rad/s.
         """
 
+    def moved(
+        self,
+        time: float,
+        bodies: Sequence[int],
+        impulses: Array,
+        state: Callable[[int], State],
+    ) -> Array:
+        """Return the changes (m, n, 3) of velocities by impulses (m, n, 3), joints being linear.
+
+        `bodies` are whole mechanisms, and others; impulses are in N s and N m s.
+        """
+
     def free(self, body: int, time: float, state: Callable[[int], State]) -> Acceleration:
         """Return the acceleration of an unconstrained body, at a time in s."""

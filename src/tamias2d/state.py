@@ -44,8 +44,8 @@ class SharedConstraint(Protocol):
 
     bodies: tuple[int, ...]
 
-    def together(self, accelerations: Array, states: Sequence[State]) -> Array:
-        """Return the constrained accelerations (n, 3) for those by the loads alone, in states."""
+    def together(self, time: float, accelerations: Array, states: Sequence[State]) -> Array:
+        """Return the constrained accelerations (n, 3) for those without contacts, in states."""
 
 
 class History(NamedTuple):

@@ -9,6 +9,7 @@ from tamias2d.contact.friction_constraint import FrictionConstraint, TurningFric
 from tamias2d.contact.frictional_rest import island_of, slides_on
 from tamias2d.contact.gap import axes, resolution
 from tamias2d.contact.manifold import Contact, manifold, refreshed
+from tamias2d.contact.mobility import Mobility
 from tamias2d.contact.pair_friction import LastingFriction
 from tamias2d.contact.refusal import Refusal
 from tamias2d.contact.rolling_island import RollingConstraint
@@ -31,8 +32,10 @@ class ContactLossWatch:
         free: Callable[[float], Acceleration],
         slight: float,
         friction: LastingFriction,
+        mobility: Mobility,
     ) -> None:
         """Take, among others, the friction of pairs, and an opening that is not seen."""
+        self._mobility = mobility
         self._cores = cores
         self._body = body
         self._contacts = contacts
@@ -108,7 +111,9 @@ class ContactLossWatch:
             if sense and senses == {(now[0].a, now[0].b): sense}:
                 return True
         try:
-            island = island_of(self._cores, placed, now, free, self._slight, friction)
+            island = island_of(
+                self._cores, placed, now, free, self._slight, friction, self._mobility
+            )
         except Refusal:
             return False
         if len(island.lasting) < len(now) or island.senses != senses:

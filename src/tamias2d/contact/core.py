@@ -41,12 +41,14 @@ class Core:
         timed: bool = False,
         group: frozenset[int] = frozenset(),
         jointed: bool = False,
+        switching: str | None = None,
         welded: frozenset[int] = frozenset(),
     ) -> None:
         """Take a body, whether its loads are constant, whether they change at rest, and its group.
 
         The group holds the bodies on whose states its loads depend, itself included. It is jointed
-        where it moves and a joint holds it, and may be `welded` to others for good.
+        where it moves and a joint holds it, and may be `welded` to others for good. `switching` is
+        a joint that holds one of the group and changes what it does at instants.
         """
         shape = body.shape
         self.index = index
@@ -59,6 +61,7 @@ class Core:
         self.timed = timed
         self.group = group
         self.jointed = jointed
+        self.switching = switching
         self.welded = welded
         self.inverse_mass = body.inverse_mass
         self.inverse_inertia = body.inverse_inertia
@@ -86,6 +89,13 @@ def cores_of(scene: Scene) -> list[Core]:
     varying, timed = varying_loads(scene), timed_loads(scene)
     group_of = {i: frozenset(group) for group in groups(scene) for i in group}
     jointed = {i for joint in scene.joints for i in joint.bodies}
+    switching = {
+        i: joint.name
+        for joint in scene.joints
+        if joint.may_switch
+        for body in joint.bodies
+        for i in group_of.get(body, ())
+    }
     welded_to = {i: frozenset(bodies) for bodies in welded(scene) for i in bodies}
     return [
         Core(
@@ -95,6 +105,7 @@ def cores_of(scene: Scene) -> list[Core]:
             timed=i in timed,
             group=group_of.get(i, frozenset()),
             jointed=i in jointed and body.dynamic,
+            switching=switching.get(i) if i in jointed else None,
             welded=welded_to.get(i, frozenset()),
         )
         for i, body in enumerate(scene.bodies)

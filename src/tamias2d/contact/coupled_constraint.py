@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tamias2d.contact.constrained_acceleration import opening_acceleration
-from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.core import Placed, place
 from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.manifold import (
     Contact,
@@ -15,6 +15,7 @@ from tamias2d.contact.manifold import (
     sticking_acceleration,
     tangential_velocity,
 )
+from tamias2d.contact.mobility import Mobility, rows_of
 from tamias2d.contact.modes import (
     Mode,
     closed,
@@ -23,11 +24,11 @@ from tamias2d.contact.modes import (
     force_directions,
     forces,
 )
-from tamias2d.generated import definitions, friction
+from tamias2d.generated import friction
 from tamias2d.state import Acceleration, Array, State
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
-_REDUNDANT = 1e-12
+_REDUNDANT = 1e-10
 """Of the largest one: below it, a coupling is one of contacts that do the same."""
 _FORCE_TOLERANCE = 1e-9
 """Of the largest force: how far one may be outside its cone."""
@@ -39,22 +40,26 @@ class CoupledConstraint:
     state_dependent = True
 
     def __init__(
-        self, cores: Sequence[Core], bodies: Sequence[int], mode: Mode, placed: Mapping[int, Placed]
+        self,
+        mobility: Mobility,
+        bodies: Sequence[int],
+        mode: Mode,
+        placed: Mapping[int, Placed],
     ) -> None:
         """Take a mode, and the bodies that stand still."""
         self.bodies = tuple(bodies)
-        self._cores = cores
+        self.mobility = mobility
+        """At any instant."""
         self._mode = mode
         self._still = {i: body for i, body in placed.items() if i not in self.bodies}
-        self._inverse = inverse_masses(cores, bodies)
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:
         """Raise an error: the accelerations of all the bodies are found together."""
         raise NotImplementedError("bodies in contact are accelerated together")
 
-    def together(self, accelerations: Array, states: Sequence[State]) -> Array:
+    def together(self, time: float, accelerations: Array, states: Sequence[State]) -> Array:
         """Return the accelerations (n, 3) of all bodies under which closed contacts stay closed."""
-        return self._solved(accelerations, states).accelerations
+        return self._solved(time, accelerations, states).accelerations
 
     def slides_on(self, states: Sequence[State], slack: Sequence[float]) -> bool:
         """Return whether all parts that slide do so in their senses, in these states.
@@ -64,9 +69,9 @@ class CoupledConstraint:
         slips = self._slips(states)
         return all(slip is None or slip > -most for slip, most in zip(slips, slack, strict=True))
 
-    def holds(self, accelerations: Array, states: Sequence[State]) -> bool:
+    def holds(self, time: float, accelerations: Array, states: Sequence[State]) -> bool:
         """Return whether forces obey Coulomb's law in these states, under these loads."""
-        found = self._solved(accelerations, states)
+        found = self._solved(time, accelerations, states)
         return _within_cones(found) or self._has_forces(found)
 
     def against(self, states: Sequence[State], accelerations: Array, length: float) -> list[float]:
@@ -95,7 +100,7 @@ class CoupledConstraint:
             for part in self._mode
         ]
 
-    def _solved(self, accelerations: Array, states: Sequence[State]) -> "_Solved":
+    def _solved(self, time: float, accelerations: Array, states: Sequence[State]) -> "_Solved":
         placed = self._placed(states)
         mode = tuple(
             part._replace(
@@ -110,24 +115,28 @@ class CoupledConstraint:
         }
         loads = np.array([contact_acceleration(c, along, placed, by) for c, along in rows])
         jacobian = rows_of(closed_directions(rows), self.bodies)
-        pushes = rows_of(force_directions(mode), self.bodies) * self._inverse
-        found = least_forces(jacobian, pushes, self._inverse, loads)
+        mobility = self.mobility.at(time, dict(zip(self.bodies, states, strict=True)).__getitem__)
+        pushes = mobility.moved(rows_of(force_directions(mode), self.bodies), self.bodies)
+        found = least_forces(jacobian, pushes, mobility.sizes(jacobian, self.bodies), loads)
         result = accelerations + (found @ pushes).reshape(-1, 3)
-        return _Solved(mode, jacobian, loads, found.tolist(), result)
+        return _Solved(mobility, mode, jacobian, loads, found.tolist(), result)
 
     def _placed(self, states: Sequence[State]) -> dict[int, Placed]:
-        moving = {i: place(self._cores[i], s) for i, s in zip(self.bodies, states, strict=True)}
+        moving = {
+            i: place(self.mobility.cores[i], s) for i, s in zip(self.bodies, states, strict=True)
+        }
         return self._still | moving
 
     def _has_forces(self, found: "_Solved") -> bool:
         """Return whether other forces within the cones do the same."""
-        edges = rows_of(cone_edges(found.mode), self.bodies) * self._inverse
+        edges = found.mobility.moved(rows_of(cone_edges(found.mode), self.bodies), self.bodies)
         return forces(found.jacobian @ edges.T, found.loads) is not None
 
 
 class _Solved(NamedTuple):
     """What the contacts of a mode do in some states."""
 
+    mobility: Mobility
     mode: Mode
     jacobian: Array
     loads: Array
@@ -153,43 +162,14 @@ def _slip(contact: Contact, placed: Mapping[int, Placed]) -> float:
     return tangential_velocity(refreshed(contact, a, b), a.state, b.state)
 
 
-def rows_of(directions: Sequence[Contact], bodies: Sequence[int]) -> Array:
-    """Return the Jacobian (m, 3 n) of contacts along their normals, for n bodies."""
-    place_of = {body: 3 * k for k, body in enumerate(bodies)}
-    found = np.zeros((len(directions), 3 * len(bodies)))
-    for row, contact in zip(found, directions, strict=True):
-        x, y = contact.normal
-        for body, arm, sign in ((contact.a, contact.arm_a, -1.0), (contact.b, contact.arm_b, 1.0)):
-            if body in place_of:
-                k = place_of[body]
-                turn = float(definitions.torque(arm, contact.normal))
-                row[k : k + 3] = sign * x, sign * y, sign * turn
-    return found
-
-
-def inverse_masses(cores: Sequence[Core], bodies: Sequence[int]) -> Array:
-    """Return the inverse of the mass, twice, and of the inertia, of each body (3 n,)."""
-    return np.array(
-        [
-            inverse
-            for i in bodies
-            for inverse in (
-                cores[i].inverse_mass,
-                cores[i].inverse_mass,
-                cores[i].inverse_inertia,
-            )
-        ]
-    )
-
-
-def least_forces(jacobian: Array, pushes: Array, inverse: Array, loads: Array) -> Array:
+def least_forces(jacobian: Array, pushes: Array, size: Array, loads: Array) -> Array:
     """Return the least forces that take the loads off closed contacts.
 
-    `pushes` (m, 3 n) are the accelerations by a unit of each.
+    `pushes` (m, 3 n) are the accelerations by a unit of each; by their `size` light and heavy
+    bodies count alike.
     """
     if not len(loads):
         return np.zeros(0)
-    size = np.sqrt((jacobian * jacobian * inverse).sum(axis=1))  # light and heavy count alike
     matrix = (jacobian @ pushes.T) / np.outer(size, size)
     found: Array = np.linalg.lstsq(matrix, -loads / size, rcond=_REDUNDANT)[0] / size
     return found

@@ -6,18 +6,17 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from tamias2d.contact.constrained_acceleration import Constant
-from tamias2d.contact.core import Core, Placed
+from tamias2d.contact.core import Placed
 from tamias2d.contact.coupled_constraint import (
     CoupledConstraint,
     contact_acceleration,
-    inverse_masses,
     least_forces,
-    rows_of,
 )
 from tamias2d.contact.force_problem import ForceProblem
 from tamias2d.contact.inelastic_impact import JammedError
 from tamias2d.contact.lasting_contact import Island
 from tamias2d.contact.manifold import Contact, tangent_of, tangential_velocity
+from tamias2d.contact.mobility import Mobility, inverse_masses, rows_of
 from tamias2d.contact.modes import (
     Mode,
     Part,
@@ -39,6 +38,8 @@ _PRESSED = 1e-10
 """Of the largest force: one that is none."""
 _HELD = 1e-10
 """Of a direction: what is left of it where others hold it."""
+_UNSEEN = 1e-9
+"""Of the accelerations: by which contacts open for rounding where joints may hold them, too."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
@@ -47,7 +48,7 @@ class CoupledIsland(Island):
 
     def __init__(
         self,
-        cores: Sequence[Core],
+        mobility: Mobility,
         placed: Mapping[int, Placed],
         contacts: Sequence[Contact],
         free: Mapping[int, Acceleration],
@@ -59,7 +60,10 @@ class CoupledIsland(Island):
         Raises:
             LastingContactError: no forces obey Coulomb's law.
         """
-        super().__init__(cores, placed, contacts, free, slight)
+        self._mobility = mobility
+        super().__init__(mobility.cores, placed, contacts, free, slight)
+        if self._jointed:
+            self._unseen = max(self._unseen, _UNSEEN * self._scale)
         self._free = free
         self._time = pair_friction.time
         self._states = {i: body.state for i, body in placed.items()}
@@ -83,9 +87,35 @@ class CoupledIsland(Island):
 
     def _goes_on(self, contacts: Sequence[Contact]) -> bool:
         """Whether accelerations change from here on while contacts last."""
-        if self._rests or not (self._moves_on(self._states) or self._rubs()):
+        moves = self._jointed or self._moves_on(self._states) or self._rubs()
+        if self._rests or not moves:
             return len(self.lasting) == len(contacts) and not self._steady(self._states)
         return True
+
+    @property
+    def _jointed(self) -> bool:
+        """Whether joints hold some of the bodies."""
+        return any(self._cores[i].jointed for i in self.bodies)
+
+    def _reached(self, contacts: Sequence[Contact]) -> list[int]:
+        return self._mobility.reached(contacts)
+
+    def _couplings(self, contacts: Sequence[Contact]) -> list[list[float]]:
+        found: list[list[float]] = self._mobility.couplings(contacts, contacts).tolist()
+        return found
+
+    def _with_forces(
+        self,
+        contacts: Sequence[Contact],
+        normal_forces: Sequence[float],
+        free: Mapping[int, Acceleration],
+    ) -> dict[int, Acceleration]:
+        if not self._jointed:
+            return super()._with_forces(contacts, normal_forces, free)
+        pushes = self._mobility.moved(rows_of(contacts, self.bodies), self.bodies)
+        by = np.array([free[i] for i in self.bodies])
+        by += (np.array(normal_forces) @ pushes).reshape(-1, 3)
+        return {i: (x, y, turn) for i, (x, y, turn) in zip(self.bodies, by.tolist(), strict=True)}
 
     def _rubs(self) -> bool:
         """Whether something presses, so that friction may act."""
@@ -114,9 +144,9 @@ class CoupledIsland(Island):
         velocities = np.array(
             [(*states[i].velocity, states[i].angular_velocity) for i in self.bodies]
         )
-        inverse = inverse_masses(self._cores, self.bodies)
-        pushes = rows_of(force_directions(mode), self.bodies) * inverse
-        found = least_forces(rows, pushes, inverse, rows @ velocities.ravel())
+        pushes = self._mobility.moved(rows_of(force_directions(mode), self.bodies), self.bodies)
+        size = self._mobility.sizes(rows, self.bodies)
+        found = least_forces(rows, pushes, size, rows @ velocities.ravel())
         after = velocities + (found @ pushes).reshape(-1, 3)
         return {
             i: states[i]._replace(velocity=(x, y), angular_velocity=spin)
@@ -146,7 +176,7 @@ class CoupledIsland(Island):
         if self._constant:
             return super().constraints(states, time)
         self._refuse_pulled(time)
-        constraint = CoupledConstraint(self._cores, self.bodies, self._mode, self._placed)
+        constraint = CoupledConstraint(self._mobility, self.bodies, self._mode, self._placed)
         return dict.fromkeys(self.bodies, constraint)
 
     def _refuse_pulled(self, time: float) -> None:
@@ -173,7 +203,7 @@ class CoupledIsland(Island):
                 return False
         edges = rows_of(cone_edges(self._sticking()), self.bodies)
         size = np.array([(1.0, 1.0, self._cores[i].size) for i in self.bodies]).ravel()
-        pushes = edges * inverse_masses(self._cores, self.bodies) * size
+        pushes = self._mobility.moved(edges, self.bodies) * size
         loads = np.array([self._free[i] for i in self.bodies]).ravel() * size
         return forces(pushes.T, loads) is not None
 
@@ -243,11 +273,19 @@ class CoupledIsland(Island):
 
     def _holds(self, mode: Mode, tangent: Contact) -> bool:
         """Return whether bodies cannot move along a tangent where contacts stay closed."""
-        weights = np.sqrt(inverse_masses(self._cores, self.bodies))
-        rows = rows_of(closed_directions(closed(mode)), self.bodies) * weights
-        row = rows_of([tangent], self.bodies)[0] * weights
+        rows = self._weighted(closed_directions(closed(mode)))
+        (row,) = self._weighted([tangent])
         left = row - np.linalg.lstsq(rows.T, row)[0] @ rows
         return bool(np.abs(left).max() <= _HELD * np.abs(row).max())
+
+    def _weighted(self, directions: Sequence[Contact]) -> Array:
+        """Return rows with weights with which light and heavy bodies count alike."""
+        rows = rows_of(directions, self.bodies)
+        weights = np.sqrt(inverse_masses(self._cores, self.bodies))
+        if not self._jointed:
+            return rows * weights
+        moved = self._mobility.moved(rows, self.bodies)  # without what the joints hold
+        return np.divide(moved, weights, out=np.zeros_like(moved), where=weights > 0)
 
     def _with_unpressed(self, part: Part, by: Mapping[int, Acceleration]) -> Part:
         """Return a part with the contacts that neither press nor open; those rub on nothing."""
@@ -263,13 +301,13 @@ class CoupledIsland(Island):
     def _accelerated(self, mode: Mode) -> dict[int, Acceleration]:
         rows = closed(mode)
         jacobian = rows_of(closed_directions(rows), self.bodies)
-        inverse = inverse_masses(self._cores, self.bodies)
-        pushes = rows_of(force_directions(mode), self.bodies) * inverse
+        pushes = self._mobility.moved(rows_of(force_directions(mode), self.bodies), self.bodies)
         loads = np.array(
             [contact_acceleration(c, along, self._placed, self._free) for c, along in rows]
         )
         free = np.array([self._free[i] for i in self.bodies])
-        found = least_forces(jacobian, pushes, inverse, loads)
+        size = self._mobility.sizes(jacobian, self.bodies)
+        found = least_forces(jacobian, pushes, size, loads)
         after = free + (found @ pushes).reshape(-1, 3)
         return {
             i: (x, y, turn) for i, (x, y, turn) in zip(self.bodies, after.tolist(), strict=True)
@@ -281,7 +319,7 @@ class CoupledIsland(Island):
         It is the complementarity of pushes with normal accelerations, and of drags within
         Coulomb's bound with tangential ones, where a patch sticks or may begin to slide.
         """
-        problem = ForceProblem(self._cores, self.bodies, self._patches)
+        problem = ForceProblem(self._mobility, self.bodies, self._patches)
         found = problem.solved(problem.loads(self._placed, self._free))
         if found is None:
             return None

@@ -66,7 +66,7 @@ class CoupledLossWatch:
 
     def _holds(self, time: float) -> bool:
         """Return whether forces obey Coulomb's law, but for an opening that is not seen."""
-        return self._constraint.holds(self._loads(time), self._own(time)) or self._stays(time)
+        return self._constraint.holds(time, self._loads(time), self._own(time)) or self._stays(time)
 
     def _stays(self, time: float) -> bool:
         """Return whether an instant would decide that all goes on as it does.
@@ -79,7 +79,8 @@ class CoupledLossWatch:
         free = {i: self._free(i, time) for i in self._constraint.bodies}
         friction = self._friction.at(time, states)
         try:
-            island = island_of(self._cores, placed, now, free, self._slight, friction)
+            mobility = self._constraint.mobility.at(time, states.__getitem__)
+            island = island_of(self._cores, placed, now, free, self._slight, friction, mobility)
         except Refusal:
             return False
         same = island.senses == self._friction.of_contacts(now)

@@ -4,9 +4,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from tamias2d.contact.core import Core, Placed
-from tamias2d.contact.coupled_constraint import contact_acceleration, inverse_masses, rows_of
+from tamias2d.contact.core import Placed
+from tamias2d.contact.coupled_constraint import contact_acceleration
 from tamias2d.contact.lemke import lemke
+from tamias2d.contact.mobility import Mobility, rows_of
 from tamias2d.contact.modes import Part, Patch, closed_directions, force_directions
 from tamias2d.state import Acceleration, Array
 
@@ -14,22 +15,19 @@ from tamias2d.state import Acceleration, Array
 class ForceProblem:
     """What forces at the contacts of some patches do, each of which sticks, slides or may begin."""
 
-    def __init__(
-        self, cores: Sequence[Core], bodies: Sequence[int], patches: Sequence[Patch]
-    ) -> None:
+    def __init__(self, mobility: Mobility, bodies: Sequence[int], patches: Sequence[Patch]) -> None:
         self.patches = patches
         self.sticking = [patch for patch in patches if patch.coefficient and not patch.sense]
         contacts = [contact for patch in patches for contact in patch.contacts]
         self._contacts = contacts
         mode = tuple(Part(patch, patch.contacts, patch.sense) for patch in patches)
-        inverse = inverse_masses(cores, bodies)
         tangents = closed_directions([(patch.contacts[0], True) for patch in self.sticking])
         rows = rows_of([*contacts, *tangents], bodies)
         self.rows = rows
         """The Jacobian of the contacts and of the tangents that may stick."""
         columns = rows_of(force_directions(mode), bodies)
-        self._size = np.sqrt((rows * rows * inverse).sum(axis=1))
-        self._matrix = (rows * inverse) @ columns.T / np.outer(self._size, self._size)
+        self._size = mobility.sizes(rows, bodies)
+        self._matrix = mobility.moved(rows, bodies) @ columns.T / np.outer(self._size, self._size)
         self.count = len(contacts)
         place = {id(contact): k for k, contact in enumerate(contacts)}
         self._bounds = np.zeros((len(self.sticking), self.count))

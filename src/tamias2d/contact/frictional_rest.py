@@ -24,6 +24,7 @@ from tamias2d.contact.manifold import (
     tangent_of,
     tangential_acceleration,
 )
+from tamias2d.contact.mobility import Mobility
 from tamias2d.contact.modes import (
     Mode,
     Part,
@@ -55,10 +56,12 @@ def island_of(
     free: Mapping[int, Acceleration],
     slight: float,
     pair_friction: PairFriction,
+    mobility: Mobility,
 ) -> Island:
     """Return the island of bodies that contacts connect, with friction or without."""
-    if sum(cores[i].dynamic for i in {i for c in contacts for i in (c.a, c.b)}) > 1:
-        return CoupledIsland(cores, placed, contacts, free, slight, pair_friction)
+    moving = {i for c in contacts for i in (c.a, c.b) if cores[i].dynamic}
+    if len(moving) > 1 or any(cores[i].jointed for i in moving):
+        return CoupledIsland(mobility, placed, contacts, free, slight, pair_friction)
     if any(pair_friction.of(contact.a, contact.b) for contact in contacts):
         if rolls(cores, contacts, free):
             return RollingDisc(cores, placed, contacts, free, slight, pair_friction)

@@ -1,18 +1,15 @@
 """The impulses of one instant: pair by pair, and in rounds where they act on one another (A18)."""
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
-from tamias2d.contact.core import Core
 from tamias2d.contact.frictional_impact import after_frictional_impulse, frictional_impulses
-from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.inelastic_impact import closing_impulses
 from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.jointed_impact import change_by_unit, changed, impulses as jointed_impulses
 from tamias2d.contact.manifold import Contact, normal_velocity, tangent_of
+from tamias2d.contact.mobility import with_mechanisms
 from tamias2d.contact.modes import Patch
 from tamias2d.contact.refusal import (
-    JointedContactError,
-    SimultaneousImpactsError,
     UndecidedContactError,
     named,
 )
@@ -53,14 +50,12 @@ class Impacts:
         """Answer all impacts of the instant.
 
         Raises:
-            SimultaneousImpactsError: a joint carries one impact to another.
             UndecidedContactError: the corners of a pair meet in turn without end.
         """
         approaching = self._approaching()
         self._answer(approaching)
         if not (again := self._approaching()):
             return
-        self._refuse_jointed_rounds([*approaching, *again])
         quieten(self._touching.values())
         self.ruled |= {i for touch in approaching for i in self._moving(touch)}
         limit = _LEFT * max((-one.normal_velocity for one in self.impulses), default=0.0)
@@ -108,7 +103,7 @@ class Impacts:
     def _act(self, first: TouchingPair, second: TouchingPair) -> bool:
         """Whether an impulse of one pair changes the normal velocity of the other."""
         if self._joined(first, second):
-            self._refuse(first, second, "meet")
+            return True
         if not set(first.pair) & set(second.pair):
             return False
         others = self._impulse_directions(second)
@@ -156,7 +151,7 @@ class Impacts:
             )
             for touch in group
         ]
-        self._push(simultaneous_impulses(self._world.cores, meetings, self._states))
+        self._push(simultaneous_impulses(self._world.mobility, meetings, self._states))
 
     def _close(self) -> None:
         """Take what is left of all approach, without restitution (DD68)."""
@@ -165,7 +160,7 @@ class Impacts:
             for touch in self._touching.values()
             if touch.striking
         ]
-        self._push(closing_impulses(self._world.cores, patches, self._states))
+        self._push(closing_impulses(self._world.mobility, patches, self._states))
 
     def _push(self, found: Sequence[tuple[Contact, float, float]]) -> None:
         self.impulses += [
@@ -173,7 +168,7 @@ class Impacts:
             for contact, impulse, _ in found
             if impulse > 0
         ]
-        apply(self._world.cores, found, self._states)
+        apply(self._world.mobility, found, self._states)
         pushed = {i for contact, impulse, _ in found if impulse > 0 for i in (contact.a, contact.b)}
         self.changed |= {i for i in pushed if self._world.cores[i].dynamic}
 
@@ -206,10 +201,16 @@ class Impacts:
     def _resolve_jointed_pair(
         self, touch: TouchingPair, approaching: Sequence[Contact], restitution: float
     ) -> None:
-        """Resolve the contacts of a pair together with the joints that hold it (GD20)."""
+        """Resolve the contacts of a pair together with the joints that hold it (GD20).
+
+        Without friction a limit that holds answers as it may: it is pressed, or left.
+        """
         cores, states = self._world.cores, self._states
-        if self._world.friction(*touch.pair):
-            refuse_jointed(cores, approaching, "they meet with friction", self._time)
+        coefficient = self._world.friction(*touch.pair)
+        if coefficient:
+            meeting = Meeting(approaching, restitution, coefficient)
+            self._push(simultaneous_impulses(self._world.mobility, [meeting], states))
+            return
         changes = [change_by_unit(cores, contact, self._world.struck) for contact in approaching]
         found = jointed_impulses(approaching, changes, states.__getitem__, restitution)
         self.impulses += [
@@ -240,21 +241,6 @@ class Impacts:
             )
         self.impulses += [impulse for impulse, _ in found_pairs]
 
-    def _refuse_jointed_rounds(self, touches: Sequence[TouchingPair]) -> None:
-        """Refuse impacts that drive a touching pair into another one, where joints hold bodies."""
-        cores = self._world.cores
-        held = next((t for t in touches if any(cores[i].jointed for i in t.pair)), None)
-        if held is not None:
-            self._refuse(touches[0], touches[-1], "drive together")
-
-    def _refuse(self, first: TouchingPair, second: TouchingPair, what: str) -> None:
-        one, other = self._names(first), self._names(second)
-        raise SimultaneousImpactsError(
-            f"{one} {what} {other} at {self._time!r} s: impacts at one instant act on each other "
-            "through joints, which is not solved yet (R13). Put a small gap between them.",
-            time=self._time,
-        )
-
     def _names(self, touch: TouchingPair) -> str:
         return named(*(self._world.cores[i].name for i in touch.pair))
 
@@ -264,28 +250,4 @@ def quieten(touching: Collection[TouchingPair]) -> None:
     loudest = max(touch.speed for touch in touching)
     for touch in touching:
         touch.speed = loudest
-        touch.noise = max(touch.noise, 64 * EPSILON * loudest)
-
-
-def with_mechanisms(cores: Sequence[Core], bodies: Iterable[int]) -> list[int]:
-    """Return bodies, and those that joints tie to them, which an impulse reaches too."""
-    found = dict.fromkeys(bodies)
-    for body in list(found):
-        found |= dict.fromkeys(sorted(cores[body].group) if cores[body].jointed else ())
-    return list(found)
-
-
-def refuse_jointed(
-    cores: Sequence[Core], contacts: Collection[Contact], what: str, time: float
-) -> None:
-    """Refuse contacts of bodies that a joint holds, which are not within the models."""
-    for contact in contacts:
-        jointed = [i for i in (contact.a, contact.b) if cores[i].jointed]
-        if jointed:
-            raise JointedContactError(
-                f"{named(cores[contact.a].name, cores[contact.b].name)} at {time!r} s: {what}, and "
-                f"a joint holds '{cores[jointed[0]].name}': that is not solved yet (R13). End the "
-                "run before, move one away, or let them pass through each other: give them one "
-                "negative group, or no shape.",
-                time=time,
-            )
+        touch.noise = max(touch.noise, touch.rounding * loudest)

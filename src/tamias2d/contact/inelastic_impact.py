@@ -9,10 +9,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from tamias2d.contact.core import Core, Placed
-from tamias2d.contact.coupled_constraint import inverse_masses, least_forces, rows_of
+from tamias2d.contact.core import Placed
+from tamias2d.contact.coupled_constraint import least_forces
 from tamias2d.contact.force_problem import ForceProblem
 from tamias2d.contact.manifold import Contact
+from tamias2d.contact.mobility import Mobility, rows_of
 from tamias2d.contact.modes import Mode, Part, Patch, closed, closed_directions, force_directions
 from tamias2d.contact.refusal import LastingContactError
 from tamias2d.contact.touching import PairOf
@@ -53,7 +54,7 @@ class JammedError(LastingContactError):
 
 
 def jam_impulses(
-    cores: Sequence[Core], jam: JammedError
+    mobility: Mobility, jam: JammedError
 ) -> tuple[list[tuple[Contact, float, float]], set[PairOf]]:
     """Return contacts with the impulses along normal and tangent, N s, that end their sliding.
 
@@ -63,7 +64,7 @@ def jam_impulses(
     """
     bodies = sorted(jam.free)
     states = {i: jam.placed[i].state for i in bodies}
-    problem = ForceProblem(cores, bodies, _loose(jam.patches))
+    problem = ForceProblem(mobility, bodies, _loose(jam.patches))
     slides = [bool(patch.sense) for patch in jam.patches if patch.coefficient]
     seen = [False] * problem.count + slides
     rates = np.where(seen, problem.rows @ _velocities(bodies, states).ravel(), 0.0)
@@ -80,19 +81,33 @@ def jam_impulses(
         for part, before in zip(_mode(problem, *told), jam.patches, strict=True)
         if part.pressed and not part.sense == before.sense != 0
     }
-    return _impulses(cores, bodies, problem, states, told), stopped
+    return _impulses(mobility, bodies, problem, states, told), stopped
 
 
 def closing_impulses(
-    cores: Sequence[Core], patches: Sequence[Patch], states: Mapping[int, State]
+    mobility: Mobility, patches: Sequence[Patch], states: Mapping[int, State]
 ) -> list[tuple[Contact, float, float]]:
     """Return contacts with the impulses, N s, that take what is left of their approach."""
-    touched = {i for patch in patches for c in patch.contacts for i in (c.a, c.b)}
-    bodies = sorted(i for i in touched if cores[i].dynamic)
-    problem = ForceProblem(cores, bodies, _loose(patches))
+    bodies = mobility.reached(contact for patch in patches for contact in patch.contacts)
+    problem = ForceProblem(mobility, bodies, _loose(patches))
     rates = problem.rows @ _velocities(bodies, states).ravel()
     told = problem.solved(rates)
-    return [] if told is None else _impulses(cores, bodies, problem, states, told)
+    return [] if told is None else _impulses(mobility, bodies, problem, states, told)
+
+
+def without_rates(
+    mobility: Mobility, directions: Sequence[Contact], states: Mapping[int, State]
+) -> dict[int, State]:
+    """Return the states after the least impulses that leave no velocity along some normals."""
+    bodies = mobility.reached(directions)
+    rows, before = rows_of(directions, bodies), _velocities(bodies, states)
+    moved = mobility.moved(rows, bodies)
+    found = least_forces(rows, moved, mobility.sizes(rows, bodies), rows @ before.ravel())
+    after = before + (found @ moved).reshape(-1, 3)
+    return {
+        i: states[i]._replace(velocity=(x, y), angular_velocity=spin)
+        for i, (x, y, spin) in zip(bodies, after.tolist(), strict=True)
+    }
 
 
 def _loose(patches: Sequence[Patch]) -> list[Patch]:
@@ -105,7 +120,7 @@ def _velocities(bodies: Sequence[int], states: Mapping[int, State]) -> Array:
 
 
 def _impulses(
-    cores: Sequence[Core],
+    mobility: Mobility,
     bodies: Sequence[int],
     problem: ForceProblem,
     states: Mapping[int, State],
@@ -117,11 +132,11 @@ def _impulses(
     Coulomb's law.
     """
     mode = _mode(problem, *told)
-    inverse = inverse_masses(cores, bodies)
     rows = rows_of(closed_directions(closed(mode)), bodies)
-    effect = rows_of(force_directions(mode), bodies) * inverse
+    effect = mobility.moved(rows_of(force_directions(mode), bodies), bodies)
     left = rows @ _velocities(bodies, states).ravel()
-    found = _of_contacts(mode, least_forces(rows, effect, inverse, left).tolist())
+    size = mobility.sizes(rows, bodies)
+    found = _of_contacts(mode, least_forces(rows, effect, size, left).tolist())
     return found if _obey_coulomb(mode, found) else _as_told(problem, *told)
 
 

@@ -6,6 +6,7 @@ from typing import NamedTuple
 from tamias2d.contact.core import Core
 from tamias2d.contact.jointed_impact import Struck
 from tamias2d.contact.manifold import Contact
+from tamias2d.contact.mobility import Mobility
 from tamias2d.contact.touching import PairOf
 from tamias2d.state import Acceleration, State, Vector
 
@@ -21,7 +22,9 @@ class InstantInputs(NamedTuple):
     free: Callable[[int, Callable[[int], State]], Acceleration]
     """The acceleration of an unconstrained body, now, for given states."""
     struck: Struck
-    """What impulses on jointed bodies change, now."""
+    """What impulses on jointed bodies change, now; limits answer those that press them."""
+    mobility: Mobility
+    """What impulses on any bodies change, now."""
     lasting: Mapping[PairOf, Sequence[Contact]]
     """The contacts that have lasted until now."""
     sticking: Collection[PairOf]

@@ -60,16 +60,16 @@ class Island:
         """Of pairs with friction: 0 if they stick, else the sense in which they slide."""
         self.stopped: set[tuple[int, int]] = set()
         """Pairs whose sliding friction ends as they settle."""
-        self.bodies = sorted({i for c in contacts for i in (c.a, c.b) if cores[i].dynamic})
+        self.bodies = self._reached(contacts)
         loads = [opening_acceleration(contact, placed, free) for contact in contacts]
-        matrix = [[coupling(cores, k, m) for m in contacts] for k in contacts]
+        matrix = self._couplings(contacts)
         normal_forces = complementarity(matrix, loads)
         scale = self._scale = scale_of([free[i] for i in self.bodies], loads)
         self._small = _FIXED * scale + slight
         self._pressed = [
             c for c, normal_force in zip(contacts, normal_forces, strict=True) if normal_force > 0
         ]
-        if len(self.bodies) > 1:
+        if len(self.bodies) > 1 and not any(cores[i].jointed for i in self.bodies):
             self.accelerations = constrained_accelerations(cores, self.bodies, self._pressed, free)
         else:
             self.accelerations = self._with_forces(contacts, normal_forces, free)
@@ -80,6 +80,13 @@ class Island:
             if normal_force > 0
             or opening_acceleration(contact, placed, self.accelerations) <= self._unseen
         ]
+
+    def _reached(self, contacts: Sequence[Contact]) -> list[int]:
+        """Return the moving bodies that forces at the contacts accelerate."""
+        return sorted({i for c in contacts for i in (c.a, c.b) if self._cores[i].dynamic})
+
+    def _couplings(self, contacts: Sequence[Contact]) -> list[list[float]]:
+        return [[coupling(self._cores, k, m) for m in contacts] for k in contacts]
 
     def crept(
         self,

@@ -15,6 +15,7 @@ from tamias2d.contact.impact_search import ImpactSearch
 from tamias2d.contact.instant import Instant
 from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.loss_search import LossSearch
+from tamias2d.contact.mobility import Mobility
 from tamias2d.contact.overlap import refuse_overlap
 from tamias2d.contact.refusal import LastingContactError
 from tamias2d.contact.ruled_instants import RuledInstants
@@ -323,6 +324,7 @@ class Located:
             self._paths.near,
             lambda body, state: self._motion.free(body, time, state),
             lambda impulses: self._motion.struck(time, impulses, self._state),
+            Mobility(self.cores, self._motion.moved, time, self._state),
             self._active.of,
             self._active.sticking,
             lambda pair: self._search.separating_direction(pair, time),

@@ -10,6 +10,7 @@ from tamias2d.contact.coupled_constraint import CoupledConstraint
 from tamias2d.contact.coupled_loss import CoupledLossWatch
 from tamias2d.contact.gap import slight_opening
 from tamias2d.contact.manifold import Contact
+from tamias2d.contact.mobility import Mobility
 from tamias2d.contact.pair_friction import LastingFriction
 from tamias2d.path import Paths
 from tamias2d.state import Acceleration
@@ -46,7 +47,8 @@ class LossSearch:
         contacts = self._active.on([body])
         others = dict.fromkeys(i for c in contacts for i in (c.a, c.b) if i != body)
         supports = {i: self._paths.state(i, now) for i in others}
-        if constraint is None or any(self._cores[i].dynamic for i in supports):
+        coupled = self._cores[body].jointed or any(self._cores[i].dynamic for i in supports)
+        if constraint is None or coupled:  # that all rests, for good
             return None
         watch = ContactLossWatch(
             self._cores,
@@ -56,6 +58,7 @@ class LossSearch:
             lambda time: self._free(body, time),
             self._slight(contacts, now, until),
             LastingFriction(self._friction, self._active.senses),
+            Mobility(self._cores, self._motion.moved, now, lambda i: self._paths.state(i, now)),
         )
         return watch.first_loss(self._paths.path(body), constraint)
 

@@ -37,7 +37,7 @@ class FrictionError(Refusal):
 
 
 class JointedContactError(Refusal):
-    """A contact of a body that a joint holds, with friction or one that lasts: not solved yet."""
+    """A lasting contact of a mechanism whose joints may switch meanwhile: not solved yet."""
 
     code = "jointed-contact"
 

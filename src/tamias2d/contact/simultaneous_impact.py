@@ -8,10 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from tamias2d.contact.complementarity import complementarity
-from tamias2d.contact.core import Core
 from tamias2d.contact.lemke import lemke
 from tamias2d.contact.manifold import Contact, normal_velocity, tangent_of
-from tamias2d.contact.response import coupling
+from tamias2d.contact.mobility import Mobility, rows_of
 from tamias2d.contact.symmetry import symmetric
 from tamias2d.generated import friction, impact
 from tamias2d.state import Array, State, Vector
@@ -32,14 +31,14 @@ class Meeting(NamedTuple):
 
 
 def simultaneous_impulses(
-    cores: Sequence[Core], meetings: Sequence[Meeting], states: Mapping[int, State]
+    mobility: Mobility, meetings: Sequence[Meeting], states: Mapping[int, State]
 ) -> list[tuple[Contact, float, float]]:
     """Return the contacts with their impulses along normal and tangent, N s."""
     normals = [contact for meeting in meetings for contact in meeting.contacts]
     rough = [meeting for meeting in meetings if meeting.coefficient > 0]
     tangents = [tangent_of(meeting.contacts[0]) for meeting in rough]
     directions = normals + tangents
-    matrix = np.array([[coupling(cores, k, m) for m in directions] for k in directions])
+    matrix = mobility.couplings(directions, directions)
     rates = np.array([normal_velocity(c, states[c.a], states[c.b]) for c in directions])
     count = len(normals)
     restitution = [meeting.restitution for meeting in meetings for _ in meeting.contacts]
@@ -66,7 +65,7 @@ def simultaneous_impulses(
 
 
 def apply(
-    cores: Sequence[Core],
+    mobility: Mobility,
     impulses: Sequence[tuple[Contact, float, float]],
     states: MutableMapping[int, State],
 ) -> None:
@@ -74,6 +73,11 @@ def apply(
 
     Sums are rounded once, so that their order does not matter.
     """
+    bodies = mobility.reached(contact for contact, *_ in impulses)
+    if any(mobility.cores[i].jointed for i in bodies):
+        _apply_with_joints(mobility, bodies, impulses, states)
+        return
+    cores = mobility.cores
     changes: defaultdict[int, list[tuple[Vector, float]]] = defaultdict(list)
     still: Vector = (0.0, 0.0)
     for contact, push, drag in impulses:
@@ -95,6 +99,24 @@ def apply(
                 math.fsum([y, *(change[1] for change, _ in parts)]),
             ),
             angular_velocity=math.fsum([spin, *(turn for _, turn in parts)]),
+        )
+
+
+def _apply_with_joints(
+    mobility: Mobility,
+    bodies: Sequence[int],
+    impulses: Sequence[tuple[Contact, float, float]],
+    states: MutableMapping[int, State],
+) -> None:
+    contacts = [contact for contact, *_ in impulses]
+    pushes, drags = np.array([both for _, *both in impulses]).T
+    total = pushes @ rows_of(contacts, bodies)
+    total += drags @ rows_of([tangent_of(contact) for contact in contacts], bodies)
+    change = mobility.moved(total[None], bodies).reshape(-1, 3)
+    for body, (x, y, spin) in zip(bodies, change.tolist(), strict=True):
+        (u, v), turning = states[body].velocity, states[body].angular_velocity
+        states[body] = states[body]._replace(
+            velocity=(u + x, v + y), angular_velocity=turning + spin
         )
 
 

@@ -32,7 +32,9 @@ class ClosedFormMotion:
         self._scene = scene
         self._duration = duration
         self._loads = Loads(scene)
-        self._constrained = ConstrainedMotion(scene, self.tally, LawResolution(scene, duration))
+        self._constrained = ConstrainedMotion(
+            scene, self._loads, self.tally, LawResolution(scene, duration)
+        )
         self._forms = closed_forms(scene)
 
     def segment(
@@ -81,6 +83,10 @@ class ClosedFormMotion:
     def struck(self, *_: object) -> dict[int, Acceleration]:
         """Return nothing: what has a closed form is held by no joint."""
         return {}
+
+    def moved(self, time: float, bodies: Sequence[int], impulses: Array, state: StateOf) -> Array:
+        """Return what impulses on bodies change."""
+        return self._loads.moved(time, bodies, impulses, state)
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
         """Return the acceleration of an unconstrained body, at a time in s."""

@@ -5,6 +5,7 @@ The contact's force depends on the state, so that the path is integrated whateve
 
 import math
 
+from tamias2d.motion.jointed_steps import JointedSteps
 from tamias2d.motion.law_resolution import LawResolution
 from tamias2d.motion.loads import Loads, StateOf, coordinates, state_of
 from tamias2d.motion.memoised_field import MemoisedField
@@ -24,11 +25,11 @@ _TOLERANCE = 1e-13
 class ConstrainedMotion:
     """Paths of bodies under state-dependent constraints, step by step."""
 
-    def __init__(self, scene: Scene, tally: Tally, resolution: LawResolution) -> None:
+    def __init__(self, scene: Scene, loads: Loads, tally: Tally, resolution: LawResolution) -> None:
         self._scene = scene
         self._tally = tally
         self._resolution = resolution
-        self._loads = Loads(scene)
+        self._loads = loads
         self._integrators: dict[int, ScipyDop853] = {}
         self._coupled: dict[tuple[int, ...], ScipyDop853] = {}
 
@@ -67,15 +68,16 @@ class ConstrainedMotion:
             scales = [self._scale(i, start, end, state) for i in bodies]
             scale = min(length for length, _ in scales), min(time for _, time in scales)
             self._coupled[bodies] = ScipyDop853(_TOLERANCE, scale, self._resolution)
-        loads = self._loads.free_field(bodies)
+        loads = self._loads.field(bodies, [None] * len(bodies))
 
         def held(time: float, position: Array, velocity: Array) -> Array:
             rows = zip(position, velocity, strict=True)
             now = [state_of(place, rate) for place, rate in rows]
-            return constraint.together(loads(time, position, velocity), now)
+            return constraint.together(time, loads(time, position, velocity), now)
 
         field = MemoisedField(held, bodies, [None] * len(bodies), self._tally)
-        step = self._coupled[bodies].step(field, start, end, *coordinates(states))
+        steps = JointedSteps(self._loads, self._coupled[bodies], field)
+        step = next(steps.until(start, end, *coordinates(states)))
         work.step(step.end)
         return {body: step.piece(k) for k, body in enumerate(bodies)}
 

@@ -57,7 +57,7 @@ class IntegratedMotion:
         self.sampled: History | None = None
         self._loads = Loads(scene)
         self._resolution = LawResolution(scene, duration)
-        self._constrained = ConstrainedMotion(scene, self.tally, self._resolution)
+        self._constrained = ConstrainedMotion(scene, self._loads, self.tally, self._resolution)
         self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
         self._fields: dict[tuple[int, ...], MemoisedField] = {}
         self.marching: Callable[[Sequence[int]], Marching | None] = lambda _: None
@@ -188,6 +188,10 @@ class IntegratedMotion:
     ) -> dict[int, Acceleration]:
         """Return what impulses on jointed bodies change at a time in s, in their mechanisms."""
         return self._loads.struck(time, impulses, state)
+
+    def moved(self, time: float, bodies: Sequence[int], impulses: Array, state: StateOf) -> Array:
+        """Return what impulses on bodies change at a time in s, with what joints answer."""
+        return self._loads.moved(time, bodies, impulses, state)
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
         """Return the acceleration of an unconstrained body, at a time in s."""

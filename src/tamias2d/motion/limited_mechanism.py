@@ -25,7 +25,7 @@ from tamias2d.motion.joint_events import (
 )
 from tamias2d.motion.joint_instant import SLIGHT, Cause, Now, Side
 from tamias2d.motion.joint_loads import Exerted, add_exerted
-from tamias2d.motion.mechanism import Mechanism
+from tamias2d.motion.mechanism import JointError, Mechanism
 from tamias2d.scene import Freedom, Scene
 from tamias2d.scene.joints import Joint
 from tamias2d.state import Array
@@ -235,6 +235,28 @@ class LimitedMechanism:
         answer, _ = bounded_sum(rows, self.inverse, -rows @ change.ravel(), lower)
         total: Array = change + answer
         return total
+
+    def moved(self, time: float, position: Array, impulses: Array) -> Array:
+        """Return the same (m, n, 3) for each of several impulses (m, n, 3) of either sign.
+
+        Raises:
+            JointError: a limit holds, which answers those of one sign alone.
+        """
+        mode = self.mode(time)
+        if mode.held:
+            name = self._joint[min(mode.held)[0][0]].name
+            raise JointError(
+                f"joint '{name}' at {time!r} s: it is at its limit while bodies of its mechanism "
+                "rub or meet together, which is not solved yet (R13). End the run before, or take "
+                "method=Stepped()."
+            )
+        rows, _ = self.stiff(time, position, mode, [])
+        endless = np.full(len(rows), -np.inf)
+        changes = self.inverse * impulses
+        for change in changes:
+            answer, _ = bounded_sum(rows, self.inverse, -rows @ change.ravel(), endless)
+            change += answer
+        return changes
 
     def stiff(
         self, time: float, position: Array, mode: Mode, limits: Sequence[Side]

@@ -33,6 +33,9 @@ class Loads:
         self.group_of = {body: group for group in groups(scene) for body in group}
         """The bodies that act on each other, for each body that moves."""
         self._steady = [self._steadily(k) for k in range(len(scene))]
+        self._inverse = np.array(
+            [(b.inverse_mass, b.inverse_mass, b.inverse_inertia) for b in scene.bodies]
+        )
         self._fields: dict[int, Field] = {}
         self.timeline = Timeline()
         """What has happened in joints."""
@@ -103,6 +106,17 @@ class Loads:
                 k: (x, y, turn) for k, (x, y, turn) in zip(own, changes.tolist(), strict=True)
             }
         return found
+
+    def moved(self, time: float, bodies: Sequence[int], impulses: Array, state: StateOf) -> Array:
+        """Return the changes (m, n, 3) of the velocities of whole mechanisms, and of other bodies.
+
+        They are by impulses (m, n, 3), N s and N m s, each with what joints answer.
+        """
+        changes: Array = impulses * self._inverse[list(bodies)]
+        for own, mechanism in self.mechanisms(bodies):
+            position, _ = coordinates([state(bodies[k]) for k in own])
+            changes[:, own] = mechanism.moved(time, position, impulses[:, own])
+        return changes
 
     def joint_notes(self, bodies: Sequence[int]) -> tuple[str, ...]:
         """Return what is to be told of the joints among some bodies at the start (GD19).

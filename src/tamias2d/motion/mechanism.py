@@ -163,10 +163,16 @@ class Mechanism:
 
         The joints answer with impulses of their own that keep their rates (GD20).
         """
+        (change,) = self.moved(time, position, impulses[None])
+        return np.asarray(change, float)
+
+    def moved(self, time: float, position: Array, impulses: Array) -> Array:
+        """Return the same (m, n, 3) for each of several impulses (m, n, 3)."""
         slopes, least = self._factors(time, position)
-        free = self._weights * impulses
-        x = least(np.einsum("ijk,jk->i", slopes, self._weights * free))
-        changes: Array = self._weights * (free - x.reshape(free.shape))
+        changes = np.empty_like(impulses)
+        for change, free in zip(changes, self._weights * impulses, strict=True):
+            x = least(np.einsum("ijk,jk->i", slopes, self._weights * free))
+            change[:] = self._weights * (free - x.reshape(free.shape))
         return changes
 
     def fitted(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array]:

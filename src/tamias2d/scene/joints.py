@@ -93,6 +93,12 @@ class Joint:
         return self.breaks or self.limited or any(each.motor for each in self.freedoms)
 
     @property
+    def may_switch(self) -> bool:
+        """Whether it does: a motor without a maximum keeps its speed."""
+        slips = any(each.motor and each.motor.maximum is not None for each in self.freedoms)
+        return self.breaks or self.limited or slips
+
+    @property
     def limited(self) -> bool:
         """Whether it limits a freedom, as the teeth of a ratchet do."""
         return any(each.limits or each.pitch for each in self.freedoms)
