@@ -10,16 +10,13 @@ import numpy as np
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
-from tamias2d.scene.freedoms import Limits
 from tamias2d.scene.joint_checks import values_of_freedoms
 from tamias2d.scene.joints import Joint
 from tamias2d.simulator.joint_layout import APART
 from tamias2d.simulator.joint_separations import size_of_joint
+from tamias2d.simulator.moved_limits import beyond
 from tamias2d.simulator.standing_bodies import StandingBodies
 from tamias2d.state import Array
-
-TAKEN_ALONG = 2.0**-4
-"""Of the size of a joint, or rad: by how much a limit may pass it at once that takes it along."""
 
 
 def put_elsewhere(joints: Iterable[Joint], left: Array, engine: Engine) -> list[Joint]:
@@ -49,8 +46,6 @@ def beyond_limits(
         values = values_of_freedoms(joint, bodies)  # type: ignore[arg-type]
         for each, value in zip(joint.freedoms, values, strict=True):
             most = slight * (1.0 if each.measure == "angle" else size_of_joint(joint, engine))
-            limits = each.limits or Limits(restitution=0.0)
-            if limits.lower is not None and limits.lower - value > most:
-                yield joint, "lower", limits.lower - value
-            if limits.upper is not None and value - limits.upper > most:
-                yield joint, "upper", value - limits.upper
+            for side, much in beyond(each, value):
+                if much > most:
+                    yield joint, side, much

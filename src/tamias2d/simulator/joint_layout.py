@@ -28,6 +28,7 @@ from tamias2d.simulator.joint_rows import (
     units_of_row,
 )
 from tamias2d.simulator.joint_separations import arm_of_joint, separations, size_of_joint
+from tamias2d.simulator.moved_limits import NEARLY_ALONG, Passed
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
@@ -166,9 +167,17 @@ class JointLayout:
             if row.law != tb.SPRING:
                 self._pull(place)
 
-    def pull(self, name: str, *, along: bool) -> None:
-        """Let a joint be pulled together as what was moved by hand, with energy for it, or not."""
-        self._pull(self._rows_of[name][0][0], PULLED if along else 0.0)
+    def pull(self, name: str, passed: Sequence[Passed]) -> None:
+        """Let a joint follow limits that were moved past it, or come back without any speed.
+
+        One that comes back does so until it is within its limits; limits that move on meanwhile
+        take it along once it is hardly behind them.
+        """
+        place = self._rows_of[name][0][0]
+        back = self.numbers[self._first_row(place), tb.J_PULLED] == math.inf
+        behind = any(each.beyond > NEARLY_ALONG * each.moved for each in passed)
+        jumps = behind if back else any(each.jumps for each in passed)
+        self._pull(place, math.inf if jumps else PULLED)
 
     def is_pulled(self, joint: Joint) -> bool:
         """Return whether a joint is pulled together with energy for it."""

@@ -32,6 +32,7 @@ from tamias2d.simulator.joint_events import (
 )
 from tamias2d.simulator.joint_layout import TOTAL_COUNT, JointLayout, by_joint, kept_of_new
 from tamias2d.simulator.joint_reactions import Reactions, reactions_of, told
+from tamias2d.simulator.moved_limits import Passed
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
 
@@ -127,11 +128,12 @@ class JointSet:
 
     def remove(self, name: object) -> Joint:
         """Take a joint out, and return it; raise `RuleError` if there is none of that name."""
-        joint = self._named(name)
+        joint = self.named(name)
         self._change()
         return self._joints.pop(joint.name)
 
-    def _named(self, name: object) -> Joint:
+    def named(self, name: object) -> Joint:
+        """Return the joint of a name; raise `RuleError` if there is none."""
         if not isinstance(name, str) or name not in self._joints:
             raise RuleError(
                 f"joint {shown(name)}: the simulator has none such (R13). Name one of "
@@ -146,7 +148,7 @@ class JointSet:
         Raises:
             RuleError: there is none of that name, or it holds no point of the plane, or two.
         """
-        joint = self._named(name)
+        joint = self.named(name)
         held = [
             k
             for k, end in enumerate(ENDS)
@@ -178,7 +180,7 @@ class JointSet:
         Raises:
             RuleError: there is none of that name, it has nothing such, or a value breaks a rule.
         """
-        joint = self._named(name)
+        joint = self.named(name)
         if not any(getattr(each, by.part) for each in joint.freedoms):
             raise RuleError(
                 f"joint '{joint.name}' ({joint.kind}): it has no {by.part} that could be set "
@@ -206,12 +208,12 @@ class JointSet:
                 self._change()
         return True
 
-    def pull(self, joint: Joint, *, along: bool) -> None:
-        """Let limits that were moved take along what they hold, or bring it back without energy.
+    def pull(self, joint: Joint, passed: Sequence[Passed]) -> None:
+        """Let limits that were moved past a joint take it along, or bring it back.
 
         The engine knows of the joint.
         """
-        self.layout.pull(joint.name, along=along)
+        self.layout.pull(joint.name, passed)
 
     def drop_bodies(self, gone: set[int]) -> list[int]:
         """Take out the joints of bodies that leave; return the other bodies that these held."""

@@ -11,11 +11,11 @@ from tamias2d.scene.joint_kinds import Equation, Kind
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, Vector, VectorLike, vector
 from tamias2d.simulator.exclusive import exclusive
-from tamias2d.simulator.hand_placed import TAKEN_ALONG, beyond_limits
 from tamias2d.simulator.joint_reactions import Reactions
 from tamias2d.simulator.joint_set import LIMITS, MOTOR, SPRING
+from tamias2d.simulator.moved_limits import passed_limits
 from tamias2d.simulator.standing_bodies import StandingBodies
-from tamias2d.simulator.step_warnings import held_beyond_limits, too_stiff_for_steps
+from tamias2d.simulator.step_warnings import jumped_past, too_stiff_for_steps
 from tamias2d.simulator.stepping import Stepping
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.suggestions import suggests
@@ -113,15 +113,15 @@ class Jointing(Stepping):
 
         Ends are those that it was added with. It takes some 100 microseconds, and may be done
         before each step. A limit that is moved past where the joint is, by up to 1/16 rad or of the
-        joint's size, takes it along as a winch does; past one that is moved farther it comes back
-        within some steps, but lifts nothing for that.
+        joint's size, takes it along as a winch does; past one that jumps farther it comes back
+        within some steps, and gets no speed of that.
 
         Raises:
             InputError: there is no joint of that name, it has no such limits, or a value breaks a
                 rule (R4).
 
         Warns:
-            StepWarning: a limit is moved so far past where the joint is.
+            StepWarning: a limit jumps so far past where the joint is.
         """
         if self._joints.new:
             self._settle_between()
@@ -146,10 +146,10 @@ class Jointing(Stepping):
 
     def _limit_as(self, joint: Joint) -> None:
         """Let a joint be limited as one that `JointSet.governed` returned."""
-        if self._govern_as(joint) and any(beyond_limits([joint], self._engine, slight=0.0)):
-            told = list(held_beyond_limits([joint], self._engine, self.time, slight=TAKEN_ALONG))
-            self._joints.pull(joint, along=not told)
-            self._warned.tell(told)
+        before = self._joints.named(joint.name)
+        if self._govern_as(joint) and (passed := passed_limits(joint, before, self._engine)):
+            self._joints.pull(joint, passed)
+            self._warned.tell(jumped_past(joint, passed, self.time))
 
     def _spring_as(self, joint: Joint) -> None:
         """Let a joint be held by a spring as one that `JointSet.governed` returned."""

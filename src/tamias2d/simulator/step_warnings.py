@@ -14,6 +14,7 @@ from tamias2d.scene.joints import Joint
 from tamias2d.simulator.hand_placed import beyond_limits
 from tamias2d.simulator.joint_faults import apart, gained, too_stiff, turned
 from tamias2d.simulator.joint_layout import APART, JointLayout
+from tamias2d.simulator.moved_limits import Passed
 from tamias2d.simulator.warned import Told
 
 SPRINGS = "springs"
@@ -96,10 +97,22 @@ def held_beyond_limits(
         text = (
             f"joint '{joint.name}' ({joint.kind}), at {time:.6g} s: it was put {much:.2g} (m or "
             f"rad) beyond its {side} limit by hand (GD21). It comes back within some steps, but "
-            "lifts nothing for that: put its bodies where its limits allow, or move a limit by "
-            "less in a step."
+            "lifts nothing for that: put its bodies where its limits allow."
         )
         yield f"{side} limit of {joint.name}", text
+
+
+def jumped_past(joint: Joint, passed: Iterable[Passed], time: float) -> Iterator[Told]:
+    """Yield the limits that jumped past a joint at a time, s (GD21)."""
+    for each in passed:
+        if each.is_far:
+            text = (
+                f"joint '{joint.name}' ({joint.kind}), at {time:.6g} s: its {each.side} limit "
+                f"jumped past it by {each.moved:.2g} (m or rad) (GD21). It comes back within some "
+                "steps, and gets no speed of that: move a limit by less in a step, and it takes "
+                "the joint along."
+            )
+            yield f"jump of the {each.side} limit of {joint.name}", text
 
 
 def too_long_for_joints(

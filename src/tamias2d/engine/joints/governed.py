@@ -76,9 +76,9 @@ def choose_rows(n: int, time: float, bodies: Bodies, joints: Joints) -> tuple[bo
     """
     changed = torn = False
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        if is_to_change(j, time, joints):
+        if is_to_change(n, j, time, joints):
             torn = torn or joints.joints[j, tb.J_STATE] == tb.HOLDS
-            change_row(j, time, bodies, joints)
+            change_row(n, j, time, bodies, joints)
             changed = True
     return changed, torn
 
@@ -87,8 +87,8 @@ def hold_rows(n: int, time: float, bodies: Bodies, joints: Joints) -> bool:
     """Let limits hold that would be passed, and motors that would be too fast, as `choose_rows`."""
     changed = False
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        if joints.joints[j, tb.J_STATE] != tb.HOLDS and is_to_change(j, time, joints):
-            change_row(j, time, bodies, joints)
+        if joints.joints[j, tb.J_STATE] != tb.HOLDS and is_to_change(n, j, time, joints):
+            change_row(n, j, time, bodies, joints)
             changed = True
     return changed
 
@@ -100,8 +100,8 @@ def let_go_of_rows(n: int, time: float, bodies: Bodies, joints: Joints) -> bool:
     """
     changed = False
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(j, time, joints):
-            change_row(j, time, bodies, joints)
+        if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(n, j, time, joints):
+            change_row(n, j, time, bodies, joints)
             changed = True
     return changed
 
@@ -121,9 +121,9 @@ def nearest_bound(n: int, time: float, joints: Joints) -> tuple[float, int]:
     """
     nearest, which = 1.0, -1
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-        if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(j, time, joints):
+        if joints.joints[j, tb.J_STATE] == tb.HOLDS and is_to_change(n, j, time, joints):
             given = joints.numbers[j, tb.J_GIVEN]
-            bound = bound_of(j, given, time, joints)
+            bound = bound_of(n, j, given, time, joints)
             before = given - joints.numbers[j, tb.J_IMPULSE]
             share = max(struck_share(before - bound, given - bound), 0.0)
             if which < 0 or share < nearest:
@@ -131,15 +131,15 @@ def nearest_bound(n: int, time: float, joints: Joints) -> tuple[float, int]:
     return nearest, which
 
 
-def bound_of(j: int, given: float, time: float, joints: Joints) -> float:
+def bound_of(n: int, j: int, given: float, time: float, joints: Joints) -> float:
     """Return the bound of what a limit or a motor gives in a time, s, that it has gone beyond."""
     if joints.joints[j, tb.J_LAW] != tb.MOTOR:
-        return 0.0
+        return given - given_by_limit(n, j, joints)
     most = row_impulse_most(joints.laws[j, tb.LAW_MOST], time)
     return most if given > 0.0 else -most
 
 
-def is_to_change(j: int, time: float, joints: Joints) -> bool:
+def is_to_change(n: int, j: int, time: float, joints: Joints) -> bool:
     """Return whether a limit or a motor, which has a time, s, is to change whether it holds.
 
     That is a limit that pulls, or one that would be passed, and a motor that gives more than it
@@ -159,11 +159,31 @@ def is_to_change(j: int, time: float, joints: Joints) -> bool:
         return False
     sign = 1.0 if law == tb.LOWER_LIMIT else -1.0
     if holds:
-        return bool(sign * given < 0.0 and not is_leant_on(j, joints))
+        return bool(sign * given_by_limit(n, j, joints) < 0.0 and not is_leant_on(j, joints))
     return bool(sign * numbers[tb.J_ROW] < sign * numbers[tb.J_AIM])
 
 
-def change_row(j: int, time: float, bodies: Bodies, joints: Joints) -> None:
+def given_by_limit(n: int, j: int, joints: Joints) -> float:
+    """Return what counts of the impulse of a limit, N s, which only pushes: that of a substep.
+
+    It is that of the part where the limit brings back what is beyond it: what it gave for that it
+    takes again, and so leaves no speed of it, and is told as what bodies got (GD21).
+    """
+    return float(joints.numbers[j, tb.J_PULL if brings_back(n, j, joints) else tb.J_GIVEN])
+
+
+def brings_back(n: int, j: int, joints: Joints) -> bool:
+    """Return whether a limit brings back what it has jumped past, or what is far beyond it.
+
+    It does not while it takes that along.
+    """
+    pulled = joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_PULLED]
+    aim, least = joints.numbers[j, tb.J_AIM], joints.numbers[j, tb.J_SLIGHT]
+    beyond = -aim if joints.joints[j, tb.J_LAW] == tb.LOWER_LIMIT else aim
+    return bool((pulled == inf and beyond > 0.0) or (pulled == 0.0 and beyond > least))
+
+
+def change_row(n: int, j: int, time: float, bodies: Bodies, joints: Joints) -> None:
     """Let a limit or a motor hold, or let it go: a motor then gives the most in a time, s."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     motor, given = ends[tb.J_LAW] == tb.MOTOR, numbers[tb.J_GIVEN]
@@ -177,7 +197,7 @@ def change_row(j: int, time: float, bodies: Bodies, joints: Joints) -> None:
     ends[tb.J_STATE] = tb.FREE_ROW
     if motor:
         ends[tb.J_STATE] = tb.AT_MOST if given > 0.0 else tb.AT_LEAST
-    apply_joint_impulse(j, 0, bound_of(j, given, time, joints) - given, bodies, joints)
+    apply_joint_impulse(j, 0, bound_of(n, j, given, time, joints) - given, bodies, joints)
 
 
 def leaning_motor(j: int, joints: Joints) -> int:

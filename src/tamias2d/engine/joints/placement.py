@@ -46,7 +46,8 @@ def pull_after_moved(bodies: Bodies, joints: Joints) -> None:
                 m = joints.joints[j, tb.J_MEMBER + end]
                 tied = joints.joints[j, tb.J_NODE + end] == tb.NOT_PUSHED
                 if tied and have_moved(m, m + 1, bodies, joints):
-                    joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_PULLED] = PULLED
+                    whole = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
+                    whole[tb.J_PULLED] = max(whole[tb.J_PULLED], PULLED)
 
 
 def have_moved(first: int, last: int, bodies: Bodies, joints: Joints) -> bool:

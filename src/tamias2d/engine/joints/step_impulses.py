@@ -1,12 +1,16 @@
 """The impulses of joints over a part of a step and over all of it, and what is told of them."""
 
+from math import inf
+
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.governed import is_limit
+from tamias2d.engine.joints.linearise import apart_by_law
 from tamias2d.engine.parts import is_last_part
 from tamias2d.engine.tables import Joints, World
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
+JUST = 2.0**-7  # of what is told: what comes back from there gets hardly any speed of that
 LET_GO = 1e-9  # of the largest impulse of a mechanism: smaller ones were tried and let go
 
 
@@ -48,12 +52,24 @@ def keep_of_mechanism(n: int, substeps: int, joints: Joints) -> None:
     """Keep the energies of a mechanism, which stand in its first joint, and note what it gained."""
     first = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
     first[tb.J_PULLED] = max(first[tb.J_PULLED] - substeps, 0.0)
+    if first[tb.J_PULLED] == inf and not some_limit_is_passed(n, joints):
+        first[tb.J_PULLED] = 0.0
     first[tb.J_RESERVE] = first[tb.J_RESERVE_LATER]
     first[tb.J_MOTION] = first[tb.J_MOTION_LATER]
     first[tb.J_SCALE] = first[tb.J_SCALE_LATER]
     if first[tb.J_GAIN] > 0.0:
         joints.counts[tb.JOINTS_GAINED] = 1
         first[tb.J_GAINED] = 1.0
+
+
+def some_limit_is_passed(n: int, joints: Joints) -> bool:
+    """Return whether a mechanism is beyond some limit, and not only just."""
+    passed = False
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        ends, numbers = joints.joints[j], joints.numbers[j]
+        if is_limit(ends[tb.J_LAW]):
+            passed = passed or apart_by_law(0, ends, numbers) > JUST * numbers[tb.J_SLIGHT]
+    return passed
 
 
 @inlined
