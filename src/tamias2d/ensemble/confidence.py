@@ -49,4 +49,4 @@ def is_one_value(values: Array) -> bool:
 
 def most_others(count: int) -> float:
     """Return the share of worlds that may be otherwise, if so many are all the same."""
-    return 1 - (1 - CONFIDENCE) ** (1 / count)
+    return -math.expm1(math.log1p(-CONFIDENCE) / count)
