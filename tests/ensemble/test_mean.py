@@ -1,6 +1,7 @@
 """Means over worlds are within what they state, and cheaper than plain sampling."""
 
 import math
+import re
 from dataclasses import dataclass
 from typing import Any
 
@@ -62,6 +63,86 @@ def test_the_error_is_within_its_bound_in_95_percent_of_repetitions(model: str) 
     assert within >= 57, within
     cheaper = np.median([mean.cost / mean.plain_cost for mean in found])
     assert cheaper <= 1 / 3 or model == "half order", cheaper
+
+
+@dataclass
+class Drawn:
+    """Worlds without levels, of a known distribution."""
+
+    distribution: Any
+    seed: int
+    stepped = False
+
+    def time_step(self, _: int) -> None:
+        return None
+
+    def cost(self, _: int) -> float:
+        return 1.0
+
+    def values(self, _: int, first: int, last: int) -> Any:
+        shares = np.random.default_rng(self.seed).random(last)[first:]
+        return np.asarray(self.distribution.ppf(shares), dtype=float)
+
+
+@pytest.mark.parametrize("worlds", [50, 400])
+@pytest.mark.parametrize(
+    "distribution",
+    [
+        *(stats.bernoulli(share) for share in (0.003, 0.01, 0.02, 0.05, 0.5, 0.99)),
+        stats.uniform(),
+        stats.expon(),
+        stats.lognorm(1.0),
+    ],
+    ids=lambda found: found.dist.name + "".join(f" {each}" for each in found.args),
+)
+def test_the_error_by_chance_is_within_its_bound_in_99_percent(
+    distribution: Any, worlds: int
+) -> None:
+    """Also of what is rare: at a tolerance for which so many worlds would do, were they normal."""
+    tolerance = 2.576 * distribution.std() / math.sqrt(worlds)
+    found = [Estimate(Drawn(distribution, seed), tolerance).run() for seed in range(200)]
+    within = sum(abs(mean.value - distribution.mean()) <= mean.bound for mean in found)
+    assert within >= 194, within  # 3 standard deviations of what 200 show
+    assert all(0 < mean.bound <= tolerance * (1 + 1e-12) for mean in found)
+
+
+@dataclass
+class Events:
+    """Worlds in which something happens or not, in some only because the steps are coarse."""
+
+    share: float
+    seed: int
+    stepped = True
+
+    def time_step(self, level: int) -> float:
+        return 0.5**level
+
+    def cost(self, level: int) -> float:
+        return 2.0**level * (1.5 if level else 1.0)
+
+    def values(self, level: int, first: int, last: int) -> Any:
+        drawn = np.random.default_rng([self.seed, level]).random(last)[first:]
+        fine, coarse = (
+            (drawn < self.share * (1 + 0.5 ** (each + 1))).astype(float)
+            for each in (level, level - 1)
+        )
+        return fine - coarse if level else fine
+
+
+@pytest.mark.parametrize("share", [0.01, 0.05, 0.3])
+def test_levels_at_which_no_world_is_changed_are_not_taken_to_be_exact(share: float) -> None:
+    found = [Estimate(Events(share, seed), 0.05).run() for seed in range(60)]
+    assert sum(abs(mean.value - share) <= mean.bound <= 0.05 + 1e-12 for mean in found) >= 58
+    assert all(mean.statistical > 0 < mean.discretisation for mean in found)
+
+
+def test_what_all_worlds_give_alike_is_not_told_as_exact() -> None:
+    found = Estimate(Drawn(stats.bernoulli(1e-9), 1), 0.02).run()
+    assert found.value == 0
+    assert 0.01 < found.bound <= 0.02
+    assert str(found).endswith("0 in all of level 0, which is taken for a share of worlds")
+    with pytest.raises(t2.SimulationError, match=r"found 7 in all of 1600 worlds.*0\.29%.*\(R10\)"):
+        Estimate(Drawn(stats.randint(7, 8), 1), 0.02).run()
 
 
 def test_what_no_step_of_its_range_reaches_is_refused() -> None:
@@ -151,6 +232,24 @@ def test_sensitivities_of_a_sum_are_the_shares_of_its_parts() -> None:
     assert found["place"].values.tolist()[0] == "bodies.puck.velocity.x"
 
 
+def test_sensitivities_follow_from_the_seed_alone_and_take_either_kind_of_distribution() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, position=(0.0, 0.0), name="puck")
+    one, other = (
+        t2.sensitivities(
+            scene,
+            lambda run: float(run.position[-1, 0, 0]),
+            duration=2.0,
+            vary={"bodies.puck.velocity.x": speed, "bodies.puck.position.x": stats.uniform()},
+            worlds=8,
+            seed=2,
+            workers=1,
+        )
+        for speed in (stats.norm(1.0, 0.5), stats.Normal(mu=1.0, sigma=0.5))
+    )
+    assert np.allclose(one.to_array(), other.to_array(), rtol=1e-9)
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
@@ -162,8 +261,16 @@ def test_sensitivities_of_a_sum_are_the_shares_of_its_parts() -> None:
         ),
         (lambda **k: t2.sensitivities(**k, worlds=100), r"worlds 100: must be a power of 2.*128"),
         (lambda **k: t2.sensitivities(**k, worlds=4, confidence=1.0), "confidence 1.0: must lie"),
+        (lambda **k: t2.sensitivities(**k, worlds=4, confidence="a"), "confidence 'a': must lie"),
         (
-            lambda **k: t2.sensitivities(**{**k, "vary": {"gravity.y": [1.0]}}, worlds=4),
+            lambda **k: t2.sensitivities(**k, worlds=4),
+            "vary: found .*gravity.y.*must name two places",
+        ),
+        (lambda **k: t2.ensemble_mean(**k, tolerance=True), "tolerance True of the mean: must be"),
+        (
+            lambda **k: t2.sensitivities(
+                **{**k, "vary": {"gravity.x": [1.0], "gravity.y": [1.0]}}, worlds=4
+            ),
             "must be a distribution, of which the shares",
         ),
     ],
@@ -181,4 +288,23 @@ def test_a_world_that_is_refused_has_no_mean() -> None:
             bouncing(), swing, duration=0.1, vary=vary, seed=1, tolerance=0.1, workers=1
         )
     with pytest.raises(t2.SimulationError, match="worlds were refused"):
-        t2.sensitivities(bouncing(), swing, duration=0.1, vary=vary, seed=1, worlds=4, workers=1)
+        t2.sensitivities(
+            bouncing(),
+            swing,
+            duration=0.1,
+            vary={**vary, "gravity.y": stats.uniform(-10, 1)},
+            seed=1,
+            worlds=4,
+            workers=1,
+        )
+
+
+@pytest.mark.parametrize("number", [math.nan, math.inf, 1e200])
+def test_a_quantity_that_is_no_number_to_reckon_with_has_no_mean(number: float) -> None:
+    vary = {"gravity.y": stats.uniform(-10, 1), "gravity.x": stats.uniform(0, 1)}
+    arguments: dict[str, Any] = {"duration": 0.1, "vary": vary, "seed": 1, "workers": 1}
+    message = rf"is {re.escape(f'{number:g}')} in the world of gravity\.y -9\..*\(R10\)"
+    with pytest.raises(t2.SimulationError, match=f"mean: the quantity {message}"):
+        t2.ensemble_mean(bouncing(), lambda _: number, tolerance=0.1, **arguments)
+    with pytest.raises(t2.SimulationError, match=f"sensitivities: the quantity {message}"):
+        t2.sensitivities(bouncing(), lambda _: number, worlds=4, **arguments)

@@ -41,6 +41,41 @@ def test_a_store_holds_what_memory_would(tmp_path: Path, chunk: int, workers: in
     assert t2.world_scene(stored, 5) == t2.world_scene(wanted, 5)
 
 
+@pytest.mark.parametrize("stored", [False, True])
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("v/c", "must not be empty, begin with a dot, or have a slash"),
+        ("v\\c", "have a slash, a backslash"),
+        ("..", "begin with a dot"),
+        ("", "must not be empty"),
+        ("v\0", "what cannot be printed"),
+        ("world", "has this name for something else"),
+        ("time", "has this name for something else"),
+        ("bodies.ball.position.y", "has this name for something else"),
+    ],
+)
+def test_a_quantity_whose_name_the_dataset_cannot_hold_is_refused(
+    tmp_path: Path, name: str, message: str, *, stored: bool
+) -> None:
+    """In memory as on disk, where one with a slash was lost; and before a world is computed."""
+
+    def uncalled(_: t2.Run) -> float:
+        raise AssertionError
+
+    out = tmp_path / "e.zarr" if stored else None
+    with pytest.raises(t2.InputError, match=rf"quantity .*{message}.*\(R5\)"):
+        t2.ensemble(bouncing(), workers=1, out=out, quantities={name: uncalled}, **ARGUMENTS)
+
+
+def test_what_varies_in_a_body_whose_name_a_store_cannot_hold_is_refused(tmp_path: Path) -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, position=(0.0, 0.0), name="l/b")
+    for out in (None, tmp_path / "e.zarr"):
+        with pytest.raises(t2.InputError, match=r"vary 'bodies.l/b.mass': .*a slash.*\(R2\)"):
+            t2.ensemble(scene, duration=0.5, vary={"bodies.l/b.mass": [1.0, 2.0]}, out=out)
+
+
 def test_what_was_finished_is_kept_when_it_is_interrupted(tmp_path: Path) -> None:
     out = tmp_path / "e.zarr"
     heard: list[int] = []

@@ -30,6 +30,36 @@ from tamias2d.suggestions import suggests
 WORLDS = "world"
 _RECIPE = "recipe"
 _SCENE, _VARIED = "scene", "varied"
+_UNFIT = (
+    "a variable of the dataset has this name: must not be empty, begin with a dot, or have a "
+    "slash, a backslash or what cannot be printed"
+)
+
+
+def refuse_bad_names(worlds: VariedWorlds | MadeWorlds, request: Request) -> None:
+    """Raise `RuleError` if a variable of the dataset has a name that it, or a store, cannot hold.
+
+    Stores have a folder of each variable's name, so that one with a slash would be in a folder of
+    its own, in which nobody looks.
+    """
+    paths = [place.path for place in worlds.values] if isinstance(worlds, VariedWorlds) else []
+    taken = (*DIMENSIONS, "outcome", WORLDS, TIMES, BODIES, AXES, *paths)
+    for name in request.quantities:
+        if name in taken:
+            raise RuleError(
+                f"quantity {name!r}: the dataset has this name for something else (R5). Give "
+                "another name.",
+                "quantities",
+            )
+        if _unfit(name):
+            raise RuleError(f"quantity {name!r}: {_UNFIT} (R5). Give another name.", "quantities")
+    for path in paths:
+        if _unfit(path):
+            raise RuleError(f"vary {path!r}: {_UNFIT} (R2). Rename what is varied.", "vary")
+
+
+def _unfit(name: str) -> bool:
+    return not name.isprintable() or not name or name[0] == "." or "/" in name or "\\" in name
 
 
 def dataset_of(

@@ -3,7 +3,8 @@
 Many worlds are solved in coarse steps, and few in fine ones. Level 0 has steps of the length that
 is given, each further one half of those before; it estimates by how much its steps change the
 quantity, from worlds that are solved in both. The sum over the levels is the mean at the finest
-steps. How many worlds each level has follows from its variance and its cost.
+steps. How many worlds each level has follows from its variance and its cost; what few worlds, or
+ones that are all alike, may not have shown is in `confidence`.
 
 Source: Giles, Multilevel Monte Carlo path simulation, Operations Research 56 (2008) 607-617.
 """
@@ -19,11 +20,19 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from tamias2d.ensemble.confidence import (
+    CONFIDENCE,
+    QUANTILE,
+    is_one_value,
+    most_others,
+    variance_for,
+)
 from tamias2d.ensemble.execution import Executors, done, executors_of
+from tamias2d.ensemble.finite import refuse_no_numbers
 from tamias2d.ensemble.request import Quantity, Request, request_of
-from tamias2d.ensemble.sampling import checked_seed, sampled
+from tamias2d.ensemble.sampling import checked_seed, inverse_of, sampled
 from tamias2d.ensemble.solving import solved_block
-from tamias2d.ensemble.worlds import VariedWorlds, Worlds
+from tamias2d.ensemble.worlds import VariedWorlds
 from tamias2d.errors import SimulationError
 from tamias2d.motion import Method
 from tamias2d.scene import Scene
@@ -32,11 +41,9 @@ from tamias2d.state import Array
 from tamias2d.suggestions import suggests
 from tamias2d.work_limit import WORK_LIMIT
 
-CONFIDENCE = 0.99
-"""With which the statistical error is stated."""
-_QUANTILE = 2.5758293035489004  # of a normal distribution, that so many are within
 _FIRST = 100  # worlds of level 0, from which its variance is estimated
 _FIRST_FINER = 32  # worlds of a finer level, each of which costs more
+_ALIKE = 1600  # worlds, after which a quantity that is the same in all of them is taken for one
 _LEVELS = 12  # at most: the finest step is 1/2048 of the first one
 _LEAST_ORDER = 0.5  # of the discretisation error, that is believed; impacts may spoil a higher one
 _NOISE = 1.0  # standard deviations by which changes may be off where an order is judged
@@ -88,15 +95,23 @@ class Mean:
         finest = self.levels[0].cost * float(2 ** (len(self.levels) - 1))
         if not self.statistical:
             return finest
-        return finest * _QUANTILE**2 * self.levels[0].variance / self.statistical**2
+        return finest * QUANTILE**2 * self.levels[0].variance / self.statistical**2
 
     def __str__(self) -> str:
         worlds = ", ".join(f"{level.worlds}" for level in self.levels)
         return (
             f"Mean: {self.value:.6g} +- {self.bound:.2g}: {self.statistical:.2g} by chance "
             f"({self.confidence:.0%}), {self.discretisation:.2g} by steps; worlds by level: "
-            f"{worlds}"
+            f"{worlds}{self._alike}"
         )
+
+    @property
+    def _alike(self) -> str:
+        """What is to be said where all worlds of level 0 gave the same."""
+        first = self.levels[0]
+        if first.variance:
+            return ""
+        return f"; {first.mean:g} in all of level 0, which is taken for a share of worlds"
 
 
 @suggests
@@ -123,15 +138,12 @@ def ensemble_mean(
 
     Raises:
         InputError: an argument breaks a rule.
-        SceneError, SimulationError: a world is refused, as by `simulate`; or the tolerance is not
-            met by steps 2048 times as fine as the first, and the message says what is.
+        SceneError, SimulationError: a world is refused, as by `simulate`; its quantity is not
+            finite; the quantity is the same in 1600 worlds, and neither 0 nor 1, so that no bound
+            follows; or the tolerance is not met by steps 2048 times as fine as the first, and the
+            message says what is.
     """
-    if not (isinstance(tolerance, Real) and 0 < tolerance < math.inf):
-        raise RuleError(
-            f"tolerance {shown(tolerance)} of the mean: must be a number > 0 (R10). Give an error "
-            "that you can live with, in the unit of the quantity.",
-            "tolerance",
-        )
+    _refuse_no_tolerance(tolerance)
     sampler = _WorldSampler(
         scene,
         vary,
@@ -150,6 +162,16 @@ def ensemble_mean(
     return Estimate(sampler, tolerance).run()
 
 
+def _refuse_no_tolerance(tolerance: object) -> None:
+    number = isinstance(tolerance, Real) and not isinstance(tolerance, bool)
+    if not (number and 0 < tolerance < math.inf):  # type: ignore[operator]
+        raise RuleError(
+            f"tolerance {shown(tolerance)} of the mean: must be a number > 0 (R10). Give an error "
+            "that you can live with, in the unit of the quantity.",
+            "tolerance",
+        )
+
+
 class _WorldSampler:
     """Draws worlds of a level, and solves each in the steps of this level and of the one before."""
 
@@ -164,7 +186,7 @@ class _WorldSampler:
         self._scene, self._vary, self._seed = scene, vary, seed
         self._request, self._executors = request, executors
         for path, given in vary.items():
-            if not (hasattr(given, "ppf") or hasattr(given, "icdf")):
+            if inverse_of(given) is None:
                 raise RuleError(
                     f"vary {path!r}: a mean is over worlds that are drawn (R2). Give a "
                     "distribution of scipy.stats.",
@@ -207,19 +229,22 @@ class _WorldSampler:
 
 
 def _task(
-    worlds: Worlds, requests: Sequence[Request], first: int, last: int
+    worlds: VariedWorlds, requests: Sequence[Request], first: int, last: int
 ) -> Callable[[], tuple[int, Array]]:
     return partial(_changes, worlds.part(first, last), requests, first, last)
 
 
 def _changes(
-    worlds: Worlds, requests: Sequence[Request], first: int, last: int
+    worlds: VariedWorlds, requests: Sequence[Request], first: int, last: int
 ) -> tuple[int, Array]:
     blocks = [solved_block(worlds, request, first, last) for request in requests]
     for block in blocks:
         if block.refusal is not None:
             raise block.refusal
     values = [block.arrays["quantity"] for block in blocks]
+    varied = {place.path: of_worlds for place, of_worlds in worlds.values.items()}
+    for some in values:
+        refuse_no_numbers(some, varied, "mean")
     return first, values[0] - values[1] if len(values) == 2 else values[0]
 
 
@@ -275,27 +300,46 @@ class Estimate:
 
     def _more(self) -> bool:
         """Add the worlds that the variances ask for; return whether there were any."""
-        variances, costs = self._variances(), self._costs()
-        total = sum(math.sqrt(v * c) for v, c in zip(variances, costs, strict=True))
-        wanted = (_QUANTILE / (self._share * self._tolerance)) ** 2 * total
+        self._refuse_one_value()
+        costs = self._costs()
+        deviations = [
+            math.sqrt(v) * QUANTILE / (self._share * self._tolerance) for v in self._variances()
+        ]
+        total = sum(s * math.sqrt(c) for s, c in zip(deviations, costs, strict=True))
         added = False
-        for level, (variance, cost) in enumerate(zip(variances, costs, strict=True)):
+        for level, (deviation, cost) in enumerate(zip(deviations, costs, strict=True)):
             have = len(self._values[level])
-            need = math.ceil(wanted * math.sqrt(variance / cost))
+            need = math.ceil(min(total * deviation / math.sqrt(cost), 4.0 * have))  # guesses first
             if need > have:
-                most = min(need, 4 * have)  # variances are guesses at first
-                more = self._sampler.values(level, have, most)
+                more = self._sampler.values(level, have, need)
                 self._values[level] = np.concatenate((self._values[level], more))
                 added = True
         return added
+
+    def _refuse_one_value(self) -> None:
+        """Add worlds while all of level 0 give the same, neither 0 nor 1; refuse if all do."""
+        while is_one_value(self._values[0]) and self._values[0][0] not in (0.0, 1.0):
+            have = len(self._values[0])
+            if have >= _ALIKE:
+                raise SimulationError(
+                    f"mean: found {self._values[0][0]:.6g} in all of {have} worlds: fewer than "
+                    f"{most_others(have):.2%} give another value ({CONFIDENCE:.0%}), but how far "
+                    "off is not known, so that no bound follows (R10). Take this value if nothing "
+                    "that varies can change it; or ask how many worlds give another one, by a "
+                    "quantity that is 0 or 1."
+                )
+            more = self._sampler.values(0, have, 4 * have)
+            self._values[0] = np.concatenate((self._values[0], more))
 
     def _variances(self) -> list[float]:
         """Return the variances of the levels; few worlds do not make one much smaller than before.
 
         Halving a step at least halves the variance of a change that is worth a level; where the
-        sample says much less, it may have missed the rare worlds that make it up.
+        sample says much less, it may have missed the rare worlds that make it up. Where no world
+        of a level is changed, one that is may go from end to end of what level 0 gave.
         """
-        found = [float(np.var(values, ddof=1)) for values in self._values]
+        unseen = float(np.ptp(self._values[0])) or 1.0
+        found = [variance_for(values, unseen) for values in self._values]
         for level in range(2, len(found)):
             found[level] = max(found[level], found[level - 1] / 8)
         return found
@@ -304,25 +348,27 @@ class Estimate:
         return [self._sampler.cost(level) for level in range(len(self._values))]
 
     def _mean(self) -> Mean:
-        means = [float(values.mean()) for values in self._values]
-        variances = self._variances()
         levels = tuple(
-            Level(self._sampler.time_step(k), len(values), mean, variance, cost)
-            for k, (values, mean, variance, cost) in enumerate(
-                zip(self._values, means, variances, self._costs(), strict=True)
+            Level(
+                self._sampler.time_step(k),
+                len(values),
+                float(values.mean()),
+                0.0 if is_one_value(values) else float(np.var(values, ddof=1)),
+                cost,
             )
+            for k, (values, cost) in enumerate(zip(self._values, self._costs(), strict=True))
         )
-        error = sum(level.variance / level.worlds for level in levels)
+        errors = [v / level.worlds for v, level in zip(self._variances(), levels, strict=True)]
         return Mean(
-            value=sum(means),
-            statistical=_QUANTILE * math.sqrt(error),
-            discretisation=self._discretisation(levels) if self._sampler.stepped else 0.0,
+            value=sum(level.mean for level in levels),
+            statistical=QUANTILE * math.sqrt(sum(errors)),
+            discretisation=self._discretisation(levels, errors) if self._sampler.stepped else 0.0,
             confidence=CONFIDENCE,
             tolerance=self._tolerance,
             levels=levels,
         )
 
-    def _discretisation(self, levels: Sequence[Level]) -> float:
+    def _discretisation(self, levels: Sequence[Level], errors: Sequence[float]) -> float:
         """Return by how much finer steps would still change the mean.
 
         Changes fall with the step to the power of the order: the least that two changes show, and
@@ -330,7 +376,8 @@ class Estimate:
         accident, so that the one before speaks, too. Each may be off by what chance does to it.
         """
         changes = [
-            (abs(level.mean), math.sqrt(level.variance / level.worlds)) for level in levels[1:]
+            (abs(level.mean), math.sqrt(error))
+            for level, error in zip(levels[1:], errors[1:], strict=True)
         ]
         orders = [
             math.log2(max(before - _NOISE * off, _TINY) / (after + _NOISE * doubt))

@@ -154,11 +154,10 @@ def _kept(keep: Sequence[str]) -> tuple[str, ...]:
 
 def _quantities(quantities: Mapping[str, Quantity]) -> dict[str, Quantity]:
     for name, function in quantities.items():
-        if not isinstance(name, str) or name in (*DIMENSIONS, "outcome") or not callable(function):
+        if not isinstance(name, str) or not callable(function):
             raise RuleError(
                 f"quantity {name!r}: found {shown(function)}: must be a function of a run, under a "
-                "name that nothing else has (R5). Give one, such as "
-                "{'peak': lambda run: run.position[:, 1, 1].max()}.",
+                "name (R5). Give one, such as {'peak': lambda run: run.position[:, 1, 1].max()}.",
                 "quantities",
             )
     return dict(quantities)

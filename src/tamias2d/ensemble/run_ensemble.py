@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tamias2d.ensemble.dataset import dataset_of
+from tamias2d.ensemble.dataset import dataset_of, refuse_bad_names
 from tamias2d.ensemble.execution import done, executors_of
 from tamias2d.ensemble.followed import share_followed
 from tamias2d.ensemble.request import STATE, Quantity, Request, request_of
@@ -103,6 +103,7 @@ def ensemble(
         quantities=quantities,
         work_limit=work_limit,
     )
+    refuse_bad_names(described, request)
     found: Dataset
     with _told(progress) as told:
         found = _computed(described, request, out, chunk, workers, client, told)

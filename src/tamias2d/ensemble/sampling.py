@@ -70,7 +70,7 @@ def sampled(
     outline = outline_of(scene)
     places = {path: place_at(path, outline) for path in vary}
     for path, given in vary.items():
-        if not (_listed(given) or isinstance(given, Grid) or _inverse(given)):
+        if not (_listed(given) or isinstance(given, Grid) or inverse_of(given)):
             raise RuleError(
                 f"vary {path!r}: found {shown(given)}: must be {_FORMS} (R2). Give one of these.",
                 "vary",
@@ -78,7 +78,7 @@ def sampled(
     _refuse_overlaps(list(places.values()))
     count = _count(vary, worlds)
     gridded = _gridded(vary, count)
-    drawn = {path: inverse for path, given in vary.items() if (inverse := _inverse(given))}
+    drawn = {path: inverse for path, given in vary.items() if (inverse := inverse_of(given))}
     shares = _shares(drawn, places, count, seed, design)
     found: Values = {}
     for path, place in places.items():
@@ -152,7 +152,7 @@ def _gridded(vary: Mapping[str, Any], count: int) -> dict[str, list[Any]]:
     return {path: [row[k] for row in rows] for k, path in enumerate(grids)} if count else {}
 
 
-def _inverse(given: object) -> Callable[[Array], Any] | None:
+def inverse_of(given: object) -> Callable[[Array], Any] | None:
     """Return the inverse of a distribution function, of either of scipy's kinds."""
     return getattr(given, "ppf", None) or getattr(given, "icdf", None)
 

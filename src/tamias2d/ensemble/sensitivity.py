@@ -7,13 +7,17 @@ Communications 181 (2010) 259-270, as scipy.stats.sobol_indices has it.
 import warnings
 from collections.abc import Mapping, Sequence
 from functools import partial
+from numbers import Real
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tamias2d.ensemble.finite import refuse_no_numbers
 from tamias2d.ensemble.request import Quantity
 from tamias2d.ensemble.run_ensemble import ensemble
-from tamias2d.ensemble.sampling import checked_seed
+from tamias2d.ensemble.sampling import checked_seed, inverse_of
+from tamias2d.ensemble.solving import REFUSED
 from tamias2d.errors import SimulationError
 from tamias2d.motion import Method
 from tamias2d.record.dataset import extra
@@ -27,6 +31,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 _PLACES = "place"
+_RESAMPLES = 999  # of the bootstrap
 
 
 @suggests
@@ -55,13 +60,14 @@ def sensitivities(
 
     Raises:
         InputError: an argument breaks a rule.
-        SceneError, SimulationError: a world is refused, or the quantity is the same in all worlds.
+        SceneError, SimulationError: a world is refused, or its quantity is not finite, or the
+            quantity is the same in all worlds.
     """
     from scipy.stats import sobol_indices
 
     count = _power_of_two(worlds)
     _refuse_no_share(confidence)
-    _refuse_no_distributions(vary)
+    dists = _distributions(vary)
     ask = partial(
         _quantities,
         scene,
@@ -75,17 +81,50 @@ def sensitivities(
         client=client,
     )
     seeds = np.random.default_rng(checked_seed(seed))
-    found = sobol_indices(func=ask, n=count, dists=list(vary.values()), rng=seeds)
-    if not np.isfinite(found.first_order).all():
+    samples: list[tuple[Array, ...]] = []
+
+    def estimated(f_A: Array, f_B: Array, f_AB: Array) -> tuple[Array, Array]:  # noqa: N803
+        samples.append((f_A, f_B, f_AB))
+        return _shares(f_A, f_B, f_AB)
+
+    found = sobol_indices(func=ask, n=count, dists=dists, method=estimated, rng=seeds)
+    known = np.stack([np.ravel(found.first_order), np.ravel(found.total_order)])
+    if not np.isfinite(known).all():
         raise SimulationError(
             "sensitivities: the quantity is the same in all worlds: there is no variance to share "
             "(R8). Take another quantity."
         )
+    ends = _bootstrapped(samples[0], confidence, seeds)
+    shares: Dataset = _dataset(known, ends, list(vary), confidence)
+    return shares
+
+
+def _bootstrapped(samples: tuple[Array, ...], confidence: float, seeds: np.random.Generator) -> Any:
+    """Return the ends of intervals of the shares, `low` and `high`, each (2, places)."""
+    from scipy.stats import bootstrap
+
+    def again(rows: Array) -> Array:
+        return np.concatenate(_shares(*(sample[..., rows] for sample in samples)))
+
     with warnings.catch_warnings():  # a place without any effect has no spread
         warnings.simplefilter("ignore")
-        spread = found.bootstrap(confidence_level=confidence)
-    shares: Dataset = _dataset(found, spread, list(vary), confidence)
-    return shares
+        return bootstrap(
+            [np.arange(samples[0].shape[-1])],
+            again,
+            vectorized=False,
+            n_resamples=_RESAMPLES,
+            confidence_level=confidence,
+            rng=seeds,
+        ).confidence_interval
+
+
+def _shares(f_a: Array, f_b: Array, f_ab: Array) -> tuple[Array, Array]:
+    """Return shares of first and of total order (1, places); (2, 1, n), (places, 1, n)."""
+    variance = np.var([f_a, f_b], axis=(0, -1))
+    with np.errstate(divide="ignore", invalid="ignore"):  # nan, which is refused later
+        first = np.mean(f_b * (f_ab - f_a), axis=-1) / variance
+        total = 0.5 * np.mean((f_a - f_ab) ** 2, axis=-1) / variance
+    return first.T, total.T
 
 
 def _power_of_two(worlds: int) -> int:
@@ -99,22 +138,31 @@ def _power_of_two(worlds: int) -> int:
     return count
 
 
-def _refuse_no_share(confidence: float) -> None:
-    if not 0 < confidence < 1:
+def _refuse_no_share(confidence: object) -> None:
+    if not (isinstance(confidence, Real) and 0 < float(confidence) < 1):
         raise RuleError(
-            f"confidence {confidence!r}: must lie between 0 and 1 (R5). Give one such as 0.95.",
+            f"confidence {shown(confidence)}: must lie between 0 and 1 (R5). Give one such as "
+            "0.95.",
             "confidence",
         )
 
 
-def _refuse_no_distributions(vary: Mapping[str, Any]) -> None:
+def _distributions(vary: Mapping[str, Any]) -> list[Any]:
+    """Return distributions of the older kind of scipy, which has `ppf`."""
+    if not isinstance(vary, Mapping) or len(vary) < 2:  # of one, all of the variance is
+        raise RuleError(
+            f"vary: found {shown(vary)}: must name two places at least, for them to have shares "
+            "(R2). Vary another one as well.",
+            "vary",
+        )
     for path, given in vary.items():
-        if not hasattr(given, "ppf"):
+        if inverse_of(given) is None:
             raise RuleError(
                 f"vary {path!r}: found {shown(given)}: must be a distribution, of which the shares "
                 "are taken (R2). Give one of scipy.stats.",
                 "vary",
             )
+    return [SimpleNamespace(ppf=inverse_of(given)) for given in vary.values()]
 
 
 def _quantities(scene: Scene, paths: Sequence[str], values: Array, **arguments: Any) -> Array:
@@ -122,25 +170,24 @@ def _quantities(scene: Scene, paths: Sequence[str], values: Array, **arguments: 
     vary = dict(zip(paths, values, strict=True))
     found = ensemble(scene, vary=vary, keep=(), **arguments)
     numbers: Array = found["quantity"].values
-    refused = int(np.count_nonzero(~np.isfinite(numbers)))
-    if refused:
+    if refused := int(np.count_nonzero(found["outcome"].values == REFUSED)):
         raise SimulationError(
             f"sensitivities: {refused} of {len(numbers)} worlds were refused, so that shares "
             "of the variance are not known (R8). Narrow the distributions."
         )
+    refuse_no_numbers(numbers, vary, "sensitivities")
     return numbers[None]
 
 
-def _dataset(found: Any, spread: Any, paths: list[str], confidence: float) -> Any:
+def _dataset(known: Array, ends: Any, paths: list[str], confidence: float) -> Any:
+    """Return the dataset of shares (2, places), by their order, with the ends of intervals."""
     with extra():
         from xarray import Dataset
 
     variables = {}
-    for name in ("first_order", "total_order"):
-        interval = getattr(spread, name).confidence_interval
-        known = np.ravel(getattr(found, name))
-        variables[name] = ((_PLACES,), known, {"units": "1"})
-        for suffix, end in (("_low", interval.low), ("_high", interval.high)):
-            ends = np.where(np.isnan(end), known, end)  # in all resamples the same
-            variables[name + suffix] = ((_PLACES,), np.ravel(ends), {"units": "1"})
+    for order, name in enumerate(("first_order", "total_order")):
+        variables[name] = ((_PLACES,), known[order], {"units": "1"})
+        for suffix, end in (("_low", ends.low[order]), ("_high", ends.high[order])):
+            values = np.where(np.isnan(end), known[order], end)  # in all resamples the same
+            variables[name + suffix] = ((_PLACES,), values, {"units": "1"})
     return Dataset(variables, {_PLACES: paths}, {"confidence": confidence})
