@@ -14,6 +14,7 @@ import jsonschema
 
 from tamias2d.errors import SpecError
 from tamias2d.spec.chapter import Chapter, Item, read_chapter
+from tamias2d.spec.circles import rings
 from tamias2d.spec.formulas import check_item
 from tamias2d.spec.kinds import KINDS
 from tamias2d.spec.letters import check_letters
@@ -61,6 +62,7 @@ class _Reader:
         specification = self.assemble(items, chapters)
         self.stop_at_faults()
         self.check_links(specification)
+        self.check_circles(specification.items)
         self.check_sources(specification)
         for item in specification.items.values():
             self.faults += check_item(item, specification.items, specification.table)
@@ -168,6 +170,14 @@ class _Reader:
                 self.report(
                     Diagnostic(role.file, role.line, role.column, Code.UNKNOWN_ID.code, text)
                 )
+
+    def check_circles(self, items: dict[str, Item]) -> None:
+        """Report items that rest on themselves."""
+        for ring in rings({id: item.data.get("uses", ()) for id, item in items.items()}):
+            first = items[ring[0]]
+            text = f"'{ring[0]}' rests on itself: {' uses '.join(ring)}. Leave out one of these"
+            place = ("uses", first.data["uses"].index(ring[1]))
+            self.report(first.diagnostic(Code.CIRCLE, text, *place))
 
     def check_sources(self, specification: Specification) -> None:
         path = self.folder / "references.bib"
