@@ -27,9 +27,7 @@ WORST_FIRST = (FAIL, STALE, UNCOVERED, NOT_RUN, MANUAL, PASS, NONE)
 OPEN = (FAIL, STALE, UNCOVERED, NOT_RUN)
 _DEMANDS = ("goal", "requirement")
 _UNJUDGED = ("change", "erratum")
-_COUNTED = (
-    *("constraint", "model", "definition", "property", "requirement", "scheme", "theory"),
-)
+_COUNTED = (*("constraint", "model", "definition", "property", "requirement", "scheme", "theory"),)
 
 
 @dataclass(frozen=True)
@@ -182,9 +180,7 @@ class Graph:
         reached = self.reach(id, self._rested_on)
         demands = (id, *(each for each in reached if self.items[each]["kind"] in _DEMANDS))
         judged = self._named.union(*(self._rested_on[each] for each in demands))
-        return [
-            each for each in reached if each in judged and self.items[each]["kind"] in _COUNTED
-        ]
+        return [each for each in reached if each in judged and self.items[each]["kind"] in _COUNTED]
 
     def reach(
         self, id: str, step: Mapping[str, tuple[str, ...]], *, ends: tuple[str, ...] = ()

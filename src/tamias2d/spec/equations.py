@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from tamias2d.spec.chapter import Item
-from tamias2d.spec.circles import rings
 from tamias2d.spec.check import TRUTH, Type, expect, infer
+from tamias2d.spec.circles import rings
 from tamias2d.spec.expression import Node, Relation, names, parse
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
 from tamias2d.spec.symbols import SymbolTable

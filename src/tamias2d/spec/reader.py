@@ -22,6 +22,7 @@ from tamias2d.spec.messages import Code, Diagnostic, SpecFault
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.symbols import Index, Range, Symbol, SymbolTable, parse_range
 from tamias2d.spec.tex import has_balanced_braces
+from tamias2d.spec.ties import check_ties
 from tamias2d.spec.units import parse_unit
 
 _BIB_KEY = re.compile(r"@\w+\{\s*([^,\s]+)\s*,")
@@ -46,7 +47,8 @@ class _Reader:
         self.faults.append(fault)
 
     def read(self) -> Specification:
-        """All chapters, checked in order: form, declarations, links, sources, formulas, letters.
+        """All chapters, checked in order: form, declarations, links, sources, formulas, letters,
+        and ties of statements.
 
         What a fault of form or of a declaration hides would give faults elsewhere: they wait.
         """
@@ -68,6 +70,9 @@ class _Reader:
             self.faults += check_item(item, specification.items, specification.table)
         self.stop_at_faults()
         self.faults += check_letters(specification.items.values(), specification.table)
+        self.stop_at_faults()
+        for item in specification.items.values():
+            check_ties(item, specification.items, specification.table, self.report)
         self.stop_at_faults()
         return specification
 
