@@ -76,7 +76,7 @@ def test_a_case_that_was_not_run_says_so() -> None:
 
 def deep(third: str) -> Graph:
     """The small specification; IM1 rests on DD1, which no case names, and DD1 on DD2."""
-    items = small().items | {
+    items = dict(small().items) | {
         "DD1": item("DD1", "definition", uses=["DD2"]),
         "DD2": item("DD2", "definition"),
         "IM1": item("IM1", "model", uses=["A1", "DD1"]),
