@@ -66,18 +66,18 @@ def mutants(specification: Specification) -> Iterator[Mutant]:
     for made in functions_by_module(specification).values():
         for function in made:
             seen = {plain(function.expression)}
-            for tree in _changed(function.expression):
+            for tree in changes(function.expression):
                 text = plain(tree)
                 if text not in seen:
                     seen.add(text)
                     yield Mutant(function, text)
 
 
-def _changed(node: Node) -> Iterator[Node]:
+def changes(node: Node) -> Iterator[Node]:
     """The node with one change in it or below it."""
     yield from _changes_here(node)
     for part in parts(node):
-        for other in _changed(part):
+        for other in changes(part):
             yield rebuilt(node, partial(_swap, part, other))
 
 

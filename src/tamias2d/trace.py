@@ -1,6 +1,9 @@
 """Traceability: from a requirement to models, code, cases and their last results, and back.
 
-The verdict of an item rolls up those of the cases that verify it and of the items it rests on.
+The verdict of an item is the worst of the cases that name it; that of a demand counts all that
+the demand rests on, too, through any number of links, so far as cases name it. So a requirement or
+a goal passes only if no case fails that names anything it rests on. Assumptions do not count: what
+fails may rest on the same ones.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -24,9 +27,7 @@ WORST_FIRST = (FAIL, STALE, UNCOVERED, NOT_RUN, MANUAL, PASS, NONE)
 OPEN = (FAIL, STALE, UNCOVERED, NOT_RUN)
 _DEMANDS = ("goal", "requirement")
 _UNJUDGED = ("change", "erratum")
-_PASSED_UP = (
-    *("constraint", "model", "definition", "property", "requirement", "scheme", "theory"),
-)
+_COUNTED = (*("constraint", "model", "definition", "property", "requirement", "scheme", "theory"),)
 
 
 @dataclass(frozen=True)
@@ -159,14 +160,27 @@ class Graph:
         return {id: tuple(sources) for id, sources in found.items()}
 
     @cached_property
-    def passed_up(self) -> dict[str, tuple[str, ...]]:
-        """The items whose verdicts count for an item: for a demand, those that it uses."""
-        return {
-            id: tuple(each for each in used if self.items[each]["kind"] in _PASSED_UP)
-            if self.items[id]["kind"] in _DEMANDS and "judged" not in self.items[id]["data"]
-            else ()
-            for id, used in self.forward.items()
-        }
+    def _rested_on(self) -> dict[str, tuple[str, ...]]:
+        """What an item names, but for what people judge, whose verdict is theirs."""
+        judged = (id for id, item in self.items.items() if "judged" in item["data"])
+        return self.forward | dict.fromkeys(judged, ())
+
+    @cached_property
+    def _named(self) -> frozenset[str]:
+        """The items that cases name."""
+        return frozenset(id for id in self.items if self._only_cases(self.backward[id]))
+
+    def counted(self, id: str) -> list[str]:
+        """Return the items whose verdicts count for an item: for a demand, what it rests on.
+
+        What no case names counts only where a demand uses it itself: its cases are those of others.
+        """
+        if self.items[id]["kind"] not in _DEMANDS:
+            return []
+        reached = self.reach(id, self._rested_on)
+        demands = (id, *(each for each in reached if self.items[each]["kind"] in _DEMANDS))
+        judged = self._named.union(*(self._rested_on[each] for each in demands))
+        return [each for each in reached if each in judged and self.items[each]["kind"] in _COUNTED]
 
     def reach(
         self, id: str, step: Mapping[str, tuple[str, ...]], *, ends: tuple[str, ...] = ()
@@ -212,19 +226,19 @@ class Graph:
         return sorted((id for id in ids if self.items[id]["kind"] == "case"), key=label_order)
 
     def verdict(self, id: str) -> str:
-        """Return the worst verdict of an item's cases; a demand takes those of what it uses."""
+        """Return the worst verdict of an item's cases; a demand takes those of what it rests on."""
         if id not in self._verdicts:
             self._verdicts[id] = UNCOVERED  # ends a circle of links
             self._verdicts[id] = self._rolled_up(self.items[id])
         return self._verdicts[id]
 
     def unrun(self, id: str) -> list[str]:
-        """Return the items to verify before the verdict of one is known: itself, or what it uses.
+        """Return the items to verify before a verdict is known: the item, or what it rests on.
 
         The item comes first, then those with most cases; none whose open cases all belong to ones
         before it.
         """
-        open_ = {each: self._open_cases(each) for each in self.reach(id, self.passed_up)}
+        open_ = {each: self._open_cases(each) for each in self.counted(id)}
         found: list[str] = []
         covered: set[str] = set()
         for each in (id, *sorted(open_, key=lambda each: -len(open_[each]))):
@@ -248,7 +262,7 @@ class Graph:
             return worst([MANUAL, *verdicts])
         if kind == "requirement" and not verdicts:
             return UNCOVERED
-        return worst([*verdicts, *(self.verdict(each) for each in self.passed_up[id])])
+        return worst([*verdicts, *(self.verdict(each) for each in self.counted(id))])
 
     def _of_case(self, item: Item) -> str:
         outcomes = self.outcomes.get(item["id"], [])

@@ -24,20 +24,20 @@ def test_p2_holds_in_a_crowd(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_p10_holds_in_a_crowd(seed: int) -> None:
-    """P10, srs/requirements.md:490."""
+    """P10, srs/requirements.md:505."""
     law = "sum(mass_i*(position_i_after - position_i_before)/time_step) == sum(mass_i*velocity_i_before)"
     holds(law, seed, within=1e-11, steady=False, at_most=False)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_p11_holds_in_a_crowd(seed: int) -> None:
-    """P11, srs/requirements.md:502."""
+    """P11, srs/requirements.md:517."""
     law = "(position_i_after - position_i_before)/time_step == velocity_i_before"
     holds(law, seed, within=1e-11, steady=True, at_most=False)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_p13_holds_in_a_crowd(seed: int) -> None:
-    """P13, srs/requirements.md:525."""
+    """P13, srs/requirements.md:541."""
     law = "sum(kinetic_energy_i_after) == sum(kinetic_energy_i_before)"
     holds(law, seed, within=1e-12, steady=False, at_most=True)

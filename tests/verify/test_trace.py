@@ -74,6 +74,51 @@ def test_a_case_that_was_not_run_says_so() -> None:
     assert [graph.verdict(id) for id in ("TC2", "R2", "GS1")] == ["not run"] * 3
 
 
+def deep(third: str) -> Graph:
+    """The small specification; IM1 rests on DD1, which no case names, and DD1 on DD2."""
+    items = dict(small().items) | {
+        "DD1": item("DD1", "definition", uses=["DD2"]),
+        "DD2": item("DD2", "definition"),
+        "IM1": item("IM1", "model", uses=["A1", "DD1"]),
+        "OA1": item("OA1", "case", uses=["DD2"]),
+        "OA2": item("OA2", "case", verifies=["R2"], uses=["DD1"]),
+    }
+    verdicts = {"TC1": "pass", "TC2": "pass", "OA1": third, "OA2": "pass"}
+    outcomes = {
+        id: [Outcome(id, "q", 0.0, 1.0, verdict, "h")]
+        for id, verdict in verdicts.items()
+        if verdict != "not run"
+    }
+    return Graph(items, outcomes, own_hash)
+
+
+@pytest.mark.parametrize("third", ["fail", "pass", "manual", "not run"])
+def test_what_a_requirement_rests_on_through_others_counts(third: str) -> None:
+    graph = deep(third)
+    assert [graph.verdict(id) for id in ("DD2", "R1", "GS1")] == [third] * 3
+    assert [graph.verdict(id) for id in ("DD1", "IM1", "R2")] == ["pass"] * 3
+    assert graph.unrun("R1") == (["DD2"] if third == "not run" else [])
+
+
+DEMANDS = [id for id, each in items().items() if each["kind"] in ("goal", "requirement")]
+CASES = [id for id, each in items().items() if each["kind"] == "case"]
+
+
+@pytest.mark.parametrize("failed", CASES)
+def test_no_requirement_passes_over_a_failure(failed: str) -> None:
+    """Where one case fails, so do all demands that rest on what it names, but for people's."""
+    outcomes = {
+        id: [Outcome(id, "q", 0.0, 1.0, "fail" if id == failed else "pass", "h")] for id in CASES
+    }
+    graph = Graph(items(), outcomes, lambda _: "h")
+    failing = set(graph.forward[failed]).difference(
+        id for id, each in items().items() if each["kind"] == "assumption"
+    )
+    for id in DEMANDS:
+        if graph.verdict(id) in ("pass", "uncovered"):
+            assert not failing & {id, *graph.reach(id, graph.forward)}, id
+
+
 def test_what_was_not_run_is_named_by_the_items_that_show_it() -> None:
     assert small().unrun("GS1") == ["IM1", "IM2"]
     graph = small(TC1="pass")
@@ -82,9 +127,6 @@ def test_what_was_not_run_is_named_by_the_items_that_show_it() -> None:
     ]
     graph.items["TC3"] = item("TC3", "case", uses=["IM1"])
     assert Graph(graph.items, graph.outcomes, own_hash).unrun("R1") == ["IM1"]
-
-
-DEMANDS = [id for id, each in items().items() if each["kind"] in ("goal", "requirement")]
 
 
 @pytest.mark.parametrize("id", DEMANDS)

@@ -6,7 +6,7 @@ Serves: the directives of items and symbols. Hides: wording and order of an item
 from collections.abc import Iterator
 
 from tamias2d.spec.chapter import Item
-from tamias2d.spec.derivation import POINTS
+from tamias2d.spec.implication import POINTS
 from tamias2d.spec.symbols import Index, Symbol
 from tamias2d.spec.tex import unit_tex
 from weave import cases, schemes
@@ -82,6 +82,8 @@ def _formulas(item: Item, woven: Woven) -> Iterator[str]:
 def _conditions(item: Item, woven: Woven) -> Iterator[str]:
     if text := item.data.get("condition"):
         yield f"*Holds while* {linked(text, woven)}.\n"
+    if text := item.data.get("unchecked"):
+        yield f"*Nothing checks this statement*: {linked(text, woven)}.\n"
     if item.kind == "model":
         for key, lead in (("input", "Given"), ("output", "Find")):
             names = ", ".join(f"${woven.letter(name)}$" for name in item.data[key])

@@ -292,7 +292,7 @@ def discriminant(
         separation_rate: Rate of change of a gap, m/s
         gap_acceleration_least: Second derivative of a gap; the least that there can be, m/s^2
 
-    Source: DD46, srs/models/continuous_collision.md:204.
+    Source: DD46, srs/models/continuous_collision.md:207.
     """
     return separation_rate * separation_rate - 2 * gap_acceleration_least * separation
 
@@ -309,7 +309,7 @@ def advance_opening(
         gap_acceleration_least: Second derivative of a gap; the least that there can be, m/s^2
         discriminant: What has to be positive for a gap to close, m^2/s^2
 
-    Source: DD46, srs/models/continuous_collision.md:205.
+    Source: DD46, srs/models/continuous_collision.md:208.
     """
     return (separation_rate + sqrt(discriminant)) / (-gap_acceleration_least)
 
@@ -324,7 +324,7 @@ def advance_closing(separation: Scalar, separation_rate: Scalar, discriminant: S
         separation_rate: Rate of change of a gap, m/s
         discriminant: What has to be positive for a gap to close, m^2/s^2
 
-    Source: DD46, srs/models/continuous_collision.md:207.
+    Source: DD46, srs/models/continuous_collision.md:210.
     """
     return 2 * separation / (sqrt(discriminant) - separation_rate)
 
@@ -339,7 +339,7 @@ def reach_gap(span: Vector, extent: Scalar) -> Scalar:
         extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
             does, m
 
-    Source: DD80, srs/models/continuous_collision.md:235.
+    Source: DD80, srs/models/continuous_collision.md:238.
     """
     span_x, span_y = span
     return span_x * span_x + span_y * span_y - extent * extent
@@ -354,7 +354,7 @@ def reach_gap_rate(span: Vector, span_rate: Vector) -> Scalar:
         span: Vector from one place to another, m
         span_rate: Rate of change of the vector from one place to another, m/s
 
-    Source: DD80, srs/models/continuous_collision.md:236.
+    Source: DD80, srs/models/continuous_collision.md:239.
     """
     span_x, span_y = span
     span_rate_x, span_rate_y = span_rate
@@ -369,7 +369,7 @@ def reach_gap_acceleration(span_rate: Vector) -> Scalar:
     Args:
         span_rate: Rate of change of the vector from one place to another, m/s
 
-    Source: DD80, srs/models/continuous_collision.md:237.
+    Source: DD80, srs/models/continuous_collision.md:240.
     """
     span_rate_x, span_rate_y = span_rate
     return 2 * (span_rate_x * span_rate_x + span_rate_y * span_rate_y)
@@ -385,7 +385,7 @@ def circling(angular_speed: Scalar, angular_acceleration: Scalar) -> Scalar:
         angular_speed: Size of the angular velocity, at most, rad/s
         angular_acceleration: Rate of change of the angular velocity, rad/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:262.
+    Source: DD47, srs/models/continuous_collision.md:265.
     """
     return angular_speed * angular_speed + angular_acceleration
 
@@ -404,7 +404,7 @@ def centre_acceleration_least(
         normal: Unit normal of a contact, from body A to body B, 1
         deviation: How far the relative acceleration is from the given one, at most, m/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:263.
+    Source: DD47, srs/models/continuous_collision.md:266.
     """
     acceleration_a_x, acceleration_a_y = acceleration_a
     acceleration_b_x, acceleration_b_y = acceleration_b
@@ -442,7 +442,7 @@ def centre_acceleration_turning(
         turn: How far a body has turned since the step began, rad
         acceleration_size: Size of the relative acceleration of two bodies, at most, m/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:265.
+    Source: DD47, srs/models/continuous_collision.md:268.
     """
     return (
         centre_acceleration_least
@@ -476,7 +476,7 @@ def gap_acceleration_least(
         circling_b: Acceleration of a point of a body that turns, at most, for one unit of its
             distance from the centre; of body B, 1/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:268.
+    Source: DD47, srs/models/continuous_collision.md:271.
     """
     return centre_acceleration_least - extent_a * circling_a - extent_b * circling_b
 
@@ -491,7 +491,7 @@ def normal_turned(normal: Vector, turn: Scalar, fraction: Scalar) -> Vector:
         turn: How far a body has turned since the step began, rad
         fraction: Part of a step that has passed, 1
 
-    Source: DD48, srs/models/continuous_collision.md:307.
+    Source: DD48, srs/models/continuous_collision.md:310.
     """
     normal_x, normal_y = normal
     return (normal_x + fraction * turn * normal_y, normal_y - fraction * turn * normal_x)
@@ -508,7 +508,7 @@ def gap_change(shift: Vector, normal: Vector, turn: Scalar, span: Vector) -> Sca
         turn: How far a body has turned since the step began, rad
         span: Vector from one place to another, m
 
-    Source: DD48, srs/models/continuous_collision.md:308.
+    Source: DD48, srs/models/continuous_collision.md:311.
     """
     shift_x, shift_y = shift
     normal_x, normal_y = normal
@@ -526,7 +526,7 @@ def arc_bend(turn: Scalar, extent: Scalar) -> Scalar:
         extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
             does, m
 
-    Source: DD48, srs/models/continuous_collision.md:309.
+    Source: DD48, srs/models/continuous_collision.md:312.
     """
     return turn * turn * extent
 
@@ -554,7 +554,7 @@ def separation_least(
         arc_bend: Second derivative of a gap from corners that circle, with time in steps, m
         fraction: Part of a step that has passed, 1
 
-    Source: DD48, srs/models/continuous_collision.md:310.
+    Source: DD48, srs/models/continuous_collision.md:313.
     """
     return (
         base_gap + corner_gap_a + corner_gap_b + fraction * (gap_change - fraction * arc_bend / 2)
@@ -573,7 +573,7 @@ def shift_shared(mass_a: Scalar, shift_a: Vector, mass_b: Scalar, shift_b: Vecto
         mass_b: Mass of a body; of body B, kg
         shift_b: How far the centre of mass has moved since the step began; of body B, m
 
-    Source: DD62, srs/models/continuous_collision.md:518.
+    Source: DD62, srs/models/continuous_collision.md:521.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -593,7 +593,7 @@ def inward_share(turn: Scalar, fraction: Scalar, arc: Scalar) -> Scalar:
         fraction: Part of a step that has passed, 1
         arc: Angle by which a wall turns before a body that it carries meets it again, rad
 
-    Source: DD49, srs/models/continuous_collision.md:533.
+    Source: DD49, srs/models/continuous_collision.md:536.
     """
     return abs(turn) * least(abs(turn) * (1 - fraction), arc / 2)
 
@@ -610,7 +610,7 @@ def shift_carried(shift: Vector, turn: Scalar, span: Vector, inward_share: Scala
         inward_share: Part of its distance by which a carried body comes nearer to its carrier,
             1
 
-    Source: DD49, srs/models/continuous_collision.md:534.
+    Source: DD49, srs/models/continuous_collision.md:537.
     """
     shift_x, shift_y = shift
     span_x, span_y = span

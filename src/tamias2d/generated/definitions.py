@@ -22,7 +22,7 @@ def point_velocity(velocity: Vector, angular_velocity: Scalar, arm: Vector) -> V
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
         arm: Lever arm, from the centre of mass to the point where something acts on a body, m
 
-    Source: DD9, srs/definitions.md:71.
+    Source: DD9, srs/definitions.md:73.
     """
     velocity_x, velocity_y = velocity
     arm_x, arm_y = arm
@@ -38,7 +38,7 @@ def torque(arm: Vector, force: Vector) -> Scalar:
         arm: Lever arm, from the centre of mass to the point where something acts on a body, m
         force: Applied force on a body, without its weight, N
 
-    Source: DD13, srs/definitions.md:88.
+    Source: DD13, srs/definitions.md:90.
     """
     arm_x, arm_y = arm
     force_x, force_y = force
@@ -54,7 +54,7 @@ def inertia_disc(mass: Scalar, radius: Scalar) -> Scalar:
         mass: Mass of a body, kg
         radius: Radius of a disc, or of the round ends of a capsule, m
 
-    Source: DD18, srs/definitions.md:116.
+    Source: DD18, srs/definitions.md:118.
     """
     return mass * radius * radius / 2
 
@@ -69,7 +69,7 @@ def inertia_box(mass: Scalar, width: Scalar, height: Scalar) -> Scalar:
         width: Extent of a box along its own x axis, m
         height: Extent of a box along its own y axis, m
 
-    Source: DD18, srs/definitions.md:117.
+    Source: DD18, srs/definitions.md:119.
     """
     return mass * (width * width + height * height) / 12
 
@@ -87,7 +87,7 @@ def inertia_polygon(mass: Scalar, vertex_i: Vector, vertex_j: Vector) -> Scalar:
         vertex_j: Corner of a polygon; corners are counted counter-clockwise; of the one after
             it, m
 
-    Source: DD18, srs/definitions.md:118.
+    Source: DD18, srs/definitions.md:120.
     """
     vertex_i_x, vertex_i_y = vertex_i
     vertex_j_x, vertex_j_y = vertex_j
@@ -119,7 +119,7 @@ def area_polygon(vertex_i: Vector, vertex_j: Vector) -> Scalar:
         vertex_j: Corner of a polygon; corners are counted counter-clockwise; of the one after
             it, m
 
-    Source: DD18, srs/definitions.md:122.
+    Source: DD18, srs/definitions.md:124.
     """
     vertex_i_x, vertex_i_y = vertex_i
     vertex_j_x, vertex_j_y = vertex_j
@@ -138,7 +138,7 @@ def centroid_polygon(vertex_i: Vector, vertex_j: Vector) -> Vector:
         vertex_j: Corner of a polygon; corners are counted counter-clockwise; of the one after
             it, m
 
-    Source: DD18, srs/definitions.md:123.
+    Source: DD18, srs/definitions.md:125.
     """
     vertex_i_x, vertex_i_y = vertex_i
     vertex_j_x, vertex_j_y = vertex_j
@@ -158,7 +158,7 @@ def area_disc(radius: Scalar) -> Scalar:
     Args:
         radius: Radius of a disc, or of the round ends of a capsule, m
 
-    Source: DD24, srs/definitions.md:150.
+    Source: DD24, srs/definitions.md:152.
     """
     return pi * radius * radius
 
@@ -172,7 +172,7 @@ def area_box(width: Scalar, height: Scalar) -> Scalar:
         width: Extent of a box along its own x axis, m
         height: Extent of a box along its own y axis, m
 
-    Source: DD24, srs/definitions.md:151.
+    Source: DD24, srs/definitions.md:153.
     """
     return width * height
 
@@ -187,7 +187,7 @@ def area_capsule(length: Scalar, radius: Scalar) -> Scalar:
             segment, m
         radius: Radius of a disc, or of the round ends of a capsule, m
 
-    Source: DD24, srs/definitions.md:152.
+    Source: DD24, srs/definitions.md:154.
     """
     return 2 * radius * length + pi * radius * radius
 
@@ -202,7 +202,7 @@ def inertia_segment(mass: Scalar, length: Scalar) -> Scalar:
         length: Distance between the middles of a capsule's round ends, or between the ends of a
             segment, m
 
-    Source: DD24, srs/definitions.md:153.
+    Source: DD24, srs/definitions.md:155.
     """
     return mass * length * length / 12
 
@@ -219,7 +219,7 @@ def inertia_capsule(mass: Scalar, length: Scalar, radius: Scalar) -> Scalar:
             segment, m
         radius: Radius of a disc, or of the round ends of a capsule, m
 
-    Source: DD24, srs/definitions.md:154.
+    Source: DD24, srs/definitions.md:156.
     """
     return (
         mass
@@ -241,7 +241,7 @@ def position_compound(area_i: Scalar, position_i: Vector) -> Vector:
         area_i: Area of a shape; of each particle, body or vertex in turn, m^2
         position_i: Position of the centre of mass; of each particle, body or vertex in turn, m
 
-    Source: DD25, srs/definitions.md:194.
+    Source: DD25, srs/definitions.md:196.
     """
     position_i_x, position_i_y = position_i
     return (
@@ -262,7 +262,7 @@ def inertia_compound(inertia_i: Scalar, mass_i: Scalar, arm_i: Vector) -> Scalar
         arm_i: Lever arm, from the centre of mass to the point where something acts on a body;
             of each particle, body or vertex in turn, m
 
-    Source: DD25, srs/definitions.md:195.
+    Source: DD25, srs/definitions.md:197.
     """
     arm_i_x, arm_i_y = arm_i
     return total(inertia_i + mass_i * (arm_i_x * arm_i_x + arm_i_y * arm_i_y))
@@ -278,7 +278,7 @@ def inertia_later(inertia: Scalar, mass: Scalar, mass_later: Scalar) -> Scalar:
         mass: Mass of a body, kg
         mass_later: Mass of a body; after the bodies have moved, kg
 
-    Source: DD92, srs/definitions.md:219.
+    Source: DD92, srs/definitions.md:221.
     """
     return inertia * mass_later / mass
 
@@ -292,7 +292,7 @@ def gyration_radius(inverse_mass: Scalar, inverse_inertia: Scalar) -> Scalar:
         inverse_mass: One over the mass, zero for a static body, 1/kg
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD95, srs/definitions.md:232.
+    Source: DD95, srs/definitions.md:234.
     """
     return sqrt(inverse_mass / inverse_inertia)
 
@@ -307,7 +307,7 @@ def acceleration(gravity: Vector, force: Vector, inverse_mass: Scalar) -> Vector
         force: Applied force on a body, without its weight, N
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD30, srs/definitions.md:258.
+    Source: DD30, srs/definitions.md:260.
     """
     gravity_x, gravity_y = gravity
     force_x, force_y = force
@@ -323,7 +323,7 @@ def angular_acceleration(torque: Scalar, inverse_inertia: Scalar) -> Scalar:
         torque: Applied torque about the centre of mass, positive counter-clockwise, N*m
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD30, srs/definitions.md:259.
+    Source: DD30, srs/definitions.md:261.
     """
     return inverse_inertia * torque
 
@@ -338,7 +338,7 @@ def coordinate_velocity_gain(propagator_gain: Scalar, coordinate_acceleration: S
         coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
             m/s^2
 
-    Source: DD41, srs/definitions.md:284.
+    Source: DD41, srs/definitions.md:286.
     """
     return propagator_gain * coordinate_acceleration
 
@@ -357,7 +357,7 @@ def coordinate_velocity_later(
         coordinate_velocity_gain: What an acceleration adds to a velocity along one axis in a
             step, m/s
 
-    Source: DD41, srs/definitions.md:285.
+    Source: DD41, srs/definitions.md:287.
     """
     return propagator_decay * coordinate_velocity + coordinate_velocity_gain
 
@@ -380,7 +380,7 @@ def coordinate_displacement(
         coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
             m/s^2
 
-    Source: DD41, srs/definitions.md:287.
+    Source: DD41, srs/definitions.md:289.
     """
     return propagator_gain * coordinate_velocity + propagator_lift * coordinate_acceleration
 
@@ -394,7 +394,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:370.
+    Source: DD21, srs/definitions.md:372.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -409,7 +409,7 @@ def angular_momentum_own(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:371.
+    Source: DD21, srs/definitions.md:373.
     """
     return inertia * angular_velocity
 
@@ -429,7 +429,7 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:372.
+    Source: DD21, srs/definitions.md:374.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
@@ -448,7 +448,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:469.
+    Source: DD17, srs/definitions.md:471.
     """
     return least(restitution_a, restitution_b)
 
@@ -464,7 +464,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:502.
+    Source: GD11, srs/definitions.md:504.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -490,7 +490,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:528.
+    Source: DD22, srs/definitions.md:530.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -507,7 +507,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:541.
+    Source: DD23, srs/definitions.md:543.
     """
     return sqrt(friction_a * friction_b)
 
@@ -525,7 +525,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:559.
+    Source: DD15, srs/definitions.md:561.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -544,7 +544,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:573.
+    Source: DD16, srs/definitions.md:594.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -563,7 +563,7 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:590.
+    Source: DD60, srs/definitions.md:611.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
 

@@ -103,7 +103,7 @@ def position(
         drag_rate: Share of its velocity that a body loses to linear drag per unit of time, 1/s
         time: Time since the start of the simulation, s
 
-    Source: IM6, srs/models/drag.md:74.
+    Source: IM6, srs/models/drag.md:95.
     """
     position_start_x, position_start_y = position_start
     velocity_start_x, velocity_start_y = velocity_start
@@ -134,7 +134,7 @@ def velocity(
         drag_rate: Share of its velocity that a body loses to linear drag per unit of time, 1/s
         time: Time since the start of the simulation, s
 
-    Source: IM6, srs/models/drag.md:77.
+    Source: IM6, srs/models/drag.md:98.
     """
     velocity_start_x, velocity_start_y = velocity_start
     acceleration_x, acceleration_y = acceleration
@@ -172,7 +172,7 @@ def orientation(
             unit of time, 1/s
         time: Time since the start of the simulation, s
 
-    Source: IM6, srs/models/drag.md:80.
+    Source: IM6, srs/models/drag.md:101.
     """
     return (
         orientation_start
@@ -202,7 +202,7 @@ def angular_velocity(
             unit of time, 1/s
         time: Time since the start of the simulation, s
 
-    Source: IM6, srs/models/drag.md:84.
+    Source: IM6, srs/models/drag.md:105.
     """
     return angular_velocity_start * exp(
         (-angular_drag_rate) * time

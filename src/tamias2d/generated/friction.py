@@ -373,7 +373,7 @@ def tangential_acceleration(
             of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: GD8, srs/models/friction.md:324.
+    Source: GD8, srs/models/friction.md:325.
     """
     acceleration_a_x, acceleration_a_y = acceleration_a
     arm_a_x, arm_a_y = arm_a
@@ -404,7 +404,7 @@ def friction_force(sense: Scalar, pair_friction: Scalar, contact_force: Scalar) 
         pair_friction: The coefficient of friction that holds between two bodies, 1
         contact_force: Size of the force of a resting contact along its normal, N
 
-    Source: GD8, srs/models/friction.md:330.
+    Source: GD8, srs/models/friction.md:331.
     """
     return (-sense) * pair_friction * contact_force
 
@@ -434,7 +434,7 @@ def tangential_acceleration_turning(
             of body B, m
         tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
 
-    Source: GD16, srs/models/friction.md:376.
+    Source: GD16, srs/models/friction.md:385.
     """
     arm_a_x, arm_a_y = arm_a
     arm_b_x, arm_b_y = arm_b
@@ -466,7 +466,7 @@ def reach_change(
         normal_turning: Rate at which the normal of a contact turns, rad/s
         tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
 
-    Source: DD69, srs/models/friction.md:424.
+    Source: DD69, srs/models/friction.md:433.
     """
     bearing_corner_x, bearing_corner_y = bearing_corner
     normal_x, normal_y = normal
@@ -508,7 +508,7 @@ def tangential_acceleration_rolling(
         reach_change_b: Rate at which a point of contact gets farther from the centre of a body
             along the normal; of body B, m/s
 
-    Source: DD69, srs/models/friction.md:427.
+    Source: DD69, srs/models/friction.md:436.
     """
     velocity_a_x, velocity_a_y = velocity_a
     velocity_b_x, velocity_b_y = velocity_b
@@ -534,7 +534,7 @@ def settling_impulse(normal_velocity_after: Scalar, inverse_pressed_mass: Scalar
         inverse_pressed_mass: Change of the normal acceleration for one unit of normal force,
             with the friction that it brings about, 1/kg
 
-    Source: DD75, srs/models/friction.md:541.
+    Source: DD75, srs/models/friction.md:550.
     """
     return (-normal_velocity_after) / inverse_pressed_mass
 
@@ -560,7 +560,7 @@ def creep(
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: DD78, srs/models/friction.md:589.
+    Source: DD78, srs/models/friction.md:598.
     """
     return (
         2
@@ -580,6 +580,6 @@ def friction_force_most(contact_force: Scalar, pair_friction: Scalar) -> Scalar:
         contact_force: Size of the force of a resting contact along its normal, N
         pair_friction: The coefficient of friction that holds between two bodies, 1
 
-    Source: IM18, srs/models/friction.md:642.
+    Source: IM18, srs/models/friction.md:651.
     """
     return pair_friction * contact_force

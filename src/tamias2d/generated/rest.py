@@ -32,7 +32,7 @@ def normal_acceleration(
             of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: GD3, srs/models/rest.md:22.
+    Source: GD3, srs/models/rest.md:25.
     """
     acceleration_a_x, acceleration_a_y = acceleration_a
     arm_a_x, arm_a_y = arm_a
@@ -78,7 +78,7 @@ def gap_acceleration_side(
             m/s
         distance: Distance between two places, m
 
-    Source: GD15, srs/models/rest.md:66.
+    Source: GD15, srs/models/rest.md:69.
     """
     arm_b_x, arm_b_y = arm_b
     normal_x, normal_y = normal
@@ -119,7 +119,7 @@ def gap_acceleration_corner(
             m/s
         distance: Distance between two places, m
 
-    Source: GD15, srs/models/rest.md:67.
+    Source: GD15, srs/models/rest.md:70.
     """
     arm_a_x, arm_a_y = arm_a
     arm_b_x, arm_b_y = arm_b
@@ -147,7 +147,7 @@ def time_to_rest(
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: GD5, srs/models/rest.md:170.
+    Source: GD5, srs/models/rest.md:173.
     """
     return (-2) * normal_velocity_after / (normal_acceleration * (1 - restitution))
 
@@ -163,6 +163,6 @@ def bounce_height(normal_velocity_after: Scalar, normal_acceleration: Scalar) ->
         normal_acceleration: Rate of change of the normal velocity of a contact that rests,
             m/s^2
 
-    Source: GD5, srs/models/rest.md:172.
+    Source: GD5, srs/models/rest.md:175.
     """
     return (-normal_velocity_after * normal_velocity_after) / (2 * normal_acceleration)

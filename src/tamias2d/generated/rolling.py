@@ -18,7 +18,7 @@ def inverse_rolling_mass(inverse_mass: Scalar, inverse_inertia: Scalar, arm: Vec
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
         arm: Lever arm, from the centre of mass to the point where something acts on a body, m
 
-    Source: DD85, srs/models/friction.md:481.
+    Source: DD85, srs/models/friction.md:490.
     """
     arm_x, arm_y = arm
     return inverse_mass + inverse_inertia * (arm_x * arm_x + arm_y * arm_y)
@@ -34,7 +34,7 @@ def disc_force(normal_acceleration: Scalar, inverse_mass: Scalar) -> Scalar:
             m/s^2
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD85, srs/models/friction.md:482.
+    Source: DD85, srs/models/friction.md:491.
     """
     return (-normal_acceleration) / inverse_mass
 
@@ -50,7 +50,7 @@ def rolling_friction(tangential_acceleration: Scalar, inverse_rolling_mass: Scal
         inverse_rolling_mass: Change of the tangential velocity of a disc that touches what
             cannot move, for one unit of tangential impulse, 1/kg
 
-    Source: DD85, srs/models/friction.md:483.
+    Source: DD85, srs/models/friction.md:492.
     """
     return (-tangential_acceleration) / inverse_rolling_mass
 
@@ -66,6 +66,6 @@ def sliding_time(tangential_velocity: Scalar, tangential_acceleration: Scalar) -
         tangential_acceleration: Rate of change of the tangential velocity of a contact that
             lasts, m/s^2
 
-    Source: DD85, srs/models/friction.md:484.
+    Source: DD85, srs/models/friction.md:493.
     """
     return (-tangential_velocity) / tangential_acceleration

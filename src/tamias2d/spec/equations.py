@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.check import TRUTH, Type, expect, infer
+from tamias2d.spec.circles import rings
 from tamias2d.spec.expression import Node, Relation, names, parse
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
 from tamias2d.spec.symbols import SymbolTable
@@ -75,6 +76,8 @@ def functions(item: Item, table: SymbolTable, report: Report) -> list[Function]:
     found: list[Function] = []
     for key in ("equations", "closed_form"):
         trees = dict(_trees(item, key, table, report))
+        if _circular(item, key, trees, report):
+            continue
         for name, arguments in item.data.get("arguments", {}).items():
             if name in trees:
                 function = _function(item, key, name, arguments, trees, report)
@@ -115,6 +118,26 @@ def _fits(item: Item, key: str, name: str, node: Node, table: SymbolTable, repor
         report(placed(item, fault, *where))
         return False
     return True
+
+
+def _circular(item: Item, key: str, trees: dict[str, Node], report: Report) -> bool:
+    """Whether a quantity is defined by itself, which is reported."""
+    found = list(rings({name: _rests_on(item, name, trees) for name in trees}))
+    for ring in found:
+        text = f"'{ring[0]}' is defined by itself: {' by '.join(ring)}. Write what it is"
+        report(item.diagnostic(Code.CIRCLE, text, key, ring[0]))
+    return bool(found)
+
+
+def _rests_on(item: Item, name: str, trees: dict[str, Node]) -> list[str]:
+    """The equations that one rests on; two functions may be solutions for each other's argument."""
+    arguments = item.data.get("arguments", {})
+    return [
+        word
+        for word in names(trees[name])
+        if word in trees
+        and (word == name or word not in arguments or word not in arguments.get(name, ()))
+    ]
 
 
 def _function(

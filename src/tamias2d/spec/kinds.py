@@ -35,6 +35,7 @@ _STATEMENT = {
     "uses": _IDS,
     "source": _TEXTS,
     "equation": TEXT,
+    "unchecked": TEXT,
     "condition": TEXT,
     "equations": _EXPRESSIONS,
     "arguments": _table(_NAMES),
@@ -157,6 +158,8 @@ KINDS = {
                 says=TEXT,
                 uses=_IDS,
                 equation=TEXT,
+                unchecked=TEXT,
+                derivation=_DERIVATION,
                 condition=TEXT,
                 label_2018=TEXT,
                 crowd=mapping(

@@ -33,7 +33,9 @@ class Code(Enum):
     SAME_LETTER = "same-letter", "two quantities of a chapter have the same letter"
     BAD_RANGE = "bad-range", "a range of a symbol cannot be read"
     DERIVATION_GAP = "derivation-gap", "a step does not follow from the one before"
+    UNCHECKED = "unchecked", "nothing would notice if a statement were wrong"
     CLOSED_FORM = "closed-form", "the closed form does not solve the model's equations"
+    CIRCLE = "circle", "what is said of something leads back to the same thing"
     SCHEME_ORDER = "scheme-order", "the coefficients do not have the order that is claimed"
     SCHEME_STABILITY = "scheme-stability", "the coefficients do not have the limits claimed"
 

@@ -14,6 +14,7 @@ import jsonschema
 
 from tamias2d.errors import SpecError
 from tamias2d.spec.chapter import Chapter, Item, read_chapter
+from tamias2d.spec.circles import rings
 from tamias2d.spec.formulas import check_item
 from tamias2d.spec.kinds import KINDS
 from tamias2d.spec.letters import check_letters
@@ -21,6 +22,7 @@ from tamias2d.spec.messages import Code, Diagnostic, SpecFault
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.symbols import Index, Range, Symbol, SymbolTable, parse_range
 from tamias2d.spec.tex import has_balanced_braces
+from tamias2d.spec.ties import check_ties
 from tamias2d.spec.units import parse_unit
 
 _BIB_KEY = re.compile(r"@\w+\{\s*([^,\s]+)\s*,")
@@ -45,7 +47,8 @@ class _Reader:
         self.faults.append(fault)
 
     def read(self) -> Specification:
-        """All chapters, checked in order: form, declarations, links, sources, formulas, letters.
+        """All chapters, checked in order: form, declarations, links, sources, formulas, letters,
+        and ties of statements.
 
         What a fault of form or of a declaration hides would give faults elsewhere: they wait.
         """
@@ -61,11 +64,15 @@ class _Reader:
         specification = self.assemble(items, chapters)
         self.stop_at_faults()
         self.check_links(specification)
+        self.check_circles(specification.items)
         self.check_sources(specification)
         for item in specification.items.values():
             self.faults += check_item(item, specification.items, specification.table)
         self.stop_at_faults()
         self.faults += check_letters(specification.items.values(), specification.table)
+        self.stop_at_faults()
+        for item in specification.items.values():
+            check_ties(item, specification.items, specification.table, self.report)
         self.stop_at_faults()
         return specification
 
@@ -168,6 +175,14 @@ class _Reader:
                 self.report(
                     Diagnostic(role.file, role.line, role.column, Code.UNKNOWN_ID.code, text)
                 )
+
+    def check_circles(self, items: dict[str, Item]) -> None:
+        """Report items that rest on themselves."""
+        for ring in rings({id: item.data.get("uses", ()) for id, item in items.items()}):
+            first = items[ring[0]]
+            text = f"'{ring[0]}' rests on itself: {' uses '.join(ring)}. Leave out one of these"
+            place = ("uses", first.data["uses"].index(ring[1]))
+            self.report(first.diagnostic(Code.CIRCLE, text, *place))
 
     def check_sources(self, specification: Specification) -> None:
         path = self.folder / "references.bib"

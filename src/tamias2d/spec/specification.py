@@ -46,7 +46,7 @@ class Specification:
     def _symbol_names(self, value: Any) -> Iterator[str]:
         if isinstance(value, dict):
             for key, inner in value.items():
-                if key not in ("says", "because", "by", "found", "now", "source"):
+                if key not in ("says", "because", "by", "found", "now", "source", "unchecked"):
                     yield from self._symbol_names(key)
                     yield from self._symbol_names(inner)
         elif isinstance(value, list):
