@@ -53,13 +53,8 @@ def _within(asked: Asked) -> Run:
     """Return the run that was asked for; a refusal offers what was not tried."""
     scene, duration = asked.scene, asked.duration
     reason = steps_because(scene, duration)
-    if reason and steps_because(scene, duration, within=True) is None:
-        try:
-            run = unweighed(asked.looked_at())
-        except (SimulationError, SceneError):
-            run = None
-        if run is not None:
-            return asked.sampled(run)
+    if reason and (run := _rubbing(asked)) is not None:
+        return asked.sampled(run)
     if reason is None:
         try:
             return asked.sampled(_located(asked.looked_at()))
@@ -72,6 +67,16 @@ def _within(asked: Asked) -> Run:
             if (reason := stepped_because(scene, duration)) is None:
                 raise
     return _stepped(asked, reason)
+
+
+def _rubbing(asked: Asked) -> Run | None:
+    """Return an adaptive run of mechanisms that rub or rest, if one is within the tolerance."""
+    if steps_because(asked.scene, asked.duration, within=True) is not None:
+        return None
+    try:
+        return unweighed(asked.looked_at())
+    except (SimulationError, SceneError):
+        return None
 
 
 class _PastHorizonError(Exception):
