@@ -113,7 +113,7 @@ def choose_one_by_one(n: int, substep: float, bodies: Bodies, joints: Joints) ->
         share, which = nearest_bound(n, time, joints)
         if which >= 0:
             take_impulses_back(n, 1.0 - share, bodies, joints)
-            change_row(which, time, bodies, joints)
+            change_row(n, which, time, bodies, joints)
         else:
             predict(n, substep, bodies, joints)
             if not hold_rows(n, time, bodies, joints):

@@ -106,7 +106,7 @@ def choose_one_by_one_of_tree(n: int, substep: float, bodies: Bodies, joints: Jo
         share, which = nearest_bound(n, time, joints)
         if which >= 0:
             take_solution_back(n, 1.0 - share, bodies, joints)
-            change_row(which, time, bodies, joints)
+            change_row(n, which, time, bodies, joints)
         else:
             predict_tree(n, substep, bodies, joints)
             if not hold_rows(n, time, bodies, joints):
