@@ -66,7 +66,8 @@ def bound_mechanism(
     """
     first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
     row = islands.energy[joints.sparse[first, tb.N_BODY]]
-    tied, governed = joints.mechanisms[n, tb.M_TIED] == 1, joints.mechanisms[n, tb.M_GOVERNED] == 1
+    tied = joints.mechanisms[n, tb.M_TIED] == 1
+    powered = joints.mechanisms[n, tb.M_TURNED_BY_MOTOR] + joints.mechanisms[n, tb.M_DRIVEN] > 0
     carried = joints.mechanisms[n, tb.M_CARRIED] == 1
     see_from_support(n, bodies, joints, islands)
     base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
@@ -80,7 +81,7 @@ def bound_mechanism(
             now = damp_to(n, now, most, base, bodies, joints, row)
         note_balance(n, start, now, sprung, now, joints)
         return
-    if tied and not governed and start + given + reserve < 0.0:
+    if tied and not powered and start + given + reserve < 0.0:
         share = way_kept(start, given, reserve)
         keep_part_of_way(first, last, share, base, control.progress[tb.PART_TIME], bodies, joints)
         given *= share
