@@ -1,11 +1,15 @@
 """Random pairs of bodies that fly towards each other, for laws that hold whatever the pair."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from hypothesis import strategies as st
 
 import tamias2d as t2
+from tamias2d.contact.core import Core
+from tamias2d.contact.mobility import Mobility
+from tamias2d.state import Array
 
 Shape = t2.Disc | t2.Box | t2.Polygon
 sizes = st.floats(0.1, 2)
@@ -76,3 +80,12 @@ def meetings(
         speed=speeds,
         towards=angles,
     )
+
+
+def without_joints(cores: Sequence[Core]) -> Mobility:
+    """Return what impulses do to bodies that no joint holds."""
+
+    def none(*_: object) -> Array:
+        raise AssertionError("no joint holds anything")
+
+    return Mobility(cores, none, 0.0, {}.__getitem__)

@@ -14,7 +14,7 @@ from tamias2d.contact.frictional_rest import island_of, slides_on
 from tamias2d.contact.manifold import manifold
 from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.state import State
-from tests.contact.meetings import Meeting, angles, meetings, sizes, thrown
+from tests.contact.meetings import Meeting, angles, meetings, sizes, thrown, without_joints
 
 G = 9.81
 boxes = st.builds(lambda w, h: t2.Box(width=w, height=h), sizes, sizes)
@@ -447,6 +447,7 @@ def test_a_corner_that_is_sure_to_slide_does_so_on_its_island():
         free = {1: (0.0, -G, 0.0)}
         sense = slides_on(*given, contacts[0], free, 0.0, rough)
         if sense:
-            assert island_of(*given, contacts, free, 0.0, rough).senses == {(0, 1): sense}
+            island = island_of(*given, contacts, free, 0.0, rough, without_joints(cores))
+            assert island.senses == {(0, 1): sense}
             sure += 1
     assert 150 < sure < 300

@@ -38,10 +38,20 @@ class ActiveContacts:
                 before.add(names)  # a chain may have more pieces that it touches
                 since = self.rest_times.time_of(pair, instant)
                 self.notes += (f"rest: {names} stay in contact from {since:.15g} s",)
+                self._note_jointed(pair, since)
             self._drop(pair)
             if touch.staying:
                 self.of[pair] = touch.staying
         self.senses.update(instant.senses)
+
+    def _note_jointed(self, pair: PairOf, since: float) -> None:
+        """Note once from when on, s, contacts press joints of which only the states are told."""
+        noted = any(note.startswith("joints: ") for note in self.notes)
+        if not noted and any(self._cores[i].jointed for i in pair):
+            self.notes += (
+                f"joints: `reactions` of this run count no contacts that last, as from {since:.15g}"
+                " s; those of Simulator(scene).reactions do",
+            )
 
     def constrain(self, bodies: Iterable[int], instant: Instant) -> None:
         """Replace the constraints on bodies by those of an instant."""

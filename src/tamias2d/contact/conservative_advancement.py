@@ -92,6 +92,8 @@ class Pair:
                 if self._lasting and self._closes(time):
                     return time
                 apart = time_apart(time, tiny, end)
+                if apart is None and self._tied_to_lie(time):
+                    return time
                 if apart is None:
                     break
                 time, tiny_steps = apart, 0
@@ -121,6 +123,11 @@ class Pair:
         """
         nearest, tolerance = self._nearest(time)
         return nearest.value <= tolerance and nearest.rate < 0
+
+    def _tied_to_lie(self, time: float) -> bool:
+        """Whether they touch, and joints may tie one to what lies on the other: it hardly moves."""
+        nearest, tolerance = self._nearest(time)
+        return any(core.jointed for core in self.cores) and nearest.value <= tolerance
 
     def _undecided(self, time: float) -> UndecidedContactError:
         return UndecidedContactError(

@@ -28,7 +28,7 @@ from tamias2d.generated import friction
 from tamias2d.state import Acceleration, Array, State
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
-_REDUNDANT = 1e-12
+_REDUNDANT = 1e-10
 """Of the largest one: below it, a coupling is one of contacts that do the same."""
 _FORCE_TOLERANCE = 1e-9
 """Of the largest force: how far one may be outside its cone."""

@@ -38,6 +38,8 @@ _PRESSED = 1e-10
 """Of the largest force: one that is none."""
 _HELD = 1e-10
 """Of a direction: what is left of it where others hold it."""
+_UNSEEN = 1e-9
+"""Of the accelerations: by which contacts open for rounding where joints may hold them, too."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
@@ -60,6 +62,8 @@ class CoupledIsland(Island):
         """
         self._mobility = mobility
         super().__init__(mobility.cores, placed, contacts, free, slight)
+        if self._jointed:
+            self._unseen = max(self._unseen, _UNSEEN * self._scale)
         self._free = free
         self._time = pair_friction.time
         self._states = {i: body.state for i, body in placed.items()}

@@ -3,7 +3,6 @@
 from collections.abc import Collection, Mapping, Sequence
 
 from tamias2d.contact.frictional_impact import after_frictional_impulse, frictional_impulses
-from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.inelastic_impact import closing_impulses
 from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.jointed_impact import change_by_unit, changed, impulses as jointed_impulses
@@ -251,4 +250,4 @@ def quieten(touching: Collection[TouchingPair]) -> None:
     loudest = max(touch.speed for touch in touching)
     for touch in touching:
         touch.speed = loudest
-        touch.noise = max(touch.noise, 64 * EPSILON * loudest)
+        touch.noise = max(touch.noise, touch.rounding * loudest)

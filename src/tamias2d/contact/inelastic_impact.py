@@ -95,6 +95,21 @@ def closing_impulses(
     return [] if told is None else _impulses(mobility, bodies, problem, states, told)
 
 
+def without_rates(
+    mobility: Mobility, directions: Sequence[Contact], states: Mapping[int, State]
+) -> dict[int, State]:
+    """Return the states after the least impulses that leave no velocity along some normals."""
+    bodies = mobility.reached(directions)
+    rows, before = rows_of(directions, bodies), _velocities(bodies, states)
+    moved = mobility.moved(rows, bodies)
+    found = least_forces(rows, moved, mobility.sizes(rows, bodies), rows @ before.ravel())
+    after = before + (found @ moved).reshape(-1, 3)
+    return {
+        i: states[i]._replace(velocity=(x, y), angular_velocity=spin)
+        for i, (x, y, spin) in zip(bodies, after.tolist(), strict=True)
+    }
+
+
 def _loose(patches: Sequence[Patch]) -> list[Patch]:
     """Return patches of which it is open how they slide afterwards."""
     return [patch._replace(sense=0) for patch in patches]

@@ -12,7 +12,7 @@ from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.frictional_rest import island_of
 from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
 from tamias2d.contact.impacts import Impacts, quieten
-from tamias2d.contact.inelastic_impact import JammedError, jam_impulses
+from tamias2d.contact.inelastic_impact import JammedError, jam_impulses, without_rates
 from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.lasting_contact import Island
 from tamias2d.contact.manifold import (
@@ -22,6 +22,8 @@ from tamias2d.contact.manifold import (
     manifold,
     normal_velocity,
     speed_scale,
+    tangent_of,
+    tangential_velocity,
 )
 from tamias2d.contact.mobility import refuse_switching, with_mechanisms
 from tamias2d.contact.one_surface import strike_as_one
@@ -57,6 +59,7 @@ class Instant:
         self.separating: dict[PairOf, float] = {}
         """Pairs that separate without normal velocity, with the second derivative of the gap."""
         self._stopped: set[PairOf] = set()  # of which an impulse has ended the sliding
+        self._bouncing: list[Contact] = []  # whose bounces are low, and go on
         self._find_touching(bodies)
         if world.again:
             self._hush()
@@ -67,6 +70,7 @@ class Instant:
         self.changed |= impacts.changed
         self.ruled = impacts.ruled
         """Bodies for which a rule decided what rigid bodies leave open (A18)."""
+        self._still_mechanisms()
         self._keep_lasting()
 
     def state(self, body: int) -> State:
@@ -131,10 +135,11 @@ class Instant:
             return None
         self._refuse_behind(a, b, contacts)
         speed = max(speed_scale(contact, a.state, b.state) for contact in contacts)
-        noise = speed * (LASTING_NOISE if lasting else 64 * EPSILON)
+        rounding = LASTING_NOISE if a.core.jointed or b.core.jointed else 64 * EPSILON
+        noise = speed * (LASTING_NOISE if lasting else rounding)
         if speed <= 64 * EPSILON * self.time * max(math.hypot(*self._pull(x)) for x in (a, b)):
             noise = speed  # nothing but rounding moves them
-        return TouchingPair(pair, contacts, tolerance, speed, noise)
+        return TouchingPair(pair, contacts, tolerance, speed, noise, rounding)
 
     def _part(self, pair: PairOf) -> None:
         """Let a pair go whose corners have slid off each other."""
@@ -195,10 +200,29 @@ class Instant:
             return 0.0, 0.0
         return self._world.free(body.core.index, self._world.state)[:2]
 
+    def _still_mechanisms(self) -> None:
+        """Take all velocities of mechanisms' contacts that count as none, at once.
+
+        Taken contact by contact they would come back at others, through the joints.
+        """
+        still = []
+        for touch in self.touching_pairs.values():
+            if any(self._world.cores[i].jointed for i in touch.pair):
+                own = [c for c in touch.contacts if abs(self._rate(c)) <= touch.noise]
+                rough = own and self._world.friction(*touch.pair)
+                if rough and abs(self._slip(own[0])) <= self._slide_noise(own[0]):
+                    own.append(tangent_of(own[0]))
+                still += own
+        if still:
+            self.states.update(without_rates(self._world.mobility, still, self.states))
+
+    def _slip(self, contact: Contact) -> float:
+        return tangential_velocity(contact, self.states[contact.a], self.states[contact.b])
+
     def _slide_noise(self, contact: Contact) -> float:
         pair = contact.a, contact.b
-        share = LASTING_NOISE if pair in self._world.sticking else 64 * EPSILON
-        return self.touching_pairs[pair].speed * share
+        touch = self.touching_pairs[pair]
+        return touch.speed * (LASTING_NOISE if pair in self._world.sticking else touch.rounding)
 
     def _rate(self, contact: Contact) -> float:
         return normal_velocity(contact, self.states[contact.a], self.states[contact.b])
@@ -245,9 +269,30 @@ class Instant:
         while low := self._unresolved_bounces(islands, staying):
             refuse_switching(self._world.cores, low, "they come to rest on each other", self.time)
             self._refuse_corners(low)
-            staying += low
-            islands = self._islands(staying)
+            if self._may_end(staying, low):
+                staying += low
+                islands = self._islands(staying)
+            else:
+                self._bouncing += low
         return staying, islands
+
+    def _may_end(self, staying: Sequence[Contact], low: Sequence[Contact]) -> bool:
+        """End the low bounces of a mechanism, unless others of its contacts approach by that.
+
+        So one does whose corner passes below a hinge beside which the other body lies: it lifts it.
+        """
+        cores = self._world.cores
+        held = [c for c in (*staying, *low) if cores[c.a].jointed or cores[c.b].jointed]
+        if not any(contact in held for contact in low):
+            return True
+        before = dict(self.states)
+        self.states.update(without_rates(self._world.mobility, held, self.states))
+        for touch in self.touching_pairs.values():
+            noise = 64 * EPSILON * touch.speed
+            if any(self._rate(contact) < -noise for contact in touch.contacts):
+                self.states.update(before)
+                return False
+        return True
 
     def _resolve_jam(self, jam: JammedError) -> bool:
         """Apply the impulses that end the sliding of contacts that jam (DD68), if there are any."""
@@ -322,7 +367,7 @@ class Instant:
         found = []
         for touch in self.touching_pairs.values():
             for contact in touch.contacts:
-                if contact in staying:
+                if contact in staying or contact in self._bouncing:
                     continue
                 acceleration = opening_acceleration(contact, placed, by)
                 rate = self._rate(contact)

@@ -30,6 +30,8 @@ class TouchingPair:
     """The size of the terms that make up its velocities, m/s."""
     noise: float
     """The largest normal velocity that counts as 0, m/s."""
+    rounding: float
+    """Of the speed: what rounding leaves of a velocity that is none."""
     striking: list[Contact] = field(init=False)
     """Those of its contacts, and of its neighbours in a chain, that take part in impacts."""
     staying: list[Contact] = field(default_factory=list)

@@ -112,7 +112,7 @@ class Loads:
 
         They are by impulses (m, n, 3), N s and N m s, each with what joints answer.
         """
-        changes = impulses * self._inverse[list(bodies)]
+        changes: Array = impulses * self._inverse[list(bodies)]
         for own, mechanism in self.mechanisms(bodies):
             position, _ = coordinates([state(bodies[k]) for k in own])
             changes[:, own] = mechanism.moved(time, position, impulses[:, own])

@@ -163,7 +163,8 @@ class Mechanism:
 
         The joints answer with impulses of their own that keep their rates (GD20).
         """
-        return self.moved(time, position, impulses[None])[0]
+        (change,) = self.moved(time, position, impulses[None])
+        return np.asarray(change, float)
 
     def moved(self, time: float, position: Array, impulses: Array) -> Array:
         """Return the same (m, n, 3) for each of several impulses (m, n, 3)."""
