@@ -16,7 +16,7 @@ def test_limit_stops_and_bears_the_weight() -> None:
     sim = plain(governed(limits=Limits(lower=-0.5, upper=1.0, restitution=0.0)))
     sim.step(40)
     assert sim.orientation[0] == pytest.approx(-0.5, abs=1e-6)  # passed by less than a substep
-    assert sim.angular_velocity[0] == pytest.approx(0.0, abs=1e-9)
+    assert sim.angular_velocity[0] == pytest.approx(0.0, abs=1e-8)  # by how firm a row is
     assert sim.reactions.torque[0, 1] == pytest.approx(G * math.cos(0.5), rel=1e-6)
 
 

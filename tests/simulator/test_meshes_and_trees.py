@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.joints import activity, hinge_net, net_gradients, rows as engine_rows
+from tamias2d.engine.joints import hinge_net, net_gradients, rows as engine_rows
 from tamias2d.engine.joints.yielding import REMOVED_BY_JOINTS
 from tamias2d.scene import JointSpring, Limits, Motor, Revolute, Scene
 from tamias2d.simulator import Simulator
@@ -126,8 +126,6 @@ def test_trees_of_hinges_move_as_any_mechanism_does(law: str, tied: str) -> None
         with pytest.MonkeyPatch.context() as patch:
             if not tree:
                 patch.setattr(engine_rows, "hinge_tree", lambda *_: None)
-            if law == "motor":  # of a tree it acts at both ends of a step, else not
-                patch.setattr(activity, "is_near_limits", lambda *_: True)
             sim = plain(scene)
             sim.step(20)
         found.append((sim.position.copy(), sim.reactions.force.copy()))

@@ -1,7 +1,6 @@
 """Which mechanisms take part in a step: those that are awake, and what touches these."""
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.near_limits import is_near_limits
 from tamias2d.engine.joints.placement import place_moved, pull_after_moved
 from tamias2d.engine.solver.slabs import list_all
 from tamias2d.engine.springs.substep import activate
@@ -24,7 +23,7 @@ def hold_tied(islands: Islands, joints: Joints) -> None:
 
 
 def note_mechanisms(world: World) -> None:
-    """Place the members of mechanisms, and note which of these are awake, and near limits."""
+    """Place the members of mechanisms, and note which of these are awake."""
     joints = world.joints
     if joints.counts[tb.JOINTS] == 0:
         return
@@ -38,20 +37,6 @@ def note_mechanisms(world: World) -> None:
         if asleep != (joints.mechanisms[n, tb.M_STATUS] == tb.ASLEEP):
             joints.mechanisms[n, tb.M_STATUS] = tb.ASLEEP if asleep else tb.FREE_OF_CONTACTS
             world.touching.counts[tb.ARRANGED] = 0
-        note_near_limits(n, asleep, world)
-
-
-def note_near_limits(n: int, asleep: bool, world: World) -> None:
-    """Note whether a mechanism is near its limits, where it is not touched by contacts anyway."""
-    joints = world.joints
-    counts = world.touching.counts
-    if joints.mechanisms[n, tb.M_TOUCHED] == 1 and counts[tb.ARRANGED] == 1:
-        return
-    time = world.control.progress[tb.PART_TIME]
-    near = not asleep and is_near_limits(n, time, world.bodies, joints)
-    if near != (joints.mechanisms[n, tb.M_NEAR] == 1):
-        joints.mechanisms[n, tb.M_NEAR] = 1 if near else 0
-        counts[tb.ARRANGED] = 0
 
 
 def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
@@ -63,8 +48,7 @@ def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
 def activate_joined(world: World) -> None:
     """Make the bodies of mechanisms active, and note which mechanisms contacts touch.
 
-    Those with springs and motors are solved as those that are touched, but once only; limits that
-    are near are chosen twice, too.
+    Those with springs, motors and limits are solved as those that are touched, but once only.
     """
     joints, bodies = world.joints, world.bodies
     awake = touched_ones = 0
@@ -75,7 +59,6 @@ def activate_joined(world: World) -> None:
             for m in range(first + 1, last + 1):
                 touched += bodies.moved[joints.members[m, tb.JOINED_SLOT]]
             joints.mechanisms[n, tb.M_TOUCHED] = 1 if touched > 0 else 0
-            touched += joints.mechanisms[n, tb.M_NEAR]
             alone = (
                 tb.GOVERNED_ALONE
                 if joints.mechanisms[n, tb.M_GOVERNED] == 1

@@ -4,7 +4,7 @@ Cost: where there are limits that bounce, a visit to each of these in a substep.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.governed import is_leant_on
+from tamias2d.engine.joints.governed import is_leant_on, is_limit
 from tamias2d.engine.joints.solve import rate_of_row
 from tamias2d.engine.tables import Bodies, Joints
 from tamias2d.generated.joint_step import bounce_rate
@@ -36,3 +36,14 @@ def bounce_limits(n: int, bodies: Bodies, joints: Joints) -> None:
             if sign * rate_of_row(j, 0, bodies, joints) < sign * rate:
                 joints.joints[j, tb.J_STATE] = tb.HOLDS
                 joints.laws[j, tb.LAW_RATE] = rate
+
+
+def strikes(n: int, joints: Joints) -> bool:
+    """Return whether a mechanism strikes a limit in a part: one that has not pushed before."""
+    if joints.mechanisms[n, tb.M_GOVERNED] == 0:
+        return False
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        pushes = joints.numbers[j, tb.J_PULL] != 0.0 and joints.numbers[j, tb.J_PUSHED] == 0.0
+        if pushes and is_limit(joints.joints[j, tb.J_LAW]):
+            return True
+    return False

@@ -20,6 +20,7 @@ from tamias2d.engine.energy.island_damping import (
 )
 from tamias2d.engine.energy.step_energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.energy.support import FREE, SUPPORTED_BY_ONE
+from tamias2d.engine.joints.bounce import strikes
 from tamias2d.engine.joints.island_bound import (
     energy_of_springs,
     may_get_any,
@@ -65,7 +66,8 @@ def bound_mechanism(
     """
     first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
     row = islands.energy[joints.sparse[first, tb.N_BODY]]
-    tied, governed = joints.mechanisms[n, tb.M_TIED] == 1, joints.mechanisms[n, tb.M_GOVERNED] == 1
+    tied = joints.mechanisms[n, tb.M_TIED] == 1
+    powered = joints.mechanisms[n, tb.M_TURNED_BY_MOTOR] + joints.mechanisms[n, tb.M_DRIVEN] > 0
     carried = joints.mechanisms[n, tb.M_CARRIED] == 1
     see_from_support(n, bodies, joints, islands)
     base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
@@ -77,9 +79,9 @@ def bound_mechanism(
             driven = energy_driven(n, mass_of_mechanism(n, joints), row, control, bodies, joints)
             most = max(start + given + numbers[tb.J_ENERGY] - sprung, driven)
             now = damp_to(n, now, most, base, bodies, joints, row)
-        note_balance(start, now, sprung, now, numbers)
+        note_balance(n, start, now, sprung, now, joints)
         return
-    if tied and not governed and start + given + reserve < 0.0:
+    if tied and not powered and start + given + reserve < 0.0:
         share = way_kept(start, given, reserve)
         keep_part_of_way(first, last, share, base, control.progress[tb.PART_TIME], bodies, joints)
         given *= share
@@ -88,7 +90,7 @@ def bound_mechanism(
     most = max(balance, 0.0)
     now = damp_to(n, now, most, base, bodies, joints, row)
     energy[tb.TOTAL_ENERGY_START] += energy_regained(now, start, given)
-    note_balance(start, now, sprung, balance, numbers)
+    note_balance(n, start, now, sprung, balance, joints)
 
 
 def damp_to(
@@ -205,15 +207,18 @@ def note_energy_of_springs(n: int, joints: Joints) -> None:
     numbers[tb.J_MOTION_LATER] = numbers[tb.J_MOTION]
 
 
-def note_balance(start: float, now: float, sprung: float, balance: float, numbers: Array) -> None:
+def note_balance(
+    n: int, start: float, now: float, sprung: float, balance: float, joints: Joints
+) -> None:
     """Note what of its balance, J, a mechanism lacks as a part ends: to gain, or to lose.
 
     Where it began with other motion than the last part ended with, joints may take of that what
-    does not fit them: none may be gained for it.
+    does not fit them: none may be gained for it, nor for what it loses as it strikes a limit.
     """
+    numbers = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
     scale = energy_scale_later(numbers[tb.J_SCALE], now, sprung, SCALE_FADE)
     later = energy_reserve_later(balance, now, scale, RESERVE)
-    changed = is_changed(start, numbers)
+    changed = is_changed(start, numbers) or strikes(n, joints)
     numbers[tb.J_RESERVE_LATER] = min(later, numbers[tb.J_RESERVE]) if changed else later
     numbers[tb.J_SCALE_LATER], numbers[tb.J_MOTION_LATER] = scale, now
 

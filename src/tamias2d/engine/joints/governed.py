@@ -11,7 +11,6 @@ from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.tables import Bodies, Integers, Joints
 from tamias2d.generated.joint_step import row_impulse_most, struck_rate, struck_share
 from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Array
 
 HALF = 0.5  # of a substep: in the first one and after the last, where loads are kicks at both ends
 
@@ -191,7 +190,7 @@ def change_row(n: int, j: int, time: float, bodies: Bodies, joints: Joints) -> N
         ends[tb.J_STATE] = tb.HOLDS
         if not motor:
             if numbers[tb.J_STRUCK] == 0.0:
-                note_struck(1.0 if ends[tb.J_LAW] == tb.LOWER_LIMIT else -1.0, numbers)
+                note_struck(n, j, joints)
             let_go_of_leaning(j, bodies, joints)
         return
     ends[tb.J_STATE] = tb.FREE_ROW
@@ -242,9 +241,25 @@ def let_go_of_leaning(j: int, bodies: Bodies, joints: Joints) -> None:
         apply_joint_impulse(motor, 0, -joints.numbers[motor, tb.J_GIVEN], bodies, joints)
 
 
-def note_struck(sign: float, numbers: Array) -> None:
+def note_struck(n: int, j: int, joints: Joints) -> None:
     """Note at which rate a limit is struck for the first time in a part: its row without it."""
-    before, after = numbers[tb.J_RATE_START], numbers[tb.J_RESIDUAL]
-    free = sign * numbers[tb.J_VALUE_START] > 0.0
-    share = struck_share(numbers[tb.J_VALUE_START], numbers[tb.J_ROW]) if free else 0.0
-    numbers[tb.J_STRUCK] = struck_rate(before, share, after)
+    numbers = joints.numbers[j]
+    sign = 1.0 if joints.joints[j, tb.J_LAW] == tb.LOWER_LIMIT else -1.0
+    start, end = numbers[tb.J_RATE_START], numbers[tb.J_RESIDUAL]
+    share, free = 0.0, sign * numbers[tb.J_VALUE_START] > 0.0
+    if free:
+        share = struck_share(numbers[tb.J_VALUE_START], numbers[tb.J_ROW])
+        start, end = rates_at_ends(n, start, end, joints)
+    numbers[tb.J_STRUCK] = struck_rate(start, share, end)
+
+
+def rates_at_ends(n: int, before: float, after: float, joints: Joints) -> tuple[float, float]:
+    """Return the rates with which a substep begins and ends, of a row that had some before.
+
+    Where nothing touches a mechanism, its velocities are those in the middle of substeps.
+    """
+    if joints.mechanisms[n, tb.M_STATUS] == tb.IN_CONTACT:
+        return before, after
+    if joints.mechanisms[n, tb.M_HALF] == 1:
+        return before, struck_rate(before, 1.0 / HALF, after)
+    return struck_rate(before, HALF, after), struck_rate(before, 1.0 + HALF, after)

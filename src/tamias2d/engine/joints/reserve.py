@@ -71,5 +71,5 @@ def note_reserve(
     base = (row[tb.REFERENCE], row[tb.REFERENCE + 1])
     start, _, now = energies_of_part(first, last, base, control, bodies, joints)
     numbers = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
-    note_balance(start, now, energy_of_springs(n, joints), now + missing, numbers)
+    note_balance(n, start, now, energy_of_springs(n, joints), now + missing, joints)
     island[tb.ENERGY_SURPLUS] += numbers[tb.J_RESERVE_LATER]

@@ -40,15 +40,14 @@ M_DRIVEN = _mechanisms()  # 1 if a spring, or what changes with time, may give i
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
 M_CHOOSING = _mechanisms()  # 1 if it has limits, motors, or springs with a maximum
 M_BOUNCING = _mechanisms()  # 1 if it has limits that bounce
-M_NEAR = _mechanisms()  # 1 if it may reach a limit in this part
 M_TOUCHED = _mechanisms()  # 1 if contacts touch it
 M_HINGED = _mechanisms()  # 1 if it is a net or a tree of hinges; of a tree nodes come after those
 # above them, and joints that are no hinges of nodes last
 M_IN_BLOCK = _mechanisms()  # 1 if it is a tree that is solved in a lane of a block
 M_WRITTEN = _mechanisms()  # 1 if its rows are those of its places and masses
 M_HALF = _mechanisms()  # 1 in the first substep of a step whose forces came half before it
-# status: those of the second kind have no limits, motors and springs, those of the third have some,
-# and are far from limits
+# status: those of the second kind have no limits, motors and springs, those of the third have some
+# and contacts touch those of the last
 ASLEEP, FREE_OF_CONTACTS, GOVERNED_ALONE, IN_CONTACT = range(4)
 
 _joint = Columns()  # whole numbers of a joint
