@@ -28,8 +28,6 @@ from tamias2d.generated import friction
 from tamias2d.state import Acceleration, Array, State
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
-_REDUNDANT = 1e-10
-"""Of the largest one: below it, a coupling is one of contacts that do the same."""
 _FORCE_TOLERANCE = 1e-9
 """Of the largest force: how far one may be outside its cone."""
 
@@ -117,7 +115,13 @@ class CoupledConstraint:
         jacobian = rows_of(closed_directions(rows), self.bodies)
         mobility = self.mobility.at(time, dict(zip(self.bodies, states, strict=True)).__getitem__)
         pushes = mobility.moved(rows_of(force_directions(mode), self.bodies), self.bodies)
-        found = least_forces(jacobian, pushes, mobility.sizes(jacobian, self.bodies), loads)
+        found = least_forces(
+            jacobian,
+            pushes,
+            mobility.sizes(jacobian, self.bodies),
+            loads,
+            mobility.redundant(self.bodies),
+        )
         result = accelerations + (found @ pushes).reshape(-1, 3)
         return _Solved(mobility, mode, jacobian, loads, found.tolist(), result)
 
@@ -162,16 +166,18 @@ def _slip(contact: Contact, placed: Mapping[int, Placed]) -> float:
     return tangential_velocity(refreshed(contact, a, b), a.state, b.state)
 
 
-def least_forces(jacobian: Array, pushes: Array, size: Array, loads: Array) -> Array:
+def least_forces(
+    jacobian: Array, pushes: Array, size: Array, loads: Array, redundant: float
+) -> Array:
     """Return the least forces that take the loads off closed contacts.
 
     `pushes` (m, 3 n) are the accelerations by a unit of each; by their `size` light and heavy
-    bodies count alike.
+    bodies count alike. Couplings below a share of the largest are of contacts that do the same.
     """
     if not len(loads):
         return np.zeros(0)
     matrix = (jacobian @ pushes.T) / np.outer(size, size)
-    found: Array = np.linalg.lstsq(matrix, -loads / size, rcond=_REDUNDANT)[0] / size
+    found: Array = np.linalg.lstsq(matrix, -loads / size, rcond=redundant)[0] / size
     return found
 
 

@@ -146,7 +146,9 @@ class CoupledIsland(Island):
         )
         pushes = self._mobility.moved(rows_of(force_directions(mode), self.bodies), self.bodies)
         size = self._mobility.sizes(rows, self.bodies)
-        found = least_forces(rows, pushes, size, rows @ velocities.ravel())
+        found = least_forces(
+            rows, pushes, size, rows @ velocities.ravel(), self._mobility.redundant(self.bodies)
+        )
         after = velocities + (found @ pushes).reshape(-1, 3)
         return {
             i: states[i]._replace(velocity=(x, y), angular_velocity=spin)
@@ -307,7 +309,7 @@ class CoupledIsland(Island):
         )
         free = np.array([self._free[i] for i in self.bodies])
         size = self._mobility.sizes(jacobian, self.bodies)
-        found = least_forces(jacobian, pushes, size, loads)
+        found = least_forces(jacobian, pushes, size, loads, self._mobility.redundant(self.bodies))
         after = free + (found @ pushes).reshape(-1, 3)
         return {
             i: (x, y, turn) for i, (x, y, turn) in zip(self.bodies, after.tolist(), strict=True)

@@ -102,7 +102,9 @@ def without_rates(
     bodies = mobility.reached(directions)
     rows, before = rows_of(directions, bodies), _velocities(bodies, states)
     moved = mobility.moved(rows, bodies)
-    found = least_forces(rows, moved, mobility.sizes(rows, bodies), rows @ before.ravel())
+    found = least_forces(
+        rows, moved, mobility.sizes(rows, bodies), rows @ before.ravel(), mobility.redundant(bodies)
+    )
     after = before + (found @ moved).reshape(-1, 3)
     return {
         i: states[i]._replace(velocity=(x, y), angular_velocity=spin)
@@ -136,7 +138,9 @@ def _impulses(
     effect = mobility.moved(rows_of(force_directions(mode), bodies), bodies)
     left = rows @ _velocities(bodies, states).ravel()
     size = mobility.sizes(rows, bodies)
-    found = _of_contacts(mode, least_forces(rows, effect, size, left).tolist())
+    found = _of_contacts(
+        mode, least_forces(rows, effect, size, left, mobility.redundant(bodies)).tolist()
+    )
     return found if _obey_coulomb(mode, found) else _as_told(problem, *told)
 
 

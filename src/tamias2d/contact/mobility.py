@@ -15,6 +15,11 @@ from tamias2d.state import Array, State
 _HELD = 1e-7
 """Of what it would be without joints: a row that moves less is held by them."""
 
+_REDUNDANT = 1e-12
+"""Of the largest one: below it, a coupling is one of contacts that do the same."""
+_REDUNDANT_WITH_JOINTS = 1e-9
+"""Likewise: a corner that passes below a hinge does nearly the same as what lies beside it."""
+
 Moved = Callable[[float, Sequence[int], Array, Callable[[int], State]], Array]
 """From a time, bodies, impulses (m, n, 3) and states to changes of velocities (m, n, 3)."""
 
@@ -59,6 +64,10 @@ class Mobility(NamedTuple):
             return free
         own = np.sqrt(np.maximum((rows * self.moved(rows, bodies)).sum(axis=1), 0.0))
         return np.where(own > _HELD * free, own, free)
+
+    def redundant(self, bodies: Sequence[int]) -> float:
+        """Return the share of the largest coupling below which contacts do the same."""
+        return _REDUNDANT_WITH_JOINTS if self._jointed(bodies) else _REDUNDANT
 
     def reached(self, contacts: Iterable[Contact]) -> list[int]:
         """Return the moving bodies of contacts, and those that joints tie to them, in order."""
