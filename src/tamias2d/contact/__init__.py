@@ -19,7 +19,6 @@ from tamias2d.contact.refusal import (
     OverlapError,
     RangeError,
     Refusal,
-    SimultaneousImpactsError,
     UndecidedContactError,
     UnlocatedContactError,
 )
@@ -40,7 +39,6 @@ __all__ = [
     "Passing",
     "RangeError",
     "Refusal",
-    "SimultaneousImpactsError",
     "SingleImpact",
     "UndecidedContactError",
     "UnlocatedContactError",

@@ -18,12 +18,6 @@ class Refusal(SimulationError):  # noqa: N818
         self.time = time
 
 
-class SimultaneousImpactsError(Refusal):
-    """Impacts at one instant that act on each other: rigid bodies leave the answer open."""
-
-    code = "simultaneous-impacts"
-
-
 class LastingContactError(Refusal):
     """A contact that lasts while its normal turns, tips or moves: not within the models."""
 

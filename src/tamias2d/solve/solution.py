@@ -12,7 +12,6 @@ from tamias2d.contact import (
     LastingContactError,
     Located,
     OverlapError,
-    SimultaneousImpactsError,
     UndecidedContactError,
 )
 from tamias2d.motion import Dop853, DormandPrince5, Legacy2018, Method, PathMethod, Stepped
@@ -35,7 +34,6 @@ from tamias2d.state import Array
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
 _UNDECIDED = (
-    SimultaneousImpactsError,
     LastingContactError,
     JointedContactError,
     UndecidedContactError,
