@@ -233,3 +233,29 @@ def test_joints_that_may_switch_are_refused_by_name_where_contacts_last() -> Non
     scene.add_joint(t2.Prismatic(axis=(1, 0), limits=limits), (0, 0.5), 1, name="rail")
     with pytest.raises(JointedContactError, match=r"joint 'rail' .* limit.*R13"):
         t2.simulate(scene, duration=1.0, method=EXACT)
+
+
+def balls_on_a_rod_at_its_limit() -> t2.Scene:
+    """Two balls that meet a rod at one instant, beside its hinge; it leans on a stop."""
+    scene = t2.Scene(gravity=(0.0, -G))
+    scene.add_body(
+        t2.Box(width=2.0, height=0.1), mass=1.0, position=(0.5, 0.0), friction=0.0, restitution=0.5
+    )
+    stop = t2.Limits(lower=0.0, upper=1.0, restitution=0.0)
+    scene.add_joint(t2.Revolute(limits=stop), (0.0, 0.0), 0, at=(0.0, 0.0), name="hinge")
+    for x in (0.5, 1.0):
+        scene.add_body(
+            t2.Disc(radius=0.1), mass=1.0, position=(x, 0.5), friction=0.0, restitution=0.5
+        )
+    return scene
+
+
+def test_balls_that_meet_a_rod_at_its_limit_together_are_stepped_where_nothing_else_is_asked() -> (
+    None
+):
+    scene = balls_on_a_rod_at_its_limit()
+    with pytest.raises(t2.JointError, match=r"joint 'hinge' at .* at its limit .*R13"):
+        t2.simulate(scene, duration=0.5, method=EXACT)
+    run = t2.simulate(scene, duration=0.5)
+    assert run.method == t2.Stepped()
+    assert "joint 'hinge'" in run.notes[0]

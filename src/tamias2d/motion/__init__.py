@@ -7,6 +7,7 @@ derivatives. Hides: how that path is found (closed form, a scheme, scipy).
 from tamias2d.motion.adaptive import StepSizeError
 from tamias2d.motion.joint_events import JointEvent, JointEvents, joint_events
 from tamias2d.motion.legacy import Legacy2018
+from tamias2d.motion.limited_mechanism import LimitHeldError
 from tamias2d.motion.mechanism import JointError
 from tamias2d.motion.method import Method
 from tamias2d.motion.methods import (
@@ -40,6 +41,7 @@ __all__ = [
     "JointEvent",
     "JointEvents",
     "Legacy2018",
+    "LimitHeldError",
     "Method",
     "Motion",
     "PathMethod",

@@ -33,6 +33,18 @@ from tamias2d.state import Array
 Pusher = tuple[Literal["limit"], Side] | tuple[Literal["motor"], Of]
 
 
+class LimitHeldError(JointError):
+    """Impulses of either sign on a mechanism of which a limit holds: it answers some alone."""
+
+    def __init__(self, name: str, time: float) -> None:
+        super().__init__(
+            f"joint '{name}' at {time!r} s: it is at its limit while bodies of its mechanism rub "
+            "or meet together, which is not solved yet (R13). End the run before, or take "
+            "method=Stepped()."
+        )
+        self.time = time
+
+
 class LimitedMechanism:
     """The joints of some bodies that they connect, and what they do at each time."""
 
@@ -240,16 +252,11 @@ class LimitedMechanism:
         """Return the same (m, n, 3) for each of several impulses (m, n, 3) of either sign.
 
         Raises:
-            JointError: a limit holds, which answers those of one sign alone.
+            LimitHeldError: a limit holds.
         """
         mode = self.mode(time)
         if mode.held:
-            name = self._joint[min(mode.held)[0][0]].name
-            raise JointError(
-                f"joint '{name}' at {time!r} s: it is at its limit while bodies of its mechanism "
-                "rub or meet together, which is not solved yet (R13). End the run before, or take "
-                "method=Stepped()."
-            )
+            raise LimitHeldError(self._joint[min(mode.held)[0][0]].name, time)
         rows, _ = self.stiff(time, position, mode, [])
         endless = np.full(len(rows), -np.inf)
         changes = self.inverse * impulses

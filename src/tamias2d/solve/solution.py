@@ -14,7 +14,15 @@ from tamias2d.contact import (
     OverlapError,
     UndecidedContactError,
 )
-from tamias2d.motion import Dop853, DormandPrince5, Legacy2018, Method, PathMethod, Stepped
+from tamias2d.motion import (
+    Dop853,
+    DormandPrince5,
+    Legacy2018,
+    LimitHeldError,
+    Method,
+    PathMethod,
+    Stepped,
+)
 from tamias2d.motion.error_equation import Watch
 from tamias2d.motion.halved import Halving
 from tamias2d.motion.integrated import IntegratedMotion
@@ -37,6 +45,7 @@ _UNDECIDED = (
     LastingContactError,
     JointedContactError,
     UndecidedContactError,
+    LimitHeldError,
 )
 
 
