@@ -1,4 +1,4 @@
-"""How fast the contacts of mechanisms meet, which have no impacts in flight (DD102)."""
+"""How fast the contacts of mechanisms meet, or part: they have no impacts in flight (DD102)."""
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.tables import Bodies, Control, Integers
@@ -6,6 +6,8 @@ from tamias2d.generated.definitions import coordinate_velocity_later
 from tamias2d.generated.soft_contact import impact_velocity, row_acceleration, row_velocity
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
+
+BLOW_IS_OVER = 0.01  # of the velocity that an impulse gave: what parts as fast
 
 
 def joined_approach(
@@ -27,6 +29,34 @@ def joined_approach(
     )
     by = row_acceleration(speed, driven, control.settings[tb.SUBSTEP])
     return impact_velocity(speed, by, row[at + tb.P_GAP])
+
+
+def forget_blow(
+    m: int, at: int, lane: Integers, row: Array, control: Control, bodies: Bodies
+) -> None:
+    """Let a point that parts from a blow, or what loads alone would leave parting, start anew.
+
+    The impulse of a blow that is over would set the links of a mechanism in motion, which its
+    joints and contacts do not take back by one visit each.
+    """
+    i, j = lane[tb.BODY_A + m], lane[tb.BODY_B + m]
+    if bodies.properties[i, tb.JOINED] + bodies.properties[j, tb.JOINED] == 0.0:
+        return
+    a, b = bodies.substep_state[i], bodies.substep_state[j]
+    arm_a, arm_b = row[at + tb.P_NORMAL_ARM_A], row[at + tb.P_NORMAL_ARM_B]
+    normal, start = (row[tb.R_NX + m], row[tb.R_NY + m]), tb.SUBSTEP_START
+    speed = row_velocity(
+        (a[start], a[start + 1]), a[start + 2], arm_a,
+        (b[start], b[start + 1]), b[start + 2], arm_b, normal,
+    )  # fmt: skip
+    driven = row_velocity(
+        driven_velocity(a), driven_spin(a), arm_a, driven_velocity(b), driven_spin(b), arm_b, normal
+    )
+    by = row_acceleration(speed, driven, control.settings[tb.SUBSTEP])
+    parting = coordinate_velocity_later(1.0, speed, control.progress[tb.PART_TIME] * by)
+    given = row[at + tb.P_NORMAL_IMPULSE] * (row[tb.R_MASS_A + m] + row[tb.R_MASS_B + m])
+    if min(speed, parting) > BLOW_IS_OVER * given:
+        row[at + tb.P_NORMAL_IMPULSE] = row[at + tb.P_TANGENT_IMPULSE] = 0.0
 
 
 @inlined

@@ -6,7 +6,7 @@ from tamias2d.engine.energy.angular_momentum import add_given_by_joints
 from tamias2d.engine.energy.joined_gains import joints_disagree, note_gains, noted_if_free
 from tamias2d.engine.islands import join_islands
 from tamias2d.engine.joined import mark_joined, or_joined, unless_joined
-from tamias2d.engine.joined_approach import joined_approach
+from tamias2d.engine.joined_approach import forget_blow, joined_approach
 from tamias2d.engine.joints.acting import unless_tied
 from tamias2d.engine.joints.activity import (
     activate_joined,
@@ -41,6 +41,7 @@ JOINT_STAGES = (
     end_joints,
     fit_rebound,
     fit_touched,
+    forget_blow,
     hold_tied,
     join_islands,
     join_slabs,
