@@ -264,7 +264,7 @@ def test_a_warning_is_one_line_and_told_once(capsys: pytest.CaptureFixture[str])
 
 
 def test_a_run_tells_in_its_notes_what_was_warned_of(call_warm: Call) -> None:
-    result = call_warm("run", "card-house", "--duration", "100 ms")
+    result = call_warm("run", "card-house", "--duration", "500 ms")
     assert result.stderr == ""
     assert result.stdout.count("shorter step or more substeps") == 1
 
