@@ -142,7 +142,9 @@ def test_a_warning_of_what_is_set_names_its_world_and_is_at_the_line_of_the_call
     with heard() as told:
         sims.set_limits("drive", upper=[0.5, -2.0], restitution=0.0)
     (one,) = told
-    assert str(one.message).startswith("world 1: joint 'drive' (revolute), at 0 s: its upper limit jumped")
+    assert str(one.message).startswith(
+        "world 1: joint 'drive' (revolute), at 0 s: its upper limit jumped"
+    )
     assert one.filename == __file__
 
 

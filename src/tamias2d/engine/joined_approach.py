@@ -7,7 +7,7 @@ from tamias2d.generated.soft_contact import impact_velocity, row_acceleration, r
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-BLOW_IS_OVER = 0.01  # of the velocity that an impulse gave: what parts as fast
+BLOW_IS_OVER = 0.1  # of the velocity that an impulse gives: what parts faster
 
 
 def joined_approach(
@@ -34,7 +34,7 @@ def joined_approach(
 def forget_blow(
     m: int, at: int, lane: Integers, row: Array, control: Control, bodies: Bodies
 ) -> None:
-    """Let a point that parts from a blow, or what loads alone would leave parting, start anew.
+    """Let a point of a mechanism start without impulses that parts faster than loads give it.
 
     The impulse of a blow that is over would set the links of a mechanism in motion, which its
     joints and contacts do not take back by one visit each.
@@ -43,19 +43,15 @@ def forget_blow(
     if bodies.properties[i, tb.JOINED] + bodies.properties[j, tb.JOINED] == 0.0:
         return
     a, b = bodies.substep_state[i], bodies.substep_state[j]
-    arm_a, arm_b = row[at + tb.P_NORMAL_ARM_A], row[at + tb.P_NORMAL_ARM_B]
-    normal, start = (row[tb.R_NX + m], row[tb.R_NY + m]), tb.SUBSTEP_START
+    start, gain, total = tb.SUBSTEP_START, tb.INCREMENT, control.counts[tb.PART_SUBSTEPS]
     speed = row_velocity(
-        (a[start], a[start + 1]), a[start + 2], arm_a,
-        (b[start], b[start + 1]), b[start + 2], arm_b, normal,
+        (a[start], a[start + 1]), a[start + 2], row[at + tb.P_NORMAL_ARM_A],
+        (b[start], b[start + 1]), b[start + 2], row[at + tb.P_NORMAL_ARM_B],
+        (row[tb.R_NX + m], row[tb.R_NY + m]),
     )  # fmt: skip
-    driven = row_velocity(
-        driven_velocity(a), driven_spin(a), arm_a, driven_velocity(b), driven_spin(b), arm_b, normal
-    )
-    by = row_acceleration(speed, driven, control.settings[tb.SUBSTEP])
-    parting = coordinate_velocity_later(1.0, speed, control.progress[tb.PART_TIME] * by)
+    loads = abs(a[gain]) + abs(a[gain + 1]) + abs(b[gain]) + abs(b[gain + 1])
     given = row[at + tb.P_NORMAL_IMPULSE] * (row[tb.R_MASS_A + m] + row[tb.R_MASS_B + m])
-    if min(speed, parting) > BLOW_IS_OVER * given:
+    if speed > max(BLOW_IS_OVER * given, total * loads):
         row[at + tb.P_NORMAL_IMPULSE] = row[at + tb.P_TANGENT_IMPULSE] = 0.0
 
 
