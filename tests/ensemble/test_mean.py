@@ -14,8 +14,20 @@ from tamias2d.ensemble.mean import Estimate
 from tests.ensemble.scenes import bouncing
 
 
+class Halving:
+    """Levels of steps, each half of the one before; all but the first take two runs."""
+
+    stepped = True
+
+    def time_step(self, level: int) -> float:
+        return 0.5**level
+
+    def cost(self, level: int) -> float:
+        return 2.0**level * (1.5 if level else 1.0)
+
+
 @dataclass
-class Model:
+class Model(Halving):
     """Worlds whose mean is 0 in exact steps: coarse ones are off in a known way."""
 
     order: float
@@ -25,13 +37,6 @@ class Model:
     rare: float
     """The share of worlds that are changed at all, as impacts that are missed change few."""
     seed: int
-    stepped = True
-
-    def time_step(self, level: int) -> float:
-        return 0.5**level
-
-    def cost(self, level: int) -> float:
-        return 2.0**level * (1.5 if level else 1.0)
 
     def values(self, level: int, first: int, last: int) -> Any:
         stream = np.random.default_rng([self.seed, level])
@@ -107,18 +112,11 @@ def test_the_error_by_chance_is_within_its_bound_in_99_percent(
 
 
 @dataclass
-class Events:
+class Events(Halving):
     """Worlds in which something happens or not, in some only because the steps are coarse."""
 
     share: float
     seed: int
-    stepped = True
-
-    def time_step(self, level: int) -> float:
-        return 0.5**level
-
-    def cost(self, level: int) -> float:
-        return 2.0**level * (1.5 if level else 1.0)
 
     def values(self, level: int, first: int, last: int) -> Any:
         drawn = np.random.default_rng([self.seed, level]).random(last)[first:]

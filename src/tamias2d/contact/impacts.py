@@ -9,10 +9,7 @@ from tamias2d.contact.jointed_impact import change_by_unit, changed, impulses as
 from tamias2d.contact.manifold import Contact, normal_velocity, tangent_of
 from tamias2d.contact.mobility import with_mechanisms
 from tamias2d.contact.modes import Patch
-from tamias2d.contact.refusal import (
-    UndecidedContactError,
-    named,
-)
+from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.contact.response import after_impulse, coupling, impulses
 from tamias2d.contact.simultaneous_impact import Meeting, apply, simultaneous_impulses
 from tamias2d.contact.touching import ContactImpulse, PairOf, TouchingPair

@@ -269,17 +269,17 @@ class Instant:
         while low := self._unresolved_bounces(islands, staying):
             refuse_switching(self._world.cores, low, "they come to rest on each other", self.time)
             self._refuse_corners(low)
-            if self._may_end(staying, low):
+            if self._end_low_bounces(staying, low):
                 staying += low
                 islands = self._islands(staying)
             else:
                 self._bouncing += low
         return staying, islands
 
-    def _may_end(self, staying: Sequence[Contact], low: Sequence[Contact]) -> bool:
-        """End the low bounces of a mechanism, unless others of its contacts approach by that.
+    def _end_low_bounces(self, staying: Sequence[Contact], low: Sequence[Contact]) -> bool:
+        """End low bounces and return true, unless other contacts of a mechanism approach by that.
 
-        So one does whose corner passes below a hinge beside which the other body lies: it lifts it.
+        A corner does so that passes below a hinge beside which the other body lies: it lifts it.
         """
         cores = self._world.cores
         held = [c for c in (*staying, *low) if cores[c.a].jointed or cores[c.b].jointed]
