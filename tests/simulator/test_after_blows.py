@@ -52,7 +52,7 @@ def told(sim: Simulator) -> np.ndarray:
     return total
 
 
-@pytest.mark.parametrize("seed", [5, 28, 53])
+@pytest.mark.parametrize("seed", [28, 29, 53])
 def test_a_chain_that_strikes_a_floor_is_told_what_it_got(seed: int) -> None:
     sim = Simulator(falling_chain(seed), time_step=1 / 60)
     mass = np.array([sim.body(k).mass for k in range(1, len(sim.mass))])

@@ -55,7 +55,7 @@ def test_what_came_out_rests_on_the_ground(time_step: float) -> None:
         sim.step()
         highest = max(highest, float(sim.position[sim.dynamic, 1].max()))
     assert highest < 0.5 * HEIGHT + 2e-3
-    assert sim.contacts.impulse.sum() == pytest.approx(4.0 * G * time_step, rel=1e-6)
+    assert sim.contacts.impulse.sum() == pytest.approx(4.0 * G * time_step, rel=1e-4)
 
 
 def test_a_wheel_that_grows_lifts_the_cart_that_is_jointed_to_it() -> None:

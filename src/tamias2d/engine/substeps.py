@@ -10,7 +10,7 @@ from tamias2d.engine.energy.angular_momentum import add_moments, add_moments_bef
 from tamias2d.engine.energy.step_energy import makes_energy, sum_step_energy
 from tamias2d.engine.energy_bound import bound_energy, mark_bounced, note_before_restitution
 from tamias2d.engine.islands import update_islands
-from tamias2d.engine.joints.impacts import answer_impacts
+from tamias2d.engine.joints.impacts import answer_impacts, answer_rebounds
 from tamias2d.engine.joints.rebound import fit_rebound
 from tamias2d.engine.joints.stages import (
     begin_joints,
@@ -96,6 +96,7 @@ def finish_step(world: World) -> None:
     if constraints.counts[tb.BOUNCING] > 0:
         note_before_restitution(bodies, touching, constraints, islands)
         clear_restitution(constraints)
+        answer_rebounds(world)
         few = constraints.counts[tb.BLOCKS] <= FEW_BLOCKS
         over = False
         for visit in range(MOST_BOUNCES if few else BOUNCES):

@@ -663,7 +663,7 @@ def lost_velocity(row_velocity: Scalar, row_velocity_before: Scalar, restitution
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: DD96, srs/models/joint_step.md:418.
+    Source: DD96, srs/models/joint_step.md:421.
     """
     return -(row_velocity + restitution * row_velocity_before)
 
@@ -679,7 +679,7 @@ def lost_share(row_mass: Scalar, lost_velocity: Scalar, applied_impulse: Scalar)
             for, m/s
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
 
-    Source: DD96, srs/models/joint_step.md:419.
+    Source: DD96, srs/models/joint_step.md:422.
     """
     return row_mass * lost_velocity / applied_impulse
 
@@ -694,7 +694,7 @@ def row_mass_joined(row_mass: Scalar, lost_share: Scalar) -> Scalar:
         lost_share: Part that joints take of what an impulse changes in the velocity of a
             contact, 1
 
-    Source: DD96, srs/models/joint_step.md:420.
+    Source: DD96, srs/models/joint_step.md:423.
     """
     return row_mass / (1 - lost_share)
 
@@ -709,7 +709,7 @@ def overshot_share(lost_velocity: Scalar, lost_velocity_before: Scalar) -> Scala
             for, m/s
         lost_velocity_before: What joints had taken of it after the turn before, m/s
 
-    Source: DD96, srs/models/joint_step.md:421.
+    Source: DD96, srs/models/joint_step.md:424.
     """
     return least(lost_velocity / lost_velocity_before, 0)
 
@@ -729,7 +729,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:478.
+    Source: IM19, srs/models/joint_step.md:481.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -751,7 +751,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:482.
+    Source: IM19, srs/models/joint_step.md:485.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -786,7 +786,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:484.
+    Source: IM19, srs/models/joint_step.md:487.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -802,7 +802,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:485.
+    Source: IM19, srs/models/joint_step.md:488.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -820,7 +820,7 @@ def row_pull(
         row_damping: Force of a damper for a row's rate, kg/s
         row_rate: Rate of a row's value, or a body's part in it, m/s
 
-    Source: DD105, srs/models/joint_step.md:579.
+    Source: DD105, srs/models/joint_step.md:582.
     """
     return (-row_stiffness) * row_value - row_damping * row_rate
 
@@ -834,7 +834,7 @@ def row_pull_size(row_pull: Scalar, row_pull_across: Scalar) -> Scalar:
         row_pull: Force of a row's spring and damper without their maximum, N
         row_pull_across: The same of the other row of a target, N
 
-    Source: DD105, srs/models/joint_step.md:580.
+    Source: DD105, srs/models/joint_step.md:583.
     """
     return sqrt(row_pull * row_pull + row_pull_across * row_pull_across)
 
@@ -848,7 +848,7 @@ def row_share(row_force_most: Scalar, row_pull_size: Scalar) -> Scalar:
         row_force_most: The most that a motor or a spring exerts, for slopes of length one, N
         row_pull_size: Size of that of both, N
 
-    Source: DD105, srs/models/joint_step.md:581.
+    Source: DD105, srs/models/joint_step.md:584.
     """
     return row_force_most / largest(row_pull_size, row_force_most)
 
@@ -862,7 +862,7 @@ def whole_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: DD105, srs/models/joint_step.md:582.
+    Source: DD105, srs/models/joint_step.md:585.
     """
     return row_given / implicit_share
 
@@ -877,7 +877,7 @@ def impulse_room(row_impulse_most: Scalar, impulse_left: Scalar) -> Scalar:
             length one, N*s
         impulse_left: Size of what a spring at a joint had left of the substep before, N*s
 
-    Source: DD105, srs/models/joint_step.md:583.
+    Source: DD105, srs/models/joint_step.md:586.
     """
     return row_impulse_most - least(impulse_left, row_impulse_most / 2)
 
@@ -891,7 +891,7 @@ def row_energy_bounded(row_share: Scalar, row_energy: Scalar) -> Scalar:
         row_share: Share of its pull that a row's spring with a maximum exerts, 1
         row_energy: Energy of a spring at a joint, J
 
-    Source: DD105, srs/models/joint_step.md:584.
+    Source: DD105, srs/models/joint_step.md:587.
     """
     return row_share * (2 - row_share) * row_energy
 
@@ -905,7 +905,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:621.
+    Source: DD79, srs/models/joint_step.md:624.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -919,7 +919,7 @@ def drive_work(row_impulse: Scalar, drive_rate: Scalar) -> Scalar:
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: DD79, srs/models/joint_step.md:622.
+    Source: DD79, srs/models/joint_step.md:625.
     """
     return row_impulse * drive_rate
 
@@ -944,7 +944,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
             is negative, J
 
-    Source: DD79, srs/models/joint_step.md:623.
+    Source: DD79, srs/models/joint_step.md:626.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -963,7 +963,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:625.
+    Source: DD79, srs/models/joint_step.md:628.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -987,7 +987,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:627.
+    Source: DD79, srs/models/joint_step.md:630.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -1002,7 +1002,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:629.
+    Source: DD79, srs/models/joint_step.md:632.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -1018,6 +1018,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
             is negative, J
 
-    Source: DD79, srs/models/joint_step.md:630.
+    Source: DD79, srs/models/joint_step.md:633.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

@@ -16,7 +16,7 @@ from tamias2d.engine.joints.activity import (
     note_mechanisms,
 )
 from tamias2d.engine.joints.at_rest import note_joined_support, wake_tied
-from tamias2d.engine.joints.impacts import answer_impacts
+from tamias2d.engine.joints.impacts import answer_impacts, answer_rebounds
 from tamias2d.engine.joints.island_bound import bound_joined, support_joined
 from tamias2d.engine.joints.joined_dissipation import reduce_motion_as_one, reduce_together
 from tamias2d.engine.joints.placement import note_places
@@ -37,6 +37,7 @@ JOINT_STAGES = (
     activate_joined,
     add_given_by_joints,
     answer_impacts,
+    answer_rebounds,
     begin_joints,
     look_at_touched,
     clear_of_joints,

@@ -133,14 +133,19 @@ def fit_blocks(least: int, most: int, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of their hinges from the velocities of trees of some statuses."""
     for b in range(joints.counts[tb.TREE_BLOCKS]):
         if has_status(b, least, most, joints):
-            first, last = joints.tree_blocks[b, tb.T_FIRST], joints.tree_blocks[b + 1, tb.T_FIRST]
             if joints.tree_blocks[b, tb.T_SPRUNG] == 1:
                 hang_block(b, 0.0, joints)
-            for r in range(first, last):
-                load_node(joints.tree_slots[r], bodies, joints.tree_lanes[r])
-            for r in range(first_hinge(b, joints), last):
-                rates_of_lanes(joints.tree_lanes[r], joints.tree_lanes[joints.tree_above[r]])
-            solve_block(b, bodies, joints)
+            fit_block(b, bodies, joints)
+
+
+def fit_block(b: int, bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of their hinges from the velocities of active trees of a block."""
+    first, last = joints.tree_blocks[b, tb.T_FIRST], joints.tree_blocks[b + 1, tb.T_FIRST]
+    for r in range(first, last):
+        load_node(joints.tree_slots[r], bodies, joints.tree_lanes[r])
+    for r in range(first_hinge(b, joints), last):
+        rates_of_lanes(joints.tree_lanes[r], joints.tree_lanes[joints.tree_above[r]])
+    solve_block(b, bodies, joints)
 
 
 def solve_block(b: int, bodies: Bodies, joints: Joints) -> None:

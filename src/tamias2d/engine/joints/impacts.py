@@ -13,11 +13,12 @@ from math import inf
 from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.contacts import gap_later, point_speed
 from tamias2d.engine.joined_approach import gain_by_loads
+from tamias2d.engine.joints.hinge_tree import first_besides
 from tamias2d.engine.joints.struck import begin_struck, end_struck, fit_struck
 from tamias2d.engine.tables import Bodies, Constraints, Joints, World
 from tamias2d.generated.firm_contact import tangent_impulse_most
 from tamias2d.generated.island_energy import moment_ahead_later
-from tamias2d.generated.joint_step import impact_rate
+from tamias2d.generated.joint_step import impact_rate, lost_velocity
 from tamias2d.generated.soft_contact import (
     angular_velocity_a_after,
     angular_velocity_b_after,
@@ -29,30 +30,38 @@ from tamias2d.kernels.assembled import inlined
 from tamias2d.kernels.lanes import LANES
 from tamias2d.state import Array, Vector
 
-ROUNDS_OF_IMPACTS = 2  # of normal impulses, then tangent ones; normal ones come last again
-STEPS_OF_IMPACTS = 8  # of conjugate gradients, in each of these
+STEPS_OF_IMPACTS = 8  # of conjugate gradients
 IMPACTS_SOLVED = 1e-2  # of the rates at first: what is left contacts and joints answer in turns
 HELD_BY_JOINTS = 2.0**-16  # of what its mass by itself answers: what moves less is held
-NORMAL_RATES, TANGENT_RATES = range(2)
+NORMAL_RATES, TANGENT_RATES, REBOUND_RATES = range(3)
 
 
 def answer_impacts(substep: float, world: World) -> None:
     """Give what meets mechanisms too fast, and these, the impulses by which it does so no more."""
-    if world.control.counts[tb.IMPACTS] == 0:
-        return
-    count = list_struck(substep, world)
+    if world.control.counts[tb.IMPACTS] == 1:
+        answer_struck(False, list_struck(False, substep, world), world)
+
+
+def answer_rebounds(world: World) -> None:
+    """Let the contacts of mechanisms rebound as a part ends, all at once."""
+    if world.joints.counts[tb.MECHANISMS_TOUCHED] > 0:
+        answer_struck(True, list_struck(True, world.control.settings[tb.SUBSTEP], world), world)
+
+
+def answer_struck(rebounds: bool, count: int, world: World) -> None:
+    """Take from the points on the list what is too much of their rates; no friction in rebounds."""
     if count == 0:
         return
     begin_struck(world.bodies, world.joints)
     fit_struck(world)
-    for _ in range(ROUNDS_OF_IMPACTS):
+    if not rebounds:
         reduce_impact_rates(NORMAL_RATES, count, world)
         reduce_impact_rates(TANGENT_RATES, count, world)
-    reduce_impact_rates(NORMAL_RATES, count, world)
+    reduce_impact_rates(REBOUND_RATES if rebounds else NORMAL_RATES, count, world)
     end_struck(world.joints)
 
 
-def list_struck(substep: float, world: World) -> int:
+def list_struck(rebounds: bool, substep: float, world: World) -> int:
     """List the points of all mechanisms that are struck, and mark these; return how many.
 
     What a struck one touches is struck with it.
@@ -68,8 +77,11 @@ def list_struck(substep: float, world: World) -> int:
                 continue
             for n in range(lanes[tb.POINTS]):
                 rate = begin_impact_point(b, m, n, substep, world, joints.impact_points[count])
+                strikes = rate < -gain_by_loads(i, j, world.control, bodies)
+                if rebounds:
+                    strikes = begin_rebound(b, m, n, constraints, joints.impact_points[count])
                 count += 1
-                if rate < -gain_by_loads(i, j, world.control, bodies):
+                if strikes:
                     mark_struck(i, bodies, joints)
                     mark_struck(j, bodies, joints)
                     struck = True
@@ -80,16 +92,28 @@ def list_struck(substep: float, world: World) -> int:
     return keep_struck(count, world)
 
 
-@inlined
 def meets_one(i: int, j: int, bodies: Bodies, joints: Joints) -> bool:
-    """Return whether one of two bodies is of a mechanism, and none of one that is a mesh."""
+    """Return whether one of two bodies is of a mechanism, and none of one that has loops."""
     one, other = mechanism_of(i, bodies, joints), mechanism_of(j, bodies, joints)
-    found = one >= 0 or other >= 0
-    if one >= 0 and joints.mechanisms[one, tb.M_MESHED] == 1:
-        found = False
-    if other >= 0 and joints.mechanisms[other, tb.M_MESHED] == 1:
-        found = False
-    return found
+    looped = has_loops(one, joints) or has_loops(other, joints)
+    return bool((one >= 0 or other >= 0) and not looped)
+
+
+def has_loops(n: int, joints: Joints) -> bool:
+    """Return whether a mechanism, if it is one, is a mesh, or a tree of hinges with a loop.
+
+    A straight bridge would part: its hinges let planks go across, and not far.
+    """
+    if n < 0:
+        return False
+    if joints.mechanisms[n, tb.M_MESHED] == 1:
+        return True
+    if joints.mechanisms[n, tb.M_HINGED] == 0:
+        return False
+    for k in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
+        if joints.joints[k, tb.J_LAW] == tb.KEPT:
+            return True
+    return False
 
 
 @inlined
@@ -163,59 +187,72 @@ def begin_impact_point(b: int, m: int, n: int, substep: float, world: World, poi
     speed = point_speed(one, other, arm_a, arm_b, normal)
     rate = impact_rate(speed, gap_later(m, at, row, one, other), substep)
     point[tb.STRUCK_PLACE], point[tb.STRUCK_ALLOWED] = 2 * (LANES * b + m) + n, rate - speed
-    point[tb.STRUCK_NORMAL] = point[tb.STRUCK_TANGENT] = point[tb.STRUCK_STEP] = 0.0
+    point[tb.STRUCK_NORMAL] = point[tb.STRUCK_TANGENT] = 0.0
     return float(rate)
+
+
+def begin_rebound(b: int, m: int, n: int, constraints: Constraints, point: Array) -> bool:
+    """Let a point on the list aim at the rate with which it rebounds; return whether it does."""
+    row, at = constraints.blocks[b], tb.SHARED + n * tb.POINT_SIZE + m
+    met, share = row[at + tb.P_APPROACH], row[tb.R_RESTITUTION + m]
+    rebounds = met < 0.0 and share > 0.0 and row[at + tb.P_TOTAL_IMPULSE] > 0.0
+    if rebounds:
+        point[tb.STRUCK_ALLOWED] = -lost_velocity(0.0, met, share)
+    return bool(rebounds)
 
 
 def reduce_impact_rates(which: int, count: int, world: World) -> None:
     """Take the rates of one kind from the points on the list, as far as their impulses may.
 
-    Joints answer a trial of each direction, which tells how far to go along it.
+    Joints answer a trial of each direction, which tells how far to go along it. What is left to go
+    is done with the next trial.
     """
-    first = before = 0.0
-    for step in range(STEPS_OF_IMPACTS):
-        size, mixed = find_impact_rates(which, count, world)
-        first = max(first, size)
+    first = size = find_impact_rates(which, count, world)
+    kept = 0.0
+    for _ in range(STEPS_OF_IMPACTS):
         if not size > IMPACTS_SOLVED * IMPACTS_SOLVED * first:
-            return
-        kept = max((size - mixed) / before, 0.0) if step > 0 else 0.0
+            break
         choose_directions(which, kept, count, world)
+        push_points(which, count, world)
+        fit_struck(world)
         before = size
-        push_points(which, 1.0, count, world)
+        size, mixed = step_along_impacts(which, count, world)
+        kept = max((size - mixed) / before, 0.0)
+    if first > 0.0:
+        for k in range(count):
+            world.joints.impact_points[k, tb.STRUCK_STEP] = 0.0
+        push_points(which, count, world)
         fit_struck(world)
-        push_points(which, share_of_step(which, count, world) - 1.0, count, world)
-        fit_struck(world)
 
 
-def find_impact_rates(which: int, count: int, world: World) -> tuple[float, float]:
-    """Find the rates of all points that count; return two sums of products, J.
-
-    These are of the rates with what their own masses answer: now, and as found before.
-    """
-    size = mixed = 0.0
+def find_impact_rates(which: int, count: int, world: World) -> float:
+    """Find the rates of all points; return the product with what their own masses answer, J."""
+    size = 0.0
     for k in range(count):
         point = world.joints.impact_points[k]
-        rate, mass = rate_of_point(which, k, world), mass_of_point(which, k, world)
-        if not counts_in(which, rate, k, world):
-            rate = point[tb.STRUCK_STEP] = 0.0
-        size += mass * rate * rate
-        mixed += mass * rate * point[tb.STRUCK_RATE]
-        point[tb.STRUCK_RATE] = rate
-    return size, mixed
+        rate = point[tb.STRUCK_RATE] = rate_of_point(which, k, world)
+        point[tb.STRUCK_STEP] = point[tb.STRUCK_LEFT] = 0.0
+        if counts_in(which, rate, k, world):
+            size += mass_of_point(which, k, world) * rate * rate
+    return size
 
 
 def counts_in(which: int, rate: float, k: int, world: World) -> bool:
     """Return whether a point may have an impulse of a kind that changes its rate."""
+    has, (least, most) = impulse_of_point(which, k, world), bounds_of_point(which, k, world)
+    return bool(has > least if rate > 0.0 else has < most)
+
+
+def impulse_of_point(which: int, k: int, world: World) -> float:
+    """Return the impulse that a point has along one of its lines, with what is left to go, N s."""
     point = world.joints.impact_points[k]
-    if which == NORMAL_RATES:
-        return bool(rate < 0.0 or point[tb.STRUCK_NORMAL] > 0.0)
-    least, most = bounds_of_point(which, k, world)
-    return bool(point[tb.STRUCK_TANGENT] > least if rate > 0.0 else point[tb.STRUCK_TANGENT] < most)
+    column = tb.STRUCK_TANGENT if which == TANGENT_RATES else tb.STRUCK_NORMAL
+    return float(point[column] + point[tb.STRUCK_LEFT])
 
 
 def bounds_of_point(which: int, k: int, world: World) -> tuple[float, float]:
     """Return the least and the largest impulse of a kind that a point may have, N s."""
-    if which == NORMAL_RATES:
+    if which != TANGENT_RATES:
         return 0.0, inf
     b, m, _ = place_of_point(k, world.joints)
     friction = world.constraints.blocks[b, tb.R_FRICTION + m]
@@ -230,7 +267,7 @@ def rate_of_point(which: int, k: int, world: World) -> float:
     one = world.bodies.motion[lanes[tb.BODY_A + m]]
     other = world.bodies.motion[lanes[tb.BODY_B + m]]
     at, normal = tb.SHARED + n * tb.POINT_SIZE + m, (row[tb.R_NX + m], row[tb.R_NY + m])
-    if which == NORMAL_RATES:
+    if which != TANGENT_RATES:
         arm_a, arm_b = row[at + tb.P_NORMAL_ARM_A], row[at + tb.P_NORMAL_ARM_B]
         speed = point_speed(one, other, arm_a, arm_b, normal)
         return float(speed + world.joints.impact_points[k, tb.STRUCK_ALLOWED])
@@ -243,7 +280,7 @@ def mass_of_point(which: int, k: int, world: World) -> float:
     """Return the mass of a point by itself along one of its lines, kg."""
     b, m, n = place_of_point(k, world.joints)
     at = tb.SHARED + n * tb.POINT_SIZE + m
-    column = tb.P_NORMAL_MASS if which == NORMAL_RATES else tb.P_TANGENT_MASS
+    column = tb.P_TANGENT_MASS if which == TANGENT_RATES else tb.P_NORMAL_MASS
     return float(world.constraints.blocks[b, at + column])
 
 
@@ -254,12 +291,29 @@ def choose_directions(which: int, kept: float, count: int, world: World) -> None
     """
     for k in range(count):
         point = world.joints.impact_points[k]
-        wanted = (
-            kept * point[tb.STRUCK_STEP] - mass_of_point(which, k, world) * point[tb.STRUCK_RATE]
-        )
+        rate, wanted = point[tb.STRUCK_RATE], 0.0
+        if counts_in(which, rate, k, world):
+            wanted = kept * point[tb.STRUCK_STEP] - mass_of_point(which, k, world) * rate
         least, most = bounds_of_point(which, k, world)
-        has = point[tb.STRUCK_NORMAL if which == NORMAL_RATES else tb.STRUCK_TANGENT]
+        has = impulse_of_point(which, k, world)
         point[tb.STRUCK_STEP] = min(max(wanted, least - has), most - has)
+
+
+def step_along_impacts(which: int, count: int, world: World) -> tuple[float, float]:
+    """Go along what was tried; return two sums of products of rates, J.
+
+    These are of those that come to be with what masses answer them, and with the rates before.
+    """
+    share, size, mixed = share_of_step(which, count, world), 0.0, 0.0
+    for k in range(count):
+        point = world.joints.impact_points[k]
+        before, tried = point[tb.STRUCK_RATE], rate_of_point(which, k, world)
+        rate = before + share * (tried - before)
+        point[tb.STRUCK_RATE], point[tb.STRUCK_LEFT] = rate, (share - 1.0) * point[tb.STRUCK_STEP]
+        if counts_in(which, rate, k, world):
+            mass = mass_of_point(which, k, world)
+            size, mixed = size + mass * rate * rate, mixed + mass * rate * before
+    return size, mixed
 
 
 def share_of_step(which: int, count: int, world: World) -> float:
@@ -272,30 +326,34 @@ def share_of_step(which: int, count: int, world: World) -> float:
     for k in range(count):
         point = world.joints.impact_points[k]
         step = point[tb.STRUCK_STEP]
-        answered += step * (rate_of_point(which, k, world) - point[tb.STRUCK_RATE])
-        alone += step * step / mass_of_point(which, k, world) if step != 0.0 else 0.0
-        wanted -= step * point[tb.STRUCK_RATE]
-        least, most = bounds_of_point(which, k, world)
-        has = point[tb.STRUCK_NORMAL if which == NORMAL_RATES else tb.STRUCK_TANGENT] - step
         if step != 0.0:
+            rate, mass = point[tb.STRUCK_RATE], mass_of_point(which, k, world)
+            answered += step * (rate_of_point(which, k, world) - rate)
+            alone += step * step / mass
+            wanted -= step * rate
+            least, most = bounds_of_point(which, k, world)
+            has = impulse_of_point(which, k, world) - step
             share = min(share, ((most if step > 0.0 else least) - has) / step)
     if not answered > HELD_BY_JOINTS * alone:
         return 0.0
     return max(min(wanted / answered, share), 0.0)
 
 
-def push_points(which: int, share: float, count: int, world: World) -> None:
-    """Give bodies a share of what is tried at all points, and add it to what these have given."""
+def push_points(which: int, count: int, world: World) -> None:
+    """Give bodies what is left to go and what is tried at all points; add it to what these gave."""
     for k in range(count):
         point = world.joints.impact_points[k]
-        impulse = share * point[tb.STRUCK_STEP]
+        impulse, point[tb.STRUCK_LEFT] = point[tb.STRUCK_LEFT] + point[tb.STRUCK_STEP], 0.0
         if impulse != 0.0:
             b, m, n = place_of_point(k, world.joints)
             at, row = tb.SHARED + n * tb.POINT_SIZE + m, world.constraints.blocks[b]
             line = (row[tb.R_NX + m], row[tb.R_NY + m])
-            if which == NORMAL_RATES:
+            if which != TANGENT_RATES:
                 point[tb.STRUCK_NORMAL] += impulse
                 row[at + tb.P_TOTAL_IMPULSE] += impulse
+                if which == REBOUND_RATES:
+                    row[at + tb.P_NORMAL_IMPULSE] += impulse
+                    row[tb.FIRST_RESTITUTION + n * LANES + m] += impulse
                 push_point(
                     b, m, impulse, line, at + tb.P_NORMAL_ARM_A, at + tb.P_NORMAL_ARM_B, world
                 )

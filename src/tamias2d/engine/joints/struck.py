@@ -7,12 +7,13 @@ yield: rates can be taken away without giving energy.
 from math import inf
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints.block_solve import fit_blocks
+from tamias2d.engine.joints.block_solve import fit_block, has_status
 from tamias2d.engine.joints.hinge_solve import solve_hinges, write_rates_of_tree
 from tamias2d.engine.joints.hinge_tree import hang_tree
 from tamias2d.engine.joints.linearise import factor_mechanism
 from tamias2d.engine.joints.moments import note_after_joints, note_before_joints
 from tamias2d.engine.joints.solve import solve_joint_errors, start_impulses, write_rates
+from tamias2d.engine.joints.tree_blocks import hang_block
 from tamias2d.engine.tables import Bodies, Joints, World
 
 
@@ -29,6 +30,9 @@ def begin_struck(bodies: Bodies, joints: Joints) -> None:
                 hang_tree(n, 0.0, bodies, joints)
             else:
                 factor_mechanism(n, 0.0, bodies, joints)
+    for b in range(joints.counts[tb.TREE_BLOCKS]):
+        if joints.tree_blocks[b, tb.T_SPRUNG] == 1 and has_status(b, tb.STRUCK, tb.STRUCK, joints):
+            hang_block(b, 0.0, joints)
 
 
 def end_struck(joints: Joints) -> None:
@@ -55,7 +59,9 @@ def fit_struck(world: World) -> None:
     """Take the rates of their rows from the velocities of struck mechanisms."""
     bodies, joints = world.bodies, world.joints
     note_before_joints(tb.STRUCK, tb.STRUCK, world)
-    fit_blocks(tb.STRUCK, tb.STRUCK, bodies, joints)
+    for b in range(joints.counts[tb.TREE_BLOCKS]):
+        if has_status(b, tb.STRUCK, tb.STRUCK, joints):
+            fit_block(b, bodies, joints)
     for n in range(joints.counts[tb.MECHANISMS]):
         alone = joints.mechanisms[n, tb.M_IN_BLOCK] == 0
         if alone and joints.mechanisms[n, tb.M_STATUS] == tb.STRUCK:

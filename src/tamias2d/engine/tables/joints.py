@@ -163,6 +163,7 @@ STRUCK_PLACE = _impact_points()  # two for each lane of each block
 STRUCK_ALLOWED = _impact_points()  # m/s, at which it may close
 STRUCK_RATE = _impact_points()  # m/s, along one of its lines, that is to be taken away
 STRUCK_STEP = _impact_points()  # N s, that is tried along it
+STRUCK_LEFT = _impact_points()  # N s, of what was tried before, that is still to be given
 STRUCK_NORMAL = _impact_points()  # N s, so far
 STRUCK_TANGENT = _impact_points()  # N s, so far
 
