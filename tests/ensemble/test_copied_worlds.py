@@ -47,6 +47,26 @@ def test_a_copy_goes_on_alone_with_the_same_bits(
     assert digests(other) == digests(sims)
 
 
+@pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")
+def test_a_copy_goes_on_to_limits_that_jumped() -> None:
+    """Worlds whose ropes come back, and one whose rope need not, are copied meanwhile."""
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    scene.add_body(t2.Disc(radius=0.2), mass=2.0, position=(0.0, -2.0), name="load")
+    rope = t2.Distance(limits=t2.Limits(upper=2.0, restitution=0.0))
+    scene.add_joint(rope, (0.0, 0.0), "load", name="rope")
+    sims = t2.Simulators(scene, worlds=3, threads=1)
+    sims.step(5)
+    sims.set_limits("rope", upper=[1.0, 2.0, 0.5], restitution=0.0)
+    for _ in range(2):  # at once, and on its way
+        others = [copied(sims) for copied in COPIES]
+        alone = [sims.world(k) for k in range(3)]
+        for each in (sims, *others, *alone):
+            each.step(3)
+        for other in others:
+            assert digests(other) == digests(sims)
+        assert [sim.digest() for sim in alone] == digests(sims)
+
+
 def test_a_copy_keeps_joints_and_what_was_told() -> None:
     sims = t2.Simulators(t2.catalogue.load("car"), worlds=2, threads=1)
     sims.step(30)

@@ -1,6 +1,9 @@
 """Thin walls that only just meet are told of, where something is thin enough to slip out (IM10)."""
 
+import copy
+import pickle
 import warnings
+from math import pi
 
 import pytest
 
@@ -100,3 +103,24 @@ def test_parts_of_a_frame_are_told_by_its_name() -> None:
     scene.add_body(NEEDLE, mass=1.0, restitution=0.0, position=(0.0, 0.0))
     (text,) = told(scene)
     assert text.startswith("two parts of body 'frame'")
+
+
+def test_what_goes_on_does_not_tell_of_walls_that_came_together_since() -> None:
+    """They are asked about as they come, and neither a copy nor a state that comes back does so."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)), compiled=False)
+    sim.add_static(t2.Segment(length=2.0), position=(0.0, 0.0))
+    upright = {"position": (1.5, 1.0), "orientation": pi / 2, "velocity": (-6.0, 0.0)}
+    sim.add_kinematic(t2.Segment(length=2.0), **upright)
+    sim.add(NEEDLE, mass=1.0, restitution=0.0, position=(0.0, 0.5))
+    sim.step(5)  # now one wall ends at the end of the other
+    state = sim.copy_state()
+    for one in (sim, copy.deepcopy(sim), pickle.loads(pickle.dumps(sim))):
+        one.step()
+        assert one.warnings == ()
+    sim.restore_state(state)
+    sim.step()
+    assert sim.warnings == ()
+    sim.add_static(t2.Segment(length=2.0), position=(0.0, 9.0))
+    sim.position[1] = 1.0, 1.0
+    with pytest.warns(t2.StepWarning, match="only just meet"):
+        sim.step()

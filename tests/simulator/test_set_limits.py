@@ -5,6 +5,8 @@ Expected values come from uniform motion, from free fall, and from what is the s
 
 import copy
 import math
+import pickle
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -68,6 +70,23 @@ def crane(**settings: Any) -> Simulator:
     load = sim.add(Disc(radius=0.2), mass=2.0, position=(0.0, -2.0), restitution=0.0)
     rope = Distance(limits=Limits(upper=2.0, restitution=0.0))
     sim.add_joint(rope, (0.0, 0.0), load, name="rope")
+    return sim
+
+
+def door() -> Simulator:
+    """Return a board of 1 m on a hinge with limits."""
+    sim = Simulator(Scene(gravity=(0.0, 0.0)))
+    board = sim.add(Box(width=1.0, height=0.1), mass=2.0, position=(0.5, 0.0), restitution=0.0)
+    sim.add_joint(Revolute(limits=WIDE), (0.0, 0.0), board, other_anchor=(-0.5, 0.0), name="door")
+    return sim
+
+
+def lift() -> Simulator:
+    """Return a cabin of 2 kg that hangs on the lower stop of a rail, 2 m above its origin."""
+    sim = Simulator(Scene(gravity=(0.0, G)))
+    cabin = sim.add(Box(width=0.5, height=0.5), mass=2.0, position=(0.0, 2.0), restitution=0.0)
+    rail = Prismatic(axis=(0.0, 1.0), limits=Limits(upper=2.0, restitution=0.0))
+    sim.add_joint(rail, (0.0, 0.0), cabin, other_anchor=(0.0, 0.0), name="lift")
     return sim
 
 
@@ -258,6 +277,28 @@ def test_saved_with_new_limits_it_goes_on_with_the_same_bits(
     for one in (sim, *others):
         one.step(15)
     assert len({one.digest() for one in (sim, *others)}) == 1
+
+
+@pytest.mark.filterwarnings("ignore::tamias2d.StepWarning")
+@pytest.mark.parametrize("steps", [0, 1, 3])
+@pytest.mark.parametrize("make", [crane, door, lift])
+def test_saved_while_it_comes_back_it_goes_on_with_the_same_bits(
+    make: Callable[[], Simulator], steps: int, tmp_path: Path
+) -> None:
+    """From the jump of a limit until the joint is within it, and on to where it stays."""
+    sim = make()
+    sim.step(5)
+    sim.set_limits(sim.joints[0], Limits(upper=-0.5 if make is door else 1.0, restitution=0.0))
+    sim.step(steps)
+    sim.save(tmp_path / "pulled.npz")
+    restored = Simulator.restore(tmp_path / "pulled.npz")
+    others = [copy.deepcopy(sim), pickle.loads(pickle.dumps(sim)), restored]
+    for _ in range(20):
+        for one in (sim, *others):
+            one.step()
+        assert len({one.digest() for one in (sim, *others)}) == 1
+        forces = {one.reactions.force.tobytes() for one in (sim, *others)}
+        assert len(forces) == 1
 
 
 @pytest.mark.parametrize("make", [mechanism, slide])

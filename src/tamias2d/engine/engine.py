@@ -180,6 +180,10 @@ class Engine(StepCalls):
         """The rows of two thin walls that only just meet, and of a thin body; or None."""
         return self._corners.find(self.world.state, self.world.shapes)
 
+    def know_corners(self) -> None:
+        """Take it that walls were asked about before, and that what they were was told."""
+        self._corners.know(self.world.state, self.world.shapes)
+
     # -- changes
 
     def add(self, batch: Batch) -> NDArray[np.int64]:

@@ -99,10 +99,10 @@ class Altering(Stepping):
         the new shape; one that was stated stays as it is, in proportion to the mass, where
         `inertia` does not say another one.
 
-        A pair that touches before and after does not begin anew, and one that does not any more is
-        told in `ended` of the next step. What overlaps then is pushed apart as bodies are that were
-        moved by hand. The bodies wake, with what touches them. It takes about a millisecond, and
-        the next step looks for pairs.
+        A pair that pushed each other in the step before, and do so in the next one, does not begin
+        anew; one that does not is told in `ended`, though it may still meet. What overlaps then is
+        pushed apart as bodies are that were moved by hand. The bodies wake, with what touches them.
+        It takes about a millisecond, and the next step looks for pairs.
 
         Raises:
             InputError: a body is not there, has no shape, may not have such a one, or a value

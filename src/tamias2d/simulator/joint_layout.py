@@ -14,7 +14,7 @@ import numpy as np
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.joint_row import JointRow
-from tamias2d.engine.joints.placement import PULLED
+from tamias2d.engine.joints.placement import PULLED, UNTIL_BACK
 from tamias2d.engine.joints.rows import mechanism_of, move_anchor, set_law
 from tamias2d.generated.joint_rows import MOST_ROWS
 from tamias2d.scene.joints import Joint
@@ -174,10 +174,10 @@ class JointLayout:
         take it along once it is hardly behind them.
         """
         place = self._rows_of[name][0][0]
-        back = self.numbers[self._first_row(place), tb.J_PULLED] == math.inf
+        back = self.numbers[self._first_row(place), tb.J_PULLED] == UNTIL_BACK
         behind = any(each.beyond > NEARLY_ALONG * each.moved for each in passed)
         jumps = behind if back else any(each.jumps for each in passed)
-        self._pull(place, math.inf if jumps else PULLED)
+        self._pull(place, UNTIL_BACK if jumps else PULLED)
 
     def is_pulled(self, joint: Joint) -> bool:
         """Return whether a joint is pulled together with energy for it."""

@@ -14,6 +14,7 @@ from tamias2d import archive
 from tamias2d.engine.reports.contact_events import TouchReport, pairs_of
 from tamias2d.engine.reports.contact_report import Contacts, contacts_of
 from tamias2d.engine.saving.saved_checks import UnfitError, require
+from tamias2d.engine.tables import MOST_LEVEL
 from tamias2d.errors import RecordingError, TamiasError, path_text
 from tamias2d.recording_file import aside, refuse_missing
 from tamias2d.scene import Scene
@@ -21,9 +22,10 @@ from tamias2d.scene.reading import read_scene
 from tamias2d.simulator.settings import checked_count, checked_substeps, checked_time_step
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 21  # of the saved state: its arrays, and the columns of the engine's
+VERSION = 22  # of the saved state: its arrays, and the columns of the engine's
 _MARK = "tamias2d simulator"
 _ABOUT, _DIGEST = "about", "digest"
+_PARTS = [1 << level for level in range(MOST_LEVEL + 1)]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,6 +35,8 @@ class About:
     time_step: float
     substeps: int
     steps: int
+    parts: int
+    """Of the last step, where it was finest: a power of 2."""
     names: Mapping[str, int]
     """Rows of the bodies that have a name, by that."""
     staying: list[int]
@@ -127,9 +131,11 @@ def _about(text: str) -> About:
         checked_time_step(about.time_step)
         checked_substeps(about.substeps)
         checked_count(about.steps, "steps", 0)
+        checked_count(about.parts, "parts", 1)
         rows = [*about.staying, *about.names.values()]
         fits = all(isinstance(row, int) and not isinstance(row, bool) and row >= 0 for row in rows)
         fits = fits and isinstance(about.time_step, float) and isinstance(about.substeps, int)
+        fits = fits and about.parts in _PARTS
         fits = fits and isinstance(about.names, dict) and isinstance(about.staying, list)
         fits = fits and isinstance(about.joints, list) and isinstance(about.warnings, dict)
         fits = fits and isinstance(about.joint_events, list)

@@ -203,6 +203,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
             time_step=self._time_step,
             substeps=self._substeps,
             steps=self._engine.steps,
+            parts=self._engine.parts,
             names=self._names.rows,
             staying=sorted(self._staying),
             scene=None if self._scene is None else scene_text(self._scene),
@@ -232,6 +233,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
             time_step=about.time_step,
             substeps=about.substeps,
             steps=about.steps,
+            parts=about.parts,
             compiled=compiled,
         )
         self._scene = saving.scene_of(about, engine.kind, dynamic=DYNAMIC, where=where)

@@ -8,6 +8,7 @@ from math import inf
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.impulse import apply_joint_impulse
+from tamias2d.engine.joints.placement import UNTIL_BACK
 from tamias2d.engine.tables import Bodies, Integers, Joints
 from tamias2d.generated.joint_step import row_impulse_most, struck_rate, struck_share
 from tamias2d.kernels.assembled import inlined
@@ -179,7 +180,7 @@ def brings_back(n: int, j: int, joints: Joints) -> bool:
     pulled = joints.numbers[joints.mechanisms[n, tb.M_JOINT], tb.J_PULLED]
     aim, least = joints.numbers[j, tb.J_AIM], joints.numbers[j, tb.J_SLIGHT]
     beyond = -aim if joints.joints[j, tb.J_LAW] == tb.LOWER_LIMIT else aim
-    return bool((pulled == inf and beyond > 0.0) or (pulled == 0.0 and beyond > least))
+    return bool((pulled == UNTIL_BACK and beyond > 0.0) or (pulled == 0.0 and beyond > least))
 
 
 def change_row(n: int, j: int, time: float, bodies: Bodies, joints: Joints) -> None:

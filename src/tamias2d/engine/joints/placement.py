@@ -5,6 +5,7 @@ from tamias2d.engine.joints.linearise import place_members, turn_members
 from tamias2d.engine.tables import Bodies, Joints, World
 
 PULLED = 100.0  # substeps: of what is moved by hand a joint that follows lets 2e-10 be left by then
+UNTIL_BACK = 2.0**100  # substeps, of which no step takes any off: until it is within its limits
 
 
 def note_places(world: World) -> None:

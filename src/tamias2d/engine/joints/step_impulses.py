@@ -1,10 +1,9 @@
 """The impulses of joints over a part of a step and over all of it, and what is told of them."""
 
-from math import inf
-
 from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.governed import is_limit
 from tamias2d.engine.joints.linearise import apart_by_law
+from tamias2d.engine.joints.placement import UNTIL_BACK
 from tamias2d.engine.parts import is_last_part
 from tamias2d.engine.tables import Joints, World
 from tamias2d.kernels.assembled import inlined
@@ -52,7 +51,7 @@ def keep_of_mechanism(n: int, substeps: int, joints: Joints) -> None:
     """Keep the energies of a mechanism, which stand in its first joint, and note what it gained."""
     first = joints.numbers[joints.mechanisms[n, tb.M_JOINT]]
     first[tb.J_PULLED] = max(first[tb.J_PULLED] - substeps, 0.0)
-    if first[tb.J_PULLED] == inf and not some_limit_is_passed(n, joints):
+    if first[tb.J_PULLED] == UNTIL_BACK and not some_limit_is_passed(n, joints):
         first[tb.J_PULLED] = 0.0
     first[tb.J_RESERVE] = first[tb.J_RESERVE_LATER]
     first[tb.J_MOTION] = first[tb.J_MOTION_LATER]

@@ -54,11 +54,12 @@ def has_chains(shapes: Shapes) -> bool:
 
 def piece_and_other(p: int, contacts: Contacts, shapes: Shapes) -> tuple[int, int]:
     """Return the piece and the other shape of a contact, which has sides; `NO_PIECE` if there is
-    no such piece."""
+    no such piece, or one of them is a sensor, which has no side to be on."""
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     if shapes.kind[s] < tb.PIECE:
         s, t = t, s
     found = shapes.kind[s] >= tb.PIECE and shapes.vertex_count[t] > 1
+    found = found and contacts.flags[p, tb.SENSES] == 0
     return (s if found else NO_PIECE), t
 
 

@@ -63,13 +63,17 @@ def collide_piece(
     shapes: Shapes,
     contacts: Contacts,
 ) -> int:
-    """Do the same where one of the shapes is a piece of a chain; a half-plane only senses it."""
+    """Do the same where one of the shapes is a piece of a chain; a half-plane only senses it.
+
+    A sensor asks whether shapes overlap, not which normal would push them apart: its manifold stays
+    that of a lone segment.
+    """
     manifold, cache = contacts.manifolds[contact], contacts.axes[contact]
     flags = contacts.flags[contact]
     a, b, vertices = core_of(s, shapes), core_of(t, shapes), shapes.world_vertices
     held = held_normal(manifold, flags)
     first, second = find_points(manifold, cache, flags, a, b, x, y, margin, vertices)
-    if first > 0 and a.kind != tb.HALF_PLANE and b.kind != tb.HALF_PLANE:
+    if first > 0 and flags[tb.SENSES] == 0:
         manifold[tb.FORESEEN] = 0.0
         verdict = judge(s, t, a, b, (x, y), margin, held, manifold, vertices, shapes)
         if not verdict.stays:

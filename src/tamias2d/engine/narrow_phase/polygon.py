@@ -97,7 +97,12 @@ def search(
 
 
 def held_normal(manifold: Array, flags: Integers) -> Vector:
-    """Return the normal of a contact that tells the side, (0, 0) of others."""
+    """Return the normal of a contact that tells the side, (0, 0) of others.
+
+    What a sensor overlaps may be on either side: nothing keeps it from passing.
+    """
+    if flags[tb.SENSES] == 1:
+        return 0.0, 0.0
     if flags[tb.KNOWN_SIDE] == 1:
         return manifold[tb.SIDE_NORMAL], manifold[tb.SIDE_NORMAL + 1]
     if flags[tb.POINT_COUNT] > 0 and flags[tb.FEATURE] != BESIDE:

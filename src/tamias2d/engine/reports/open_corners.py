@@ -53,6 +53,14 @@ class OpenCorners:
                 self._found = int(row[walls[a]]), int(row[walls[b]]), int(row[reach.argmax()])
         return self._found
 
+    def know(self, state: BodyState, shapes: Shapes) -> None:
+        """Find none until other walls or bodies come: of those there are it was told before.
+
+        They may have moved since, and are not asked about again for that.
+        """
+        self.find(state, shapes)
+        self._found = None
+
 
 class _Wall(NamedTuple):
     """A convex shape where it stands."""

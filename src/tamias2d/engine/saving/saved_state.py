@@ -34,7 +34,7 @@ def saved_arrays(engine: Engine) -> dict[str, NDArray[Any]]:
 
 
 def restored_engine(
-    arrays: Arrays, *, time_step: float, substeps: int, steps: int, compiled: bool
+    arrays: Arrays, *, time_step: float, substeps: int, steps: int, parts: int, compiled: bool
 ) -> Engine:
     """Return an engine that continues from arrays with the same bits.
 
@@ -49,8 +49,10 @@ def restored_engine(
     _fill(engine.world, arrays)
     engine.world.control.settings[tb.TIME_STEP] = time_step
     engine.world.control.counts[tb.STEPS_TAKEN] = steps
+    engine.world.control.counts[tb.FINEST] = parts.bit_length() - 1
     engine.size = len(arrays["rank"])
     engine.begin(arrays["rank"].copy(), arrays["generation"].copy())
+    engine.know_corners()
     if engine.world.broad_phase.counts[tb.LIST_HOLDS]:
         _derive_list(engine.world)
     return engine

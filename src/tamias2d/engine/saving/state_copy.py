@@ -60,6 +60,7 @@ def restore_state(engine: Engine, state: StateCopy) -> None:
         engine.forget_addresses()
     engine.idle_from(state.capacities.slots - 1)
     engine.begin(state.rank.copy(), state.generation.copy())
+    engine.know_corners()
     engine.expects_joints = state.expects_joints
     engine.revision += 1
     engine.forms += 1

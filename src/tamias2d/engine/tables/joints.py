@@ -100,9 +100,7 @@ J_LEFT_BEFORE = _joint_numbers()  # N s, that a spring has left to give as a par
 J_PUSHED = _joint_numbers()  # N s or N m s, impulse of a limit over the step, 0 if it did not push
 J_RESERVE = _joint_numbers()  # J, of its mechanism, in its first joint, as a part begins
 J_MOTION = _joint_numbers()  # J, likewise: of motion as the last part ended
-J_PULLED = (
-    _joint_numbers()
-)  # likewise: substeps in which it follows what was moved by hand; inf until it is back from a jump
+J_PULLED = _joint_numbers()  # likewise: substeps in which it is pulled, by hand or back
 J_OPENED = (
     _joint_numbers()
 )  # m/s, likewise: the fastest that what ties it has moved since it yielded
