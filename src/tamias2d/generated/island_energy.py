@@ -142,7 +142,7 @@ def contact_arm(bend: Scalar, turning_arm: Scalar, normal: Vector, tangent: Vect
         normal: Unit normal of a contact, from body A to body B, 1
         tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
 
-    Source: DD106, srs/models/island_energy.md:79.
+    Source: DD108, srs/models/island_energy.md:79.
     """
     normal_x, normal_y = normal
     tangent_x, tangent_y = tangent
@@ -159,7 +159,7 @@ def pressed_arm(pressed_moment: Vector, total_impulse: Scalar) -> Vector:
             the normal, N*s*m
         total_impulse: Impulse that a contact has given in a step along its normal, N*s
 
-    Source: DD106, srs/models/island_energy.md:80.
+    Source: DD108, srs/models/island_energy.md:80.
     """
     pressed_moment_x, pressed_moment_y = pressed_moment
     return (pressed_moment_x / total_impulse, pressed_moment_y / total_impulse)
@@ -185,7 +185,7 @@ def holding_work(
         pressed_arm: Lever arm to where the contacts of a body press it in the mean, m
         impulse_vector: Integral of a force over the time in which it acts, N*s
 
-    Source: DD106, srs/models/island_energy.md:81.
+    Source: DD108, srs/models/island_energy.md:81.
     """
     pressed_arm_x, pressed_arm_y = pressed_arm
     impulse_vector_x, impulse_vector_y = impulse_vector

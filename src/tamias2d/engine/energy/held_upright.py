@@ -1,4 +1,4 @@
-"""Bodies that nothing turns, on a support that turns: where they meet it (DD106).
+"""Bodies that nothing turns, on a support that turns: where they meet it (DD108).
 
 Such a body goes with the point of its support at which contacts press it, and not with the one at
 its centre; what keeps it upright does the rest of the work. Cost: a visit to each body, and to each

@@ -134,7 +134,7 @@ def support_island(j: int, root: int, bodies: Bodies, islands: Islands) -> None:
 def reference_at(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, float]:
     """Return the velocity, at a body, and the spin of the reference motion of its island.
 
-    A body that nothing turns is seen from where contacts press it (DD106).
+    A body that nothing turns is seen from where contacts press it (DD108).
     """
     root = islands.links[i, tb.ROOT]
     row = islands.energy[root]
