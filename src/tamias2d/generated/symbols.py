@@ -2093,6 +2093,48 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1298,
     ),
+    "impact_rate": Symbol(
+        "impact_rate",
+        "m/s",
+        "velocity of a contact in a substep beyond that which closes its gap, negative in an impact",
+        tex="w_{\\text{impact}}",
+        file="srs/symbols.md",
+        line=1303,
+    ),
+    "overlap_removed": Symbol(
+        "overlap_removed",
+        "m",
+        "by how much an overlap is less deep after a step, negative where it is deeper",
+        tex="\\Delta_o",
+        file="srs/symbols.md",
+        line=1307,
+    ),
+    "load_size": Symbol(
+        "load_size",
+        "N",
+        "size of the forces on a body without those of contacts and joints",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="F_{\\text{load}}",
+        file="srs/symbols.md",
+        line=1311,
+    ),
+    "impulse_way": Symbol(
+        "impulse_way",
+        "N*s*m",
+        "impulse of a contact times the way by which its overlap is less deep",
+        tex="q_o",
+        file="srs/symbols.md",
+        line=1316,
+    ),
+    "overlap_work": Symbol(
+        "overlap_work",
+        "J",
+        "energy that overlaps give a body as they are pushed apart",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="W_{\\text{overlap}}",
+        file="srs/symbols.md",
+        line=1320,
+    ),
     "support_work": Symbol(
         "support_work",
         "J",
@@ -2100,7 +2142,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1303,
+        line=1325,
     ),
     "holding_work": Symbol(
         "holding_work",
@@ -2108,7 +2150,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the torque which keeps a body from turning has given it in a step, seen from its support",
         tex="W_{\\text{hold}}",
         file="srs/symbols.md",
-        line=1308,
+        line=1330,
     ),
     "angular_impulse": Symbol(
         "angular_impulse",
@@ -2116,7 +2158,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment that the impulses of all contacts of a body have about its centre of mass",
         tex="L_{\\Sigma}",
         file="srs/symbols.md",
-        line=1314,
+        line=1336,
     ),
     "contact_arm": Symbol(
         "contact_arm",
@@ -2125,7 +2167,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_c",
         file="srs/symbols.md",
-        line=1319,
+        line=1341,
     ),
     "pressed_moment": Symbol(
         "pressed_moment",
@@ -2134,7 +2176,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}_{\\Sigma}",
         file="srs/symbols.md",
-        line=1324,
+        line=1346,
     ),
     "pressed_arm": Symbol(
         "pressed_arm",
@@ -2143,7 +2185,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_{\\Sigma}",
         file="srs/symbols.md",
-        line=1330,
+        line=1352,
     ),
     "velocity_met": Symbol(
         "velocity_met",
@@ -2152,7 +2194,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_{\\text{met}}",
         file="srs/symbols.md",
-        line=1335,
+        line=1357,
     ),
     "support_energy": Symbol(
         "support_energy",
@@ -2160,7 +2202,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a support gives by the impulses of a contact",
         tex="E_{\\text{support}}",
         file="srs/symbols.md",
-        line=1340,
+        line=1362,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -2169,7 +2211,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1344,
+        line=1366,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2177,7 +2219,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1349,
+        line=1371,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2185,7 +2227,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_{\\mathrm{sup}}",
         file="srs/symbols.md",
-        line=1353,
+        line=1375,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2194,7 +2236,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1357,
+        line=1379,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2202,7 +2244,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1363,
+        line=1385,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2211,7 +2253,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1367,
+        line=1389,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2220,7 +2262,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1372,
+        line=1394,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2229,7 +2271,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1377,
+        line=1399,
     ),
     "rising_energy_left": Symbol(
         "rising_energy_left",
@@ -2238,7 +2280,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1382,
+        line=1404,
     ),
     "velocity_rising_reduced": Symbol(
         "velocity_rising_reduced",
@@ -2247,7 +2289,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1387,
+        line=1409,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2255,7 +2297,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1392,
+        line=1414,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2264,7 +2306,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1398,
+        line=1420,
     ),
     "energy_along_given_left": Symbol(
         "energy_along_given_left",
@@ -2273,7 +2315,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1403,
+        line=1425,
     ),
     "velocity_reduced": Symbol(
         "velocity_reduced",
@@ -2282,7 +2324,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1408,
+        line=1430,
     ),
     "angular_velocity_reduced": Symbol(
         "angular_velocity_reduced",
@@ -2290,7 +2332,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1413,
+        line=1435,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2299,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1417,
+        line=1439,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2307,7 +2349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1422,
+        line=1444,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2316,7 +2358,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1426,
+        line=1448,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2324,7 +2366,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1431,
+        line=1453,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2333,7 +2375,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1436,
+        line=1458,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2342,7 +2384,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1441,
+        line=1463,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2351,7 +2393,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1446,
+        line=1468,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2359,7 +2401,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1451,
+        line=1473,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2367,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1455,
+        line=1477,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2375,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1459,
+        line=1481,
     ),
     "energy_defect": Symbol(
         "energy_defect",
@@ -2383,7 +2425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1463,
+        line=1485,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2392,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1469,
+        line=1491,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2401,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1474,
+        line=1496,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2410,7 +2452,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1481,
+        line=1503,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2419,7 +2461,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1486,
+        line=1508,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2427,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1491,
+        line=1513,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2435,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\ell_v",
         file="srs/symbols.md",
-        line=1496,
+        line=1518,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2443,7 +2485,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1502,
+        line=1524,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2452,7 +2494,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_L",
         file="srs/symbols.md",
-        line=1506,
+        line=1528,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2461,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1513,
+        line=1535,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2470,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1518,
+        line=1540,
     ),
     "energy": Symbol(
         "energy",
@@ -2478,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1523,
+        line=1545,
     ),
     "radius": Symbol(
         "radius",
@@ -2487,7 +2529,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1532,
+        line=1554,
     ),
     "length": Symbol(
         "length",
@@ -2496,7 +2538,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1537,
+        line=1559,
     ),
     "width": Symbol(
         "width",
@@ -2505,7 +2547,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1544,
+        line=1566,
     ),
     "height": Symbol(
         "height",
@@ -2514,7 +2556,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1549,
+        line=1571,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2523,7 +2565,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1554,
+        line=1576,
     ),
     "center": Symbol(
         "center",
@@ -2532,7 +2574,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1559,
+        line=1581,
     ),
     "offset": Symbol(
         "offset",
@@ -2540,7 +2582,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1564,
+        line=1586,
     ),
     "area": Symbol(
         "area",
@@ -2549,7 +2591,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1568,
+        line=1590,
     ),
     "way": Symbol(
         "way",
@@ -2558,7 +2600,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_c",
         file="srs/symbols.md",
-        line=1573,
+        line=1595,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2566,7 +2608,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha_c",
         file="srs/symbols.md",
-        line=1578,
+        line=1600,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2575,7 +2617,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1582,
+        line=1604,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2584,7 +2626,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1587,
+        line=1609,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2592,7 +2634,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta_e",
         file="srs/symbols.md",
-        line=1592,
+        line=1614,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2600,7 +2642,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1596,
+        line=1618,
     ),
     "lean": Symbol(
         "lean",
@@ -2608,7 +2650,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1600,
+        line=1622,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2616,7 +2658,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho_c",
         file="srs/symbols.md",
-        line=1604,
+        line=1626,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2624,7 +2666,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1608,
+        line=1630,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2633,7 +2675,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1614,
+        line=1636,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2641,7 +2683,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1627,
+        line=1649,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2649,7 +2691,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1631,
+        line=1653,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2657,7 +2699,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1635,
+        line=1657,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2665,7 +2707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1639,
+        line=1661,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2674,7 +2716,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta_C",
         file="srs/symbols.md",
-        line=1643,
+        line=1665,
     ),
     "slope": Symbol(
         "slope",
@@ -2683,7 +2725,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}",
         file="srs/symbols.md",
-        line=1648,
+        line=1670,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2692,7 +2734,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}_0",
         file="srs/symbols.md",
-        line=1653,
+        line=1675,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2701,7 +2743,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta G^2",
         file="srs/symbols.md",
-        line=1658,
+        line=1680,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2710,7 +2752,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="G^2",
         file="srs/symbols.md",
-        line=1663,
+        line=1685,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2718,7 +2760,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="G_\\varphi",
         file="srs/symbols.md",
-        line=1668,
+        line=1690,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2726,7 +2768,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1672,
+        line=1694,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2734,7 +2776,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e_G",
         file="srs/symbols.md",
-        line=1676,
+        line=1698,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2743,7 +2785,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_G",
         file="srs/symbols.md",
-        line=1680,
+        line=1702,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2751,7 +2793,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="G_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1685,
+        line=1707,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2759,7 +2801,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_G",
         file="srs/symbols.md",
-        line=1689,
+        line=1711,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2767,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1693,
+        line=1715,
     ),
     "inertia_factor_most": Symbol(
         "inertia_factor_most",
@@ -2775,7 +2817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "most times its own inertia with which a body counts in joints",
         tex="\\kappa_{\\max}",
         file="srs/symbols.md",
-        line=1697,
+        line=1719,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2783,7 +2825,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1701,
+        line=1723,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2791,7 +2833,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1705,
+        line=1727,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2799,7 +2841,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1709,
+        line=1731,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2807,7 +2849,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1713,
+        line=1735,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2815,7 +2857,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1717,
+        line=1739,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2823,7 +2865,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1721,
+        line=1743,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2832,7 +2874,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1725,
+        line=1747,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2840,7 +2882,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda_l",
         file="srs/symbols.md",
-        line=1730,
+        line=1752,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2849,7 +2891,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1734,
+        line=1756,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2857,7 +2899,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1739,
+        line=1761,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2866,7 +2908,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1743,
+        line=1765,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2875,7 +2917,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1748,
+        line=1770,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2884,7 +2926,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1753,
+        line=1775,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2893,7 +2935,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1758,
+        line=1780,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2901,7 +2943,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1763,
+        line=1785,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2910,7 +2952,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1767,
+        line=1789,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2918,7 +2960,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1772,
+        line=1794,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2926,7 +2968,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1776,
+        line=1798,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2935,7 +2977,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1780,
+        line=1802,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2944,7 +2986,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1785,
+        line=1807,
     ),
     "row_pull": Symbol(
         "row_pull",
@@ -2952,7 +2994,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row's spring and damper without their maximum",
         tex="P_C",
         file="srs/symbols.md",
-        line=1790,
+        line=1812,
     ),
     "row_pull_across": Symbol(
         "row_pull_across",
@@ -2960,7 +3002,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the same of the other row of a target",
         tex="P_\\bot",
         file="srs/symbols.md",
-        line=1794,
+        line=1816,
     ),
     "row_pull_size": Symbol(
         "row_pull_size",
@@ -2969,7 +3011,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_\\sigma",
         file="srs/symbols.md",
-        line=1798,
+        line=1820,
     ),
     "row_share": Symbol(
         "row_share",
@@ -2978,7 +3020,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=1803,
+        line=1825,
     ),
     "whole_impulse": Symbol(
         "whole_impulse",
@@ -2986,7 +3028,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a spring at a joint for all of a substep",
         tex="\\Lambda_\\Theta",
         file="srs/symbols.md",
-        line=1808,
+        line=1830,
     ),
     "impulse_left": Symbol(
         "impulse_left",
@@ -2995,7 +3037,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_<",
         file="srs/symbols.md",
-        line=1812,
+        line=1834,
     ),
     "impulse_room": Symbol(
         "impulse_room",
@@ -3004,7 +3046,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{room}",
         file="srs/symbols.md",
-        line=1817,
+        line=1839,
     ),
     "row_energy_bounded": Symbol(
         "row_energy_bounded",
@@ -3013,7 +3055,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\sigma",
         file="srs/symbols.md",
-        line=1822,
+        line=1844,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -3021,7 +3063,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1827,
+        line=1849,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -3030,7 +3072,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1831,
+        line=1853,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -3038,7 +3080,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1836,
+        line=1858,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -3046,7 +3088,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1840,
+        line=1862,
     ),
     "amplification": Symbol(
         "amplification",
@@ -3055,7 +3097,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1844,
+        line=1866,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -3064,7 +3106,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1849,
+        line=1871,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -3073,7 +3115,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1854,
+        line=1876,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -3082,7 +3124,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1859,
+        line=1881,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -3091,7 +3133,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1864,
+        line=1886,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -3100,7 +3142,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1869,
+        line=1891,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -3109,7 +3151,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=1874,
+        line=1896,
     ),
     "change_most": Symbol(
         "change_most",
@@ -3118,7 +3160,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=1879,
+        line=1901,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -3127,7 +3169,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=1884,
+        line=1906,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -3136,7 +3178,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1889,
+        line=1911,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -3145,7 +3187,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1894,
+        line=1916,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -3153,7 +3195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1899,
+        line=1921,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -3162,7 +3204,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1903,
+        line=1925,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -3171,7 +3213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1908,
+        line=1930,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -3180,7 +3222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1913,
+        line=1935,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -3188,7 +3230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1918,
+        line=1940,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -3197,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=1922,
+        line=1944,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -3205,7 +3247,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1927,
+        line=1949,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3213,7 +3255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=1931,
+        line=1953,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3222,7 +3264,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1935,
+        line=1957,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3231,7 +3273,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1940,
+        line=1962,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3240,7 +3282,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1945,
+        line=1967,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3248,7 +3290,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1950,
+        line=1972,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3256,7 +3298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1954,
+        line=1976,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3264,7 +3306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1958,
+        line=1980,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3273,7 +3315,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=1962,
+        line=1984,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3282,7 +3324,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=1967,
+        line=1989,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3291,7 +3333,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1972,
+        line=1994,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3300,7 +3342,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1977,
+        line=1999,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3309,7 +3351,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=1982,
+        line=2004,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3318,7 +3360,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=1987,
+        line=2009,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3327,7 +3369,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=1992,
+        line=2014,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3336,7 +3378,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=1997,
+        line=2019,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3344,7 +3386,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=2002,
+        line=2024,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3353,7 +3395,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=2006,
+        line=2028,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3361,7 +3403,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=2011,
+        line=2033,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3370,7 +3412,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=2015,
+        line=2037,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3379,7 +3421,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=2020,
+        line=2042,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3388,7 +3430,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=2025,
+        line=2047,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3397,7 +3439,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=2030,
+        line=2052,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3406,7 +3448,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=2035,
+        line=2057,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3414,7 +3456,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=2040,
+        line=2062,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3423,7 +3465,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=2044,
+        line=2066,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3432,7 +3474,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=2049,
+        line=2071,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3441,7 +3483,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=2054,
+        line=2076,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3450,7 +3492,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=2059,
+        line=2081,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3458,7 +3500,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=2064,
+        line=2086,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3466,7 +3508,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=2068,
+        line=2090,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3475,7 +3517,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=2072,
+        line=2094,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3484,7 +3526,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=2077,
+        line=2099,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3493,7 +3535,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=2082,
+        line=2104,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3502,7 +3544,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=2087,
+        line=2109,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3511,7 +3553,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=2092,
+        line=2114,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3520,7 +3562,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=2097,
+        line=2119,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3529,7 +3571,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=2102,
+        line=2124,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3538,7 +3580,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=2107,
+        line=2129,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3547,7 +3589,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=2112,
+        line=2134,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3555,7 +3597,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2117,
+        line=2139,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3563,7 +3605,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2121,
+        line=2143,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3572,7 +3614,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2125,
+        line=2147,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3580,7 +3622,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2130,
+        line=2152,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3588,7 +3630,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2134,
+        line=2156,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3597,7 +3639,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2138,
+        line=2160,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3606,7 +3648,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2143,
+        line=2165,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3615,7 +3657,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2148,
+        line=2170,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3623,7 +3665,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2153,
+        line=2175,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3632,7 +3674,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2157,
+        line=2179,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3640,7 +3682,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2162,
+        line=2184,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3649,7 +3691,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2166,
+        line=2188,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3657,7 +3699,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2171,
+        line=2193,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3666,7 +3708,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2175,
+        line=2197,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3674,7 +3716,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2180,
+        line=2202,
     ),
     "change": Symbol(
         "change",
@@ -3683,7 +3725,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2184,
+        line=2206,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3692,7 +3734,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2189,
+        line=2211,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3701,7 +3743,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2194,
+        line=2216,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3709,7 +3751,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2199,
+        line=2221,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3718,7 +3760,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2203,
+        line=2225,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3726,7 +3768,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2208,
+        line=2230,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3734,7 +3776,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2212,
+        line=2234,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3742,7 +3784,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2216,
+        line=2238,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3751,7 +3793,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2220,
+        line=2242,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3759,7 +3801,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2225,
+        line=2247,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3768,6 +3810,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2229,
+        line=2251,
     ),
 }
