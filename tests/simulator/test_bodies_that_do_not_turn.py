@@ -156,6 +156,79 @@ def test_it_falls_asleep_and_wakes() -> None:
     assert sim.angular_velocity[hero] == 0.0
 
 
+# -- on what turns
+
+LARGE = 1e6  # kg m^2: an inertia that nothing in these scenes turns
+ON_AN_EDGE = t2.Capsule(length=1.0, radius=0.5)
+
+
+def platform(turning: float, surface: Any, **settings: Any) -> t2.Simulator:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -9.81)), **settings)
+    top = t2.Box(width=8.0, height=1.0)
+    sim.add_kinematic(top, position=(0.0, 0.0), angular_velocity=turning, **surface)
+    return sim
+
+
+def told_beside_got(sim: t2.Simulator, body: int) -> tuple[float, float]:
+    """Step; return how far what its contacts tell is from what a body got, and its size, N s."""
+    before = sim.velocity[body].copy()
+    sim.step()
+    found = sim.touching(body)
+    sign = np.where(found.bodies[:, 1] == body, 1.0, -1.0)[:, None]
+    told = (sign * (found.normal * found.impulse[:, None] + found.friction_impulse)).sum(axis=0)
+    gained = sim.velocity[body] - before - np.array(sim.gravity) * sim.time_step
+    return float(np.hypot(*(told - sim.mass[body] * gained))), float(np.hypot(*told))
+
+
+def into_platform(sim: t2.Simulator, body: int) -> float:
+    """Return how fast a body goes into the platform, the first one, where they touch, m/s."""
+    found, most = sim.touching(body), 0.0
+    for bodies, point, normal in zip(found.bodies, found.point, found.normal, strict=True):
+        apart = (sim.velocity_at(body, point) - sim.velocity_at(0, point)) @ normal
+        most = max(most, apart if bodies[0] == body else -apart)
+    return float(most)
+
+
+@pytest.mark.parametrize("rate", [60, 960])
+@pytest.mark.parametrize("turning", [0.1, 1.0, -1.0])
+@pytest.mark.parametrize("carried", [False, True])
+def test_a_hero_on_a_platform_that_turns(turning: float, rate: int, carried: bool) -> None:
+    """He went into it at 0.6 m/s after each step, and was told up to 50 times what he got."""
+    surface: Any = {"friction": 0.6, "restitution": 0.0}
+    ends = []
+    for inertia in (math.inf, LARGE):
+        sim = platform(turning, surface, time_step=1 / rate)
+        place = (-2.0, 1.0)
+        held: Any = {"mass": 1.0, "inertia": inertia, "position": place}
+        hero = sim.add(ON_AN_EDGE, velocity=sim.velocity_at(0, (-2.0, 0.5)), **held, **surface)
+        if carried:
+            crate, head = t2.Box(width=0.6, height=0.4), (-2.1, 1.7)
+            speed = sim.velocity_at(0, head)
+            sim.add(crate, mass=0.3, position=head, velocity=speed, **surface)
+        for _ in range(round(0.6 * rate)):
+            apart, size = told_beside_got(sim, hero)
+            assert apart <= 0.03 * max(size, 9.81 / rate)
+            assert carried or into_platform(sim, hero) < 1e-3
+        ends.append(sim.position[hero].copy())
+    assert ends[0] == pytest.approx(ends[1], abs=2e-3)
+
+
+@pytest.mark.parametrize("turning", [-1.2, 0.8])
+@pytest.mark.parametrize("restitution", [0.0, 0.5])
+def test_a_hero_who_falls_on_a_platform_that_turns(turning: float, restitution: float) -> None:
+    """Of an impact in flight he was told up to three times as much as he got."""
+    surface: Any = {"friction": 1.0, "restitution": restitution}
+    ends = []
+    for inertia in (math.inf, LARGE):
+        sim = platform(turning, surface, time_step=1 / 480)
+        box = t2.Box(width=0.6, height=1.6)
+        hero = sim.add(box, mass=2.0, inertia=inertia, position=(1.5, 1.4), **surface)
+        told = [told_beside_got(sim, hero) for _ in range(240)]
+        assert max(apart for apart, _ in told) < 0.02 * max(size for _, size in told)
+        ends.append(sim.position[hero].copy())
+    assert ends[0] == pytest.approx(ends[1], abs=2e-3)
+
+
 # -- joints and springs
 
 

@@ -14,6 +14,7 @@ each body.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.dissipation import dissipate_excess
 from tamias2d.engine.energy.angular_momentum import keep_angular_momentum
+from tamias2d.engine.energy.held_upright import find_pressed_arms, work_of_holding
 from tamias2d.engine.energy.island_damping import (
     choose_islands_to_damp,
     damp_islands,
@@ -84,6 +85,7 @@ def bound_energy(
     """Take back of restitution, and of the motion of each island, what makes energy."""
     find_references(bodies, touching, constraints, islands)
     support_joined(bodies, islands, joints)
+    find_pressed_arms(bodies, touching, constraints, islands)
     sum_island_energies(control, bodies, touching, constraints, islands)
     bound_joined(control, bodies, touching, constraints, islands, joints)
     if choose_kept_shares(constraints, islands):
@@ -117,6 +119,7 @@ def sum_island_energies(
             velocity, spin = reference_at(i, bodies, islands)
             row = islands.energy[islands.links[i, tb.ROOT]]
             work_of_body = work_seen(i, velocity, spin, control, bodies)
+            work_of_body += work_of_holding(i, spin, bodies, islands)
             row[tb.WORK] += work_of_body
             sum_body_energy(i, velocity, spin, work_of_body, bodies, islands)
             if constraints.counts[tb.BOUNCING] > 0:

@@ -1,7 +1,7 @@
-"""Island energy: Work in a step; Motion seen from a support; Motion of an island as one body;
-Share of a bounce; Bound on the energy of an island; Dissipation of excess energy; Energy for a
-lift; Lift beyond motion; Work of a support; Angular momentum that contacts give; Angular
-momentum of a free island.
+"""Island energy: Work in a step; Motion seen from a support; Body that nothing turns; Motion of an
+island as one body; Share of a bounce; Bound on the energy of an island; Dissipation of excess
+energy; Energy for a lift; Lift beyond motion; Work of a support; Angular momentum that contacts
+give; Angular momentum of a free island.
 
 Generated from srs/models/island_energy.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -130,6 +130,70 @@ def turn_seen(turn: Scalar, angular_velocity_support: Scalar, time_step: Scalar)
     return turn - time_step * angular_velocity_support
 
 
+def contact_arm(bend: Scalar, turning_arm: Scalar, normal: Vector, tangent: Vector) -> Vector:
+    """Lever arm from the centre of mass of a body to a contact (m).
+
+    contact_arm = bend*normal - turning_arm*tangent
+
+    Args:
+        bend: Part of an arm along the line, as far as it turns with its body, m
+        turning_arm: Part of an arm across the line, by which an impulse along it turns a body,
+            m
+        normal: Unit normal of a contact, from body A to body B, 1
+        tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
+
+    Source: DD108, srs/models/island_energy.md:79.
+    """
+    normal_x, normal_y = normal
+    tangent_x, tangent_y = tangent
+    return (bend * normal_x - turning_arm * tangent_x, bend * normal_y - turning_arm * tangent_y)
+
+
+def pressed_arm(pressed_moment: Vector, total_impulse: Scalar) -> Vector:
+    """Lever arm to where the contacts of a body press it in the mean (m).
+
+    pressed_arm = pressed_moment/total_impulse
+
+    Args:
+        pressed_moment: Sum over the contacts of a body of their arms times their impulses along
+            the normal, N*s*m
+        total_impulse: Impulse that a contact has given in a step along its normal, N*s
+
+    Source: DD108, srs/models/island_energy.md:80.
+    """
+    pressed_moment_x, pressed_moment_y = pressed_moment
+    return (pressed_moment_x / total_impulse, pressed_moment_y / total_impulse)
+
+
+def holding_work(
+    angular_velocity_support: Scalar,
+    angular_impulse: Scalar,
+    pressed_arm: Vector,
+    impulse_vector: Vector,
+) -> Scalar:
+    """Energy that the torque which keeps a body from turning has given it in a step, seen from its
+    support (J).
+
+    holding_work = angular_velocity_support*(angular_impulse - cross(pressed_arm,
+    impulse_vector))
+
+    Args:
+        angular_velocity_support: Rate of turning, positive counter-clockwise; of what an island
+            leans on, at the body, rad/s
+        angular_impulse: Moment that the impulses of all contacts of a body have about its
+            centre of mass, kg*m^2/s
+        pressed_arm: Lever arm to where the contacts of a body press it in the mean, m
+        impulse_vector: Integral of a force over the time in which it acts, N*s
+
+    Source: DD108, srs/models/island_energy.md:81.
+    """
+    pressed_arm_x, pressed_arm_y = pressed_arm
+    impulse_vector_x, impulse_vector_y = impulse_vector
+    return angular_velocity_support * (
+        angular_impulse - (pressed_arm_x * impulse_vector_y - pressed_arm_y * impulse_vector_x)
+    )
+
+
 def mass_moment(mass: Scalar, position: Vector) -> Vector:
     """Mass times position (kg*m).
 
@@ -139,7 +203,7 @@ def mass_moment(mass: Scalar, position: Vector) -> Vector:
         mass: Mass of a body, kg
         position: Position of the centre of mass, m
 
-    Source: DD38, srs/models/island_energy.md:83.
+    Source: DD38, srs/models/island_energy.md:133.
     """
     position_x, position_y = position
     return (mass * position_x, mass * position_y)
@@ -155,7 +219,7 @@ def inertia_origin(mass: Scalar, position: Vector, inertia: Scalar) -> Scalar:
         position: Position of the centre of mass, m
         inertia: Moment of inertia about the centre of mass, kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:84.
+    Source: DD38, srs/models/island_energy.md:134.
     """
     position_x, position_y = position
     return inertia + mass * (position_x * position_x + position_y * position_y)
@@ -170,7 +234,7 @@ def position_island(mass_moment: Vector, mass: Scalar) -> Vector:
         mass_moment: Mass times position, kg*m
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:85.
+    Source: DD38, srs/models/island_energy.md:135.
     """
     mass_moment_x, mass_moment_y = mass_moment
     return (mass_moment_x / mass, mass_moment_y / mass)
@@ -185,7 +249,7 @@ def velocity_island(momentum: Vector, mass: Scalar) -> Vector:
         momentum: Mass times velocity, kg*m/s
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:86.
+    Source: DD38, srs/models/island_energy.md:136.
     """
     momentum_x, momentum_y = momentum
     return (momentum_x / mass, momentum_y / mass)
@@ -201,7 +265,7 @@ def inertia_island(inertia_origin: Scalar, mass: Scalar, position_island: Vector
         mass: Mass of a body, kg
         position_island: Position of the centre of mass; of an island as one body, m
 
-    Source: DD38, srs/models/island_energy.md:87.
+    Source: DD38, srs/models/island_energy.md:137.
     """
     position_island_x, position_island_y = position_island
     return inertia_origin - mass * (
@@ -229,7 +293,7 @@ def angular_velocity_island(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:88.
+    Source: DD38, srs/models/island_energy.md:138.
     """
     position_island_x, position_island_y = position_island
     velocity_island_x, velocity_island_y = velocity_island
@@ -257,7 +321,7 @@ def kinetic_energy_kept(
             J
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:143.
+    Source: GD13, srs/models/island_energy.md:193.
     """
     return (
         (1 - kept_share) * kinetic_energy_before
@@ -276,7 +340,7 @@ def velocity_kept(velocity_before: Vector, velocity_after: Vector, kept_share: S
         velocity_after: Velocity of the centre of mass; just after the impact, m/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:146.
+    Source: GD13, srs/models/island_energy.md:196.
     """
     velocity_before_x, velocity_before_y = velocity_before
     velocity_after_x, velocity_after_y = velocity_after
@@ -302,7 +366,7 @@ def angular_velocity_kept(
             impact, rad/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:147.
+    Source: GD13, srs/models/island_energy.md:197.
     """
     return angular_velocity_before + kept_share * (angular_velocity_after - angular_velocity_before)
 
@@ -320,7 +384,7 @@ def accumulated_impulse_kept(
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:150.
+    Source: GD13, srs/models/island_energy.md:200.
     """
     return accumulated_impulse - (1 - kept_share) * applied_impulse
 
@@ -338,7 +402,7 @@ def kept_share_rising(energy_room: Scalar, energy_rise: Scalar, change_energy: S
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:154.
+    Source: GD13, srs/models/island_energy.md:204.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -358,7 +422,7 @@ def kept_share_falling(energy_room: Scalar, energy_rise: Scalar, change_energy: 
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:155.
+    Source: GD13, srs/models/island_energy.md:205.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -374,7 +438,7 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM11, srs/models/island_energy.md:248.
+    Source: IM11, srs/models/island_energy.md:298.
     """
     return largest(kinetic_energy_start + work, 0.0)
 
@@ -392,7 +456,7 @@ def damped_share(
         kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
         kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
 
-    Source: IM11, srs/models/island_energy.md:249.
+    Source: IM11, srs/models/island_energy.md:299.
     """
     return least(
         sqrt(
@@ -413,7 +477,7 @@ def velocity_damped(velocity: Vector, velocity_island: Vector, damped_share: Sca
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:252.
+    Source: IM11, srs/models/island_energy.md:302.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -438,7 +502,7 @@ def angular_velocity_damped(
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:253.
+    Source: IM11, srs/models/island_energy.md:303.
     """
     return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)
 
@@ -467,7 +531,7 @@ def given_product(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD88, srs/models/island_energy.md:334.
+    Source: DD88, srs/models/island_energy.md:385.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -488,7 +552,7 @@ def energy_along_given(given_product: Scalar, change_energy: Scalar) -> Scalar:
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:337.
+    Source: DD88, srs/models/island_energy.md:388.
     """
     return given_product * given_product / (4 * change_energy)
 
@@ -513,7 +577,7 @@ def energy_along_given_left(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD88, srs/models/island_energy.md:338.
+    Source: DD88, srs/models/island_energy.md:389.
     """
     return largest(energy_along_given - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -541,7 +605,7 @@ def velocity_reduced(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:340.
+    Source: DD88, srs/models/island_energy.md:391.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -574,7 +638,7 @@ def angular_velocity_reduced(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:342.
+    Source: DD88, srs/models/island_energy.md:393.
     """
     return (
         angular_velocity
@@ -592,7 +656,7 @@ def energy_given(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Sca
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD87, srs/models/island_energy.md:391.
+    Source: DD87, srs/models/island_energy.md:442.
     """
     return kinetic_energy - kinetic_energy_start - work
 
@@ -607,7 +671,7 @@ def rising_energy(mass: Scalar, velocity: Vector, acceleration: Vector) -> Scala
         velocity: Velocity of the centre of mass, m/s
         acceleration: Acceleration of the centre of mass, m/s^2
 
-    Source: DD87, srs/models/island_energy.md:392.
+    Source: DD87, srs/models/island_energy.md:443.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -636,7 +700,7 @@ def rising_energy_left(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD87, srs/models/island_energy.md:394.
+    Source: DD87, srs/models/island_energy.md:445.
     """
     return largest(rising_energy - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -653,7 +717,7 @@ def velocity_rising_reduced(velocity: Vector, acceleration: Vector, damped_share
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: DD87, srs/models/island_energy.md:396.
+    Source: DD87, srs/models/island_energy.md:447.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -681,7 +745,7 @@ def lift_beyond_motion(energy_given: Scalar, kinetic_energy: Scalar) -> Scalar:
             it, J
         kinetic_energy: Energy of motion, turning included, J
 
-    Source: DD89, srs/models/island_energy.md:427.
+    Source: DD89, srs/models/island_energy.md:478.
     """
     return largest(energy_given - kinetic_energy, 0.0)
 
@@ -700,7 +764,7 @@ def support_work(
         support_rate: Normal velocity of a contact by the motion of its support alone, m/s
         support_slip: Tangential velocity of a contact by the motion of its support alone, m/s
 
-    Source: DD90, srs/models/island_energy.md:457.
+    Source: DD90, srs/models/island_energy.md:508.
     """
     return total_impulse * (largest(-support_rate, 0.0) + friction * abs(support_slip))
 
@@ -720,7 +784,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:514.
+    Source: DD66, srs/models/island_energy.md:565.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -741,7 +805,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:515.
+    Source: DD66, srs/models/island_energy.md:566.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -772,7 +836,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:516.
+    Source: DD66, srs/models/island_energy.md:567.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -799,7 +863,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:583.
+    Source: IM17, srs/models/island_energy.md:634.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -823,7 +887,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:585.
+    Source: IM17, srs/models/island_energy.md:636.
     """
     return least(
         sqrt(
@@ -852,7 +916,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:588.
+    Source: IM17, srs/models/island_energy.md:639.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -884,7 +948,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:590.
+    Source: IM17, srs/models/island_energy.md:641.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

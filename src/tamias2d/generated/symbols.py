@@ -2144,13 +2144,65 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1325,
     ),
+    "holding_work": Symbol(
+        "holding_work",
+        "J",
+        "energy that the torque which keeps a body from turning has given it in a step, seen from its support",
+        tex="W_{\\text{hold}}",
+        file="srs/symbols.md",
+        line=1330,
+    ),
+    "angular_impulse": Symbol(
+        "angular_impulse",
+        "kg*m^2/s",
+        "moment that the impulses of all contacts of a body have about its centre of mass",
+        tex="L_{\\Sigma}",
+        file="srs/symbols.md",
+        line=1336,
+    ),
+    "contact_arm": Symbol(
+        "contact_arm",
+        "m",
+        "lever arm from the centre of mass of a body to a contact",
+        shape="vector",
+        tex="\\boldsymbol{r}_c",
+        file="srs/symbols.md",
+        line=1341,
+    ),
+    "pressed_moment": Symbol(
+        "pressed_moment",
+        "N*s*m",
+        "sum over the contacts of a body of their arms times their impulses along the normal",
+        shape="vector",
+        tex="\\boldsymbol{S}_{\\Sigma}",
+        file="srs/symbols.md",
+        line=1346,
+    ),
+    "pressed_arm": Symbol(
+        "pressed_arm",
+        "m",
+        "lever arm to where the contacts of a body press it in the mean",
+        shape="vector",
+        tex="\\boldsymbol{r}_{\\Sigma}",
+        file="srs/symbols.md",
+        line=1352,
+    ),
+    "velocity_met": Symbol(
+        "velocity_met",
+        "m/s",
+        "velocity of a support at the point where contacts press a body",
+        shape="vector",
+        tex="\\boldsymbol{v}_{\\text{met}}",
+        file="srs/symbols.md",
+        line=1357,
+    ),
     "support_energy": Symbol(
         "support_energy",
         "J",
         "energy that a support gives by the impulses of a contact",
         tex="E_{\\text{support}}",
         file="srs/symbols.md",
-        line=1330,
+        line=1362,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -2159,7 +2211,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1334,
+        line=1366,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2167,7 +2219,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1339,
+        line=1371,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2175,7 +2227,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_{\\mathrm{sup}}",
         file="srs/symbols.md",
-        line=1343,
+        line=1375,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2184,7 +2236,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1347,
+        line=1379,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2192,7 +2244,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1353,
+        line=1385,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2201,7 +2253,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1357,
+        line=1389,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2210,7 +2262,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1362,
+        line=1394,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2219,7 +2271,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1367,
+        line=1399,
     ),
     "rising_energy_left": Symbol(
         "rising_energy_left",
@@ -2228,7 +2280,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1372,
+        line=1404,
     ),
     "velocity_rising_reduced": Symbol(
         "velocity_rising_reduced",
@@ -2237,7 +2289,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1377,
+        line=1409,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2245,7 +2297,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1382,
+        line=1414,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2254,7 +2306,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1388,
+        line=1420,
     ),
     "energy_along_given_left": Symbol(
         "energy_along_given_left",
@@ -2263,7 +2315,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1393,
+        line=1425,
     ),
     "velocity_reduced": Symbol(
         "velocity_reduced",
@@ -2272,7 +2324,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1398,
+        line=1430,
     ),
     "angular_velocity_reduced": Symbol(
         "angular_velocity_reduced",
@@ -2280,7 +2332,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1403,
+        line=1435,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2289,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1407,
+        line=1439,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2297,7 +2349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1412,
+        line=1444,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2306,7 +2358,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1416,
+        line=1448,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2314,7 +2366,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1421,
+        line=1453,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2323,7 +2375,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1426,
+        line=1458,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2332,7 +2384,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1431,
+        line=1463,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2341,7 +2393,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1436,
+        line=1468,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2349,7 +2401,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1441,
+        line=1473,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2357,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1445,
+        line=1477,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2365,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1449,
+        line=1481,
     ),
     "energy_defect": Symbol(
         "energy_defect",
@@ -2373,7 +2425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1453,
+        line=1485,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2382,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1459,
+        line=1491,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2391,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1464,
+        line=1496,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2400,7 +2452,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1471,
+        line=1503,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2409,7 +2461,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1476,
+        line=1508,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2417,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1481,
+        line=1513,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2425,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\ell_v",
         file="srs/symbols.md",
-        line=1486,
+        line=1518,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2433,7 +2485,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1492,
+        line=1524,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2442,7 +2494,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_L",
         file="srs/symbols.md",
-        line=1496,
+        line=1528,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2451,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1503,
+        line=1535,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2460,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1508,
+        line=1540,
     ),
     "energy": Symbol(
         "energy",
@@ -2468,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1513,
+        line=1545,
     ),
     "radius": Symbol(
         "radius",
@@ -2477,7 +2529,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1522,
+        line=1554,
     ),
     "length": Symbol(
         "length",
@@ -2486,7 +2538,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1527,
+        line=1559,
     ),
     "width": Symbol(
         "width",
@@ -2495,7 +2547,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1534,
+        line=1566,
     ),
     "height": Symbol(
         "height",
@@ -2504,7 +2556,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1539,
+        line=1571,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2513,7 +2565,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1544,
+        line=1576,
     ),
     "center": Symbol(
         "center",
@@ -2522,7 +2574,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1549,
+        line=1581,
     ),
     "offset": Symbol(
         "offset",
@@ -2530,7 +2582,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1554,
+        line=1586,
     ),
     "area": Symbol(
         "area",
@@ -2539,7 +2591,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1558,
+        line=1590,
     ),
     "way": Symbol(
         "way",
@@ -2548,7 +2600,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_c",
         file="srs/symbols.md",
-        line=1563,
+        line=1595,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2556,7 +2608,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha_c",
         file="srs/symbols.md",
-        line=1568,
+        line=1600,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2565,7 +2617,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1572,
+        line=1604,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2574,7 +2626,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1577,
+        line=1609,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2582,7 +2634,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta_e",
         file="srs/symbols.md",
-        line=1582,
+        line=1614,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2590,7 +2642,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1586,
+        line=1618,
     ),
     "lean": Symbol(
         "lean",
@@ -2598,7 +2650,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1590,
+        line=1622,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2606,7 +2658,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho_c",
         file="srs/symbols.md",
-        line=1594,
+        line=1626,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2614,7 +2666,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1598,
+        line=1630,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2623,7 +2675,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1604,
+        line=1636,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2631,7 +2683,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1617,
+        line=1649,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2639,7 +2691,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1621,
+        line=1653,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2647,7 +2699,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1625,
+        line=1657,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2655,7 +2707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1629,
+        line=1661,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2664,7 +2716,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta_C",
         file="srs/symbols.md",
-        line=1633,
+        line=1665,
     ),
     "slope": Symbol(
         "slope",
@@ -2673,7 +2725,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}",
         file="srs/symbols.md",
-        line=1638,
+        line=1670,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2682,7 +2734,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}_0",
         file="srs/symbols.md",
-        line=1643,
+        line=1675,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2691,7 +2743,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta G^2",
         file="srs/symbols.md",
-        line=1648,
+        line=1680,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2700,7 +2752,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="G^2",
         file="srs/symbols.md",
-        line=1653,
+        line=1685,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2708,7 +2760,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="G_\\varphi",
         file="srs/symbols.md",
-        line=1658,
+        line=1690,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2716,7 +2768,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1662,
+        line=1694,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2724,7 +2776,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e_G",
         file="srs/symbols.md",
-        line=1666,
+        line=1698,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2733,7 +2785,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_G",
         file="srs/symbols.md",
-        line=1670,
+        line=1702,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2741,7 +2793,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="G_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1675,
+        line=1707,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2749,7 +2801,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_G",
         file="srs/symbols.md",
-        line=1679,
+        line=1711,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2757,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1683,
+        line=1715,
     ),
     "inertia_factor_most": Symbol(
         "inertia_factor_most",
@@ -2765,7 +2817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "most times its own inertia with which a body counts in joints",
         tex="\\kappa_{\\max}",
         file="srs/symbols.md",
-        line=1687,
+        line=1719,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2773,7 +2825,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1691,
+        line=1723,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2781,7 +2833,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1695,
+        line=1727,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2789,7 +2841,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1699,
+        line=1731,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2797,7 +2849,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1703,
+        line=1735,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2805,7 +2857,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1707,
+        line=1739,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2813,7 +2865,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1711,
+        line=1743,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2822,7 +2874,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1715,
+        line=1747,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2830,7 +2882,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda_l",
         file="srs/symbols.md",
-        line=1720,
+        line=1752,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2839,7 +2891,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1724,
+        line=1756,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2847,7 +2899,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1729,
+        line=1761,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2856,7 +2908,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1733,
+        line=1765,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2865,7 +2917,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1738,
+        line=1770,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2874,7 +2926,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1743,
+        line=1775,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2883,7 +2935,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1748,
+        line=1780,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2891,7 +2943,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1753,
+        line=1785,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2900,7 +2952,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1757,
+        line=1789,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2908,7 +2960,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1762,
+        line=1794,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2916,7 +2968,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1766,
+        line=1798,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2925,7 +2977,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1770,
+        line=1802,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2934,7 +2986,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1775,
+        line=1807,
     ),
     "row_pull": Symbol(
         "row_pull",
@@ -2942,7 +2994,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row's spring and damper without their maximum",
         tex="P_C",
         file="srs/symbols.md",
-        line=1780,
+        line=1812,
     ),
     "row_pull_across": Symbol(
         "row_pull_across",
@@ -2950,7 +3002,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the same of the other row of a target",
         tex="P_\\bot",
         file="srs/symbols.md",
-        line=1784,
+        line=1816,
     ),
     "row_pull_size": Symbol(
         "row_pull_size",
@@ -2959,7 +3011,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_\\sigma",
         file="srs/symbols.md",
-        line=1788,
+        line=1820,
     ),
     "row_share": Symbol(
         "row_share",
@@ -2968,7 +3020,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=1793,
+        line=1825,
     ),
     "whole_impulse": Symbol(
         "whole_impulse",
@@ -2976,7 +3028,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a spring at a joint for all of a substep",
         tex="\\Lambda_\\Theta",
         file="srs/symbols.md",
-        line=1798,
+        line=1830,
     ),
     "impulse_left": Symbol(
         "impulse_left",
@@ -2985,7 +3037,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_<",
         file="srs/symbols.md",
-        line=1802,
+        line=1834,
     ),
     "impulse_room": Symbol(
         "impulse_room",
@@ -2994,7 +3046,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{room}",
         file="srs/symbols.md",
-        line=1807,
+        line=1839,
     ),
     "row_energy_bounded": Symbol(
         "row_energy_bounded",
@@ -3003,7 +3055,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\sigma",
         file="srs/symbols.md",
-        line=1812,
+        line=1844,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -3011,7 +3063,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1817,
+        line=1849,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -3020,7 +3072,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1821,
+        line=1853,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -3028,7 +3080,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1826,
+        line=1858,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -3036,7 +3088,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1830,
+        line=1862,
     ),
     "amplification": Symbol(
         "amplification",
@@ -3045,7 +3097,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1834,
+        line=1866,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -3054,7 +3106,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1839,
+        line=1871,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -3063,7 +3115,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1844,
+        line=1876,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -3072,7 +3124,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1849,
+        line=1881,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -3081,7 +3133,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1854,
+        line=1886,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -3090,7 +3142,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1859,
+        line=1891,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -3099,7 +3151,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=1864,
+        line=1896,
     ),
     "change_most": Symbol(
         "change_most",
@@ -3108,7 +3160,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=1869,
+        line=1901,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -3117,7 +3169,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=1874,
+        line=1906,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -3126,7 +3178,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1879,
+        line=1911,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -3135,7 +3187,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1884,
+        line=1916,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -3143,7 +3195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1889,
+        line=1921,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -3152,7 +3204,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1893,
+        line=1925,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -3161,7 +3213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1898,
+        line=1930,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -3170,7 +3222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1903,
+        line=1935,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -3178,7 +3230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1908,
+        line=1940,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -3187,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=1912,
+        line=1944,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -3195,7 +3247,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1917,
+        line=1949,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3203,7 +3255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=1921,
+        line=1953,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3212,7 +3264,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1925,
+        line=1957,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3221,7 +3273,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1930,
+        line=1962,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3230,7 +3282,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1935,
+        line=1967,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3238,7 +3290,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1940,
+        line=1972,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3246,7 +3298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1944,
+        line=1976,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3254,7 +3306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1948,
+        line=1980,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3263,7 +3315,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=1952,
+        line=1984,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3272,7 +3324,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=1957,
+        line=1989,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3281,7 +3333,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1962,
+        line=1994,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3290,7 +3342,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1967,
+        line=1999,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3299,7 +3351,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=1972,
+        line=2004,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3308,7 +3360,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=1977,
+        line=2009,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3317,7 +3369,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=1982,
+        line=2014,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3326,7 +3378,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=1987,
+        line=2019,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3334,7 +3386,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1992,
+        line=2024,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3343,7 +3395,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1996,
+        line=2028,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3351,7 +3403,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=2001,
+        line=2033,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3360,7 +3412,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=2005,
+        line=2037,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3369,7 +3421,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=2010,
+        line=2042,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3378,7 +3430,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=2015,
+        line=2047,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3387,7 +3439,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=2020,
+        line=2052,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3396,7 +3448,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=2025,
+        line=2057,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3404,7 +3456,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=2030,
+        line=2062,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3413,7 +3465,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=2034,
+        line=2066,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3422,7 +3474,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=2039,
+        line=2071,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3431,7 +3483,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=2044,
+        line=2076,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3440,7 +3492,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=2049,
+        line=2081,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3448,7 +3500,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=2054,
+        line=2086,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3456,7 +3508,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=2058,
+        line=2090,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3465,7 +3517,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=2062,
+        line=2094,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3474,7 +3526,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=2067,
+        line=2099,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3483,7 +3535,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=2072,
+        line=2104,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3492,7 +3544,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=2077,
+        line=2109,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3501,7 +3553,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=2082,
+        line=2114,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3510,7 +3562,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=2087,
+        line=2119,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3519,7 +3571,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=2092,
+        line=2124,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3528,7 +3580,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=2097,
+        line=2129,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3537,7 +3589,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=2102,
+        line=2134,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3545,7 +3597,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2107,
+        line=2139,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3553,7 +3605,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2111,
+        line=2143,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3562,7 +3614,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2115,
+        line=2147,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3570,7 +3622,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2120,
+        line=2152,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3578,7 +3630,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2124,
+        line=2156,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3587,7 +3639,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2128,
+        line=2160,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3596,7 +3648,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2133,
+        line=2165,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3605,7 +3657,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2138,
+        line=2170,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3613,7 +3665,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2143,
+        line=2175,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3622,7 +3674,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2147,
+        line=2179,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3630,7 +3682,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2152,
+        line=2184,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3639,7 +3691,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2156,
+        line=2188,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3647,7 +3699,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2161,
+        line=2193,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3656,7 +3708,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2165,
+        line=2197,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3664,7 +3716,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2170,
+        line=2202,
     ),
     "change": Symbol(
         "change",
@@ -3673,7 +3725,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2174,
+        line=2206,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3682,7 +3734,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2179,
+        line=2211,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3691,7 +3743,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2184,
+        line=2216,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3699,7 +3751,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2189,
+        line=2221,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3708,7 +3760,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2193,
+        line=2225,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3716,7 +3768,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2198,
+        line=2230,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3724,7 +3776,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2202,
+        line=2234,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3732,7 +3784,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2206,
+        line=2238,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3741,7 +3793,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2210,
+        line=2242,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3749,7 +3801,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2215,
+        line=2247,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3758,6 +3810,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2219,
+        line=2251,
     ),
 }

@@ -27,9 +27,11 @@ from tamias2d.engine.continuous.work import (
     take_impulse_back,
     work_ahead,
 )
+from tamias2d.engine.energy.step_energy import can_be_turned
 from tamias2d.engine.part_impulses import forget_earlier
 from tamias2d.engine.tables import Bodies, Control, Events, Integers
 from tamias2d.generated.continuous_collision import position_later
+from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.soft_contact import limited_tangent_impulse, restitution_impulse
 from tamias2d.state import Array, Vector
 
@@ -76,7 +78,7 @@ def rebound(
 
     Impacts between moving bodies take none of the displacement that both have in all, as masses
     count. But a body whose path leads into one that nothing moves loses a part of its work, and a
-    surface that runs may give any.
+    surface that runs may give any. A body that nothing turns is seen from where it is pushed.
     """
     time_step, left = control.progress[tb.PART_TIME], 1.0 - now
     if bodies.kind[i] == bodies.kind[j]:
@@ -85,11 +87,13 @@ def rebound(
     support = support_velocity(k, wall, now, bodies.pose, bodies.motion)
     spin, row = bodies.motion[wall, tb.SPIN], bodies.motion[k]
     x, y, turn = row[tb.VX], row[tb.VY], row[tb.SPIN]
-    before = energy_seen(k, support, spin, bodies.motion, bodies.properties)
-    before -= work_ahead(k, left, control, bodies)
+    before = -work_ahead(k, left, control, bodies)
     impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, events)
-    after = energy_seen(k, support, spin, bodies.motion, bodies.properties)
-    after -= work_ahead(k, left, control, bodies)
+    if not can_be_turned(k, bodies.properties):
+        support = point_velocity(support, spin, pushed_arm(i, k, now, bodies, events))
+    before += energy_seen(k, (x, y), turn, support, spin, bodies.properties)
+    velocity, after = (row[tb.VX], row[tb.VY]), -work_ahead(k, left, control, bodies)
+    after += energy_seen(k, velocity, row[tb.SPIN], support, spin, bodies.properties)
     if events.met_points[0, tb.M_SURFACE_SPEED] == 0.0:
         given, turned = (row[tb.VX] - x, row[tb.VY] - y), row[tb.SPIN] - turn
         surplus = take_impulse_back(
@@ -97,6 +101,15 @@ def rebound(
         )
         take_energy_back(k, surplus, support, spin, bodies.motion, bodies.properties)
     return impulse
+
+
+def pushed_arm(i: int, k: int, now: float, bodies: Bodies, events: Events) -> Vector:
+    """Return where an impact of body i pushes k, itself or the other, from its centre, m."""
+    impulse, at = total_push(0, events)
+    if not impulse > 0.0:  # of bodies with contacts, which were pushed where they touch
+        at = contact_point(events.scratch[0])
+    x, y = relative_place(i, k, now, bodies.pose, bodies.motion)
+    return at[0] - x, at[1] - y
 
 
 def rebound_freely(

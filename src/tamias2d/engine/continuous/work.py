@@ -31,11 +31,16 @@ def support_velocity(i: int, j: int, now: float, pose: Array, motion: Array) -> 
     return point_velocity((motion[j, tb.VX], motion[j, tb.VY]), motion[j, tb.SPIN], at)
 
 
-def energy_seen(i: int, support: Vector, spin: float, motion: Array, properties: Array) -> float:
-    """Return the kinetic energy of a body as seen from its support, J."""
+def energy_seen(
+    i: int, velocity: Vector, turning: float, support: Vector, spin: float, properties: Array
+) -> float:
+    """Return the kinetic energy of a body as seen from its support, J.
+
+    It has a velocity, m/s, and a spin, rad/s.
+    """
     mass, inertia = mass_and_inertia(i, properties)
-    seen = velocity_seen((motion[i, tb.VX], motion[i, tb.VY]), support)
-    return kinetic_energy(mass, seen, inertia, angular_velocity_seen(motion[i, tb.SPIN], spin))
+    seen = velocity_seen(velocity, support)
+    return kinetic_energy(mass, seen, inertia, angular_velocity_seen(turning, spin))
 
 
 def work_ahead(i: int, left: float, control: Control, bodies: Bodies) -> float:
@@ -81,10 +86,10 @@ def take_energy_back(
     i: int, surplus: float, support: Vector, spin: float, motion: Array, properties: Array
 ) -> None:
     """Take a surplus from a body's energy as seen from its support, J, if it is positive."""
-    energy = energy_seen(i, support, spin, motion, properties)
+    row = motion[i]
+    energy = energy_seen(i, (row[tb.VX], row[tb.VY]), row[tb.SPIN], support, spin, properties)
     if surplus > 0.0 and energy > 0.0:
         share = damped_share(energy, max(energy - surplus, 0.0), 0.0)
-        row = motion[i]
         row[tb.VX], row[tb.VY] = velocity_damped((row[tb.VX], row[tb.VY]), support, share)
         if can_be_turned(i, properties):
             row[tb.SPIN] = angular_velocity_damped(row[tb.SPIN], spin, share)

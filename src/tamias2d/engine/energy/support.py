@@ -132,13 +132,18 @@ def support_island(j: int, root: int, bodies: Bodies, islands: Islands) -> None:
 
 
 def reference_at(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, float]:
-    """Return the velocity, at a body, and the spin of the reference motion of its island."""
+    """Return the velocity, at a body, and the spin of the reference motion of its island.
+
+    A body that nothing turns is seen from where contacts press it (DD108).
+    """
     root = islands.links[i, tb.ROOT]
     row = islands.energy[root]
     x, y = (
         bodies.pose[i, tb.X] - bodies.pose[root, tb.X],
         bodies.pose[i, tb.Y] - bodies.pose[root, tb.Y],
     )
+    if not can_be_turned(i, bodies.properties):
+        x, y = x + islands.energy[i, tb.PRESSED_ARM], y + islands.energy[i, tb.PRESSED_ARM + 1]
     spin = row[tb.REFERENCE + 2]
     return point_velocity((row[tb.REFERENCE], row[tb.REFERENCE + 1]), spin, (x, y)), spin
 

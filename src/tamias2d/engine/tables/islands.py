@@ -28,6 +28,10 @@ CHANGE_ENERGY = _energy()  # J, of that change of velocities alone; of a mechani
 GIVEN_PRODUCT = _energy()  # J, of the motion and that change; of a mechanism likewise
 ENERGY_OWN = _energy()  # J, of each body: what it had and got by forces, which it keeps
 TIED = _energy()  # 1 of a body that joints have pushed in this part
+TOTAL_PRESS = _energy()  # N s, as all to ANGULAR_IMPULSE of bodies that nothing turns (DD108)
+PRESSED_ARM = _energy(2)  # m, to where contacts press it in the mean
+IMPULSE_GOT = _energy(2)  # N s, by all contacts
+ANGULAR_IMPULSE = _energy()  # kg m^2/s, about its centre of mass
 REFERENCE = _energy(3)  # m/s, m/s, rad/s, of a root, as all below: the rigid motion, at the root,
 # from which the island is seen, and towards which its motion is damped
 SUPPORT = _energy()  # how many motions support it, one of those in `solver.support`
