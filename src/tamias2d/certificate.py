@@ -13,10 +13,35 @@ from tamias2d.scene import Scene
 
 Kind = Literal["exact", "step doubling", "embedded", "reference", "invariants", "none"]
 
+BasisKind = Literal[
+    "usual",
+    "error equation",
+    "halved steps",
+    "companions",
+    "looser run",
+    "planned steps",
+    "quality",
+]
+
 _NOT_CLAIMED = (
     "that the models fit the world: rigid bodies, by the assumptions of the SRS",
     "anything about the program of 2018, whose scheme was inconsistent",
 )
+
+
+@dataclass(frozen=True)
+class Basis:
+    """The computation from which a certificate follows: `replay --check` does it again."""
+
+    kind: BasisKind = "usual"
+    """The usual one is that of `certify` where no other kind is named."""
+    rtol: float | None = None
+    """The tolerance of the looser run, whose companion at a tighter one the run is."""
+    time_step: float | None = None
+    """The shortest of the planned steps, s."""
+
+
+USUAL = Basis()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,6 +65,7 @@ class Certificate:
     """
     hashes: dict[str, str]
     """SHA-256 of the specification, of the scene and of the package's sources."""
+    basis: Basis = USUAL
 
     def __str__(self) -> str:
         horizon = self.predictability_horizon
@@ -71,7 +97,8 @@ def from_json(text: str) -> Certificate:
     try:
         values = json.loads(text)
         lists = {name: tuple(values[name]) for name in ("claims", "does_not_claim")}
-        return Certificate(**{f.name: values[f.name] for f in fields(Certificate)} | lists)
+        given = {f.name: values[f.name] for f in fields(Certificate)} | lists
+        return Certificate(**given | {"basis": Basis(**values["basis"])})
     except (ValueError, KeyError, TypeError, RecursionError) as fault:
         raise RecordingError(
             "certificate: cannot be read: its fields are not those of a certificate. "

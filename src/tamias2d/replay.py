@@ -65,7 +65,7 @@ def _certificate_fault(recorded: Run, recomputed: Run) -> str:
     claimed = recorded.certificate
     if claimed is None:
         return ""
-    made = certify_as(recomputed, claimed).certificate
+    made = certify_as(recomputed, claimed.basis).certificate
     names = [field.name for field in fields(Certificate)]
     for name in ("how", *names):  # from another way all else follows
         ours, theirs = getattr(claimed, name), getattr(made, name)

@@ -121,7 +121,12 @@ class Located:
     @property
     def notes(self) -> tuple[str, ...]:
         """Which bodies came to rest on which, and what was decided by rule (A18)."""
-        return (*self._active.notes, *self._ruled.notes)
+        return self._active.notes if self.ruled is None else (*self._active.notes, self.ruled)
+
+    @property
+    def ruled(self) -> str | None:
+        """What was decided by rule (A18), if anything."""
+        return self._ruled.note
 
     # -- with a follower
 

@@ -29,6 +29,7 @@ class ClosedFormMotion:
         self.work = Work(duration)
         self.sampled: History | None = None
         self.notes: tuple[str, ...] = ()
+        self.unresolved: str | None = None
         self._scene = scene
         self._duration = duration
         self._loads = Loads(scene)

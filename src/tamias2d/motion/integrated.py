@@ -16,7 +16,7 @@ from tamias2d.motion.integrator import Integrator
 from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import JointEvents, joint_events
 from tamias2d.motion.jointed_steps import JointedSteps
-from tamias2d.motion.law_resolution import UNRESOLVED, LawResolution, States
+from tamias2d.motion.law_resolution import LawResolution, States
 from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
 from tamias2d.motion.marching import Marching, Rule
 from tamias2d.motion.mechanisms import fitted
@@ -64,7 +64,7 @@ class IntegratedMotion:
         """What takes many steps at once of bodies that act on no others, if anything does."""
         self.moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
         """The bodies that move."""
-        self._missed = False
+        self.unresolved: str | None = None
         self.notes = notes + self._loads.joint_notes(self.moving)
 
     def take_joint_codes(self, codes: JointCodes) -> None:
@@ -303,12 +303,12 @@ class IntegratedMotion:
 
     def _note_missed(self, field: MemoisedField, times: Sequence[float], states: States) -> None:
         """Note what steps have missed of a law, where they could not be shorter for it."""
-        if not isinstance(self._integrator, FixedSteps) or self._missed:
+        if not isinstance(self._integrator, FixedSteps) or self.unresolved is not None:
             return
         missed = self._resolution.unresolved(field.bodies, times, states, given=True)
         if missed is not None:
-            self._missed = True
-            self.notes += (f"{UNRESOLVED}: {missed.law.what}, near {missed.time:.6g} s",)
+            self.unresolved = str(missed)
+            self.notes += (self.unresolved,)
 
     def _dense_steps(
         self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array

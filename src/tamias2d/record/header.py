@@ -51,6 +51,9 @@ _TYPES: dict[str, Any] = {
     "impacts": int,
     "bodies": list,
     "notes": list,
+    "stepped_because": str | None,
+    "ruled": str | None,
+    "unresolved": str | None,
     "digest": str,
     "versions": dict,
 }
@@ -71,8 +74,11 @@ class Header:
     notes: tuple[str, ...]
     digest: str
     versions: dict[str, str]
+    stepped_because: str | None = None
+    ruled: str | None = None
+    unresolved: str | None = None
     certificate: dict[str, Any] | None = None
-    """As JSON; recordings made before there were certificates have none."""
+    """As JSON."""
     format: int = FORMAT
     joint_events: int = 0
 
@@ -95,6 +101,9 @@ def header_of(run: RunData) -> Header:
         impacts=len(run.impacts.time),
         bodies=tuple(body.name for body in run.scene.bodies),
         notes=tuple(run.notes),
+        stepped_because=run.stepped_because,
+        ruled=run.ruled,
+        unresolved=run.unresolved,
         digest="",
         versions=versions(),
         joint_events=len(run.joint_events),

@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from tamias2d.certificate import Kind
+from tamias2d.certificate import USUAL, Basis, Kind
 from tamias2d.motion import Method
 from tamias2d.run import Run
 from tamias2d.state import Array
@@ -26,6 +26,7 @@ class Bound:
     """m"""
     how: str
     order: float | None = None
+    basis: Basis = USUAL
 
 
 Way: TypeAlias = Callable[[Run, Array | None], Bound]

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from tamias2d.certificate import Certificate
+from tamias2d.certificate import USUAL, Basis, Certificate
 from tamias2d.errors import InputError
 from tamias2d.motion import ClosedForm, Dop853, DormandPrince5, Legacy2018, Stepped
 from tamias2d.motion.halved import Halving
@@ -18,10 +18,10 @@ from tamias2d.study.embedded import embedded, looser_than, of_halves, of_tighter
 from tamias2d.study.error import scale
 from tamias2d.study.exact_bound import exact
 from tamias2d.study.looks import looked_at, with_looks
-from tamias2d.study.path_error import HOW, error_beside, has_error_equation, of_error
+from tamias2d.study.path_error import error_beside, has_error_equation, of_error
 from tamias2d.study.penetration import crowded, penetrations
 from tamias2d.study.perturbed import LOST, MOVED, growth, horizon
-from tamias2d.study.quality import certify_quality, is_of_quality
+from tamias2d.study.quality import certify_quality
 from tamias2d.study.refined import Refined
 from tamias2d.study.statement import of_energy, of_penetration, of_positions, with_rule
 from tamias2d.study.step_doubling import against_shorter, shorter_runs, step_doubling
@@ -110,39 +110,46 @@ def certify_tighter(run: Run, looser: Run) -> Run:
     return _certified(run, lambda: lambda run, _: of_tighter(run, looser), looser=looser)
 
 
-def certify_as(run: Run, told: Certificate) -> Run:
-    """Return a run with a certificate that was made as another one tells, of all ways there are."""
-    if is_of_quality(told):
-        return certify_quality(run)
-    if isinstance(run.method, Stepped):
-        return _certify_steps_as(run, told)
-    run = _looked_at(run)
-    if told.how.endswith(HOW) and has_error_equation(run.scene, run.method, run.duration):
-        return certify_with_error(run, error_beside(run))
-    usual, method = certify(run), run.method
-    if usual.certificate is None or usual.certificate.how == told.how:
-        return usual
-    if not isinstance(method, Dop853 | DormandPrince5):
-        return usual
-    for looser in looser_than(method):
-        if told.how == f"{method} against {looser}":
-            try:
-                return certify_tighter(run, companion_of(run, method=looser))
-            except NoBoundError:
-                return usual
-    return certify_embedded(run)[0]
+def certify_as(run: Run, basis: Basis) -> Run:
+    """Return a run with a certificate by the computation that another one follows from.
 
-
-def _certify_steps_as(run: Run, told: Certificate) -> Run:
-    """Return a run by steps with a certificate as another one tells: of its steps, or of a plan.
-
-    Both may be told of the same shortest step.
+    It is the usual one where the run allows no other.
     """
-    usual = certify_steps(run)
-    if usual.certificate is None or replace(usual.certificate, hashes=told.hashes) == told:
-        return usual
-    shorter = refined_to(run.scene, duration=run.duration, times=run.times, told=told.how)
-    return usual if shorter is None else certify_steps(run, shorter)
+    method = run.method
+    if basis.kind == "quality":
+        return certify_quality(run)
+    if isinstance(method, Stepped):
+        return certify_steps(run, _planned_as(run, basis))
+    if not isinstance(method, Dop853 | DormandPrince5):
+        return certify(run)
+    run = _looked_at(run)
+    match basis.kind:
+        case "error equation" if has_error_equation(run.scene, method, run.duration):
+            return certify_with_error(run, error_beside(run))
+        case "halved steps" if method.halved:
+            return certify_halved(run, whole_beside(run))[0]
+        case "companions":
+            return certify_embedded(run)[0]
+        case "looser run" if (looser := _looser_run(run, method, basis)) is not None:
+            return certify_tighter(run, looser)
+    return certify(run)
+
+
+def _planned_as(run: Run, basis: Basis) -> Refined | None:
+    """Return what shorter steps say that were planned, if they were."""
+    if basis.kind != "planned steps":
+        return None
+    times, shortest = run.times, basis.time_step
+    return refined_to(run.scene, duration=run.duration, times=times, shortest=shortest)
+
+
+def _looser_run(run: Run, method: Dop853 | DormandPrince5, basis: Basis) -> Run | None:
+    """Return the looser run whose companion a run was, if it can be made again."""
+    known = [looser for looser in looser_than(method) if looser.rtol == basis.rtol]
+    try:
+        return companion_of(run, method=known[0]) if known else None
+    except NoBoundError:
+        return None
 
 
 def _certified(
@@ -205,10 +212,11 @@ def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=of_penetration(run, fault))
     lost_at, seen = None, looked_at(run) is not None
+    basis = USUAL if shorter is None else Basis("planned steps", time_step=shorter.time_step)
     try:
         shorter = shorter or shorter_runs(run)
         lost_at = shorter.horizon(LOST)
-        found = against_shorter(run, shorter)
+        found = replace(against_shorter(run, shorter), basis=basis)
         certificate = of_positions(run, found, None if seen else float(shorter.length[-1]))
     except NoBoundError as reason:
         certificate = of_energy(run, str(reason), lost_at)

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from tamias2d.certificate import Basis
 from tamias2d.motion import Dop853, DormandPrince5, Method
 from tamias2d.motion.error_equation import Watch
 from tamias2d.run import Run
@@ -17,7 +18,6 @@ from tamias2d.study.bound import Bound, NoBoundError, Way, rounding
 from tamias2d.study.companion import limit_beside
 from tamias2d.study.error import radii, scale, scale_of, swung
 
-HOW = "and the equation of its error"
 _TIGHTEST, _JOINTED = 3e-12, 1e-10
 """Of the tolerances of a method whose steps err by more than the equation is rounded; the same with
 joints, where chaotic motion lets the rounding of their rows grow."""
@@ -75,7 +75,8 @@ def of_error(error: Array | None) -> Way:
         if run.cost and run.cost.steps < _FEW * flights and not only_slowed(run.scene):
             usual = run.method.rtol * scale(run)  # type: ignore[attr-defined]
             value = max(value, min(usual, _LUCKY * _farthest(error, run.scene)))
-        return Bound("embedded", value + rounding(run), f"{run.method} {HOW}")
+        how = f"{run.method} and the equation of its error"
+        return Bound("embedded", value + rounding(run), how, basis=Basis("error equation"))
 
     return way
 

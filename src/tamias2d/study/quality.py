@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tamias2d.balance import balance, kinetic_energy
-from tamias2d.certificate import Certificate, hashes, not_claimed
+from tamias2d.certificate import Basis, Certificate, hashes, not_claimed
 from tamias2d.contact import steps_because
 from tamias2d.errors import InputError
 from tamias2d.motion import Stepped
@@ -18,7 +18,7 @@ from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import shown
-from tamias2d.solve import solve
+from tamias2d.solve import solve, with_reason
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.engines.overlap import worst
@@ -101,7 +101,7 @@ def of_quality(
                 progress=progress,
             )
             note = f"{method} with steps of {step:.4g} s: the cheapest of quality {quality:g}"
-            return _certified(replace(run, notes=(note, *run.notes[1:])), quality)
+            return _certified(with_reason(run, note), quality)
         best, held = min(best, found), min(held, found)
     if math.isinf(held) and math.isfinite(nearest[0]):
         held = max(nearest[0], _seen(scene, duration, times, *nearest[1:]))
@@ -133,11 +133,6 @@ def certify_quality(run: Run) -> Run:
     return _stating(run, quality_of(run.scene, _history(run)))
 
 
-def is_of_quality(certificate: Certificate) -> bool:
-    """Return whether a certificate states the quality of a run."""
-    return certificate.measure == _MEASURE
-
-
 def _certified(run: Run, quality: float) -> Run:
     """Return a run with its certificate; raise `ToleranceError` if it is not of the quality."""
     found = quality_of(run.scene, _history(run))
@@ -166,6 +161,7 @@ def _stating(run: Run, found: Quality) -> Run:
         observed_order=None,
         predictability_horizon=None,
         hashes=hashes(run.scene),
+        basis=Basis("quality"),
     )
     return replace(run, certificate=certificate)
 

@@ -30,7 +30,7 @@ from tamias2d.study.certify import is_bounded
 from tamias2d.study.offers import holding
 from tamias2d.study.pilot import Estimate, Pilot
 from tamias2d.study.refusal import LOOSEST, ToleranceError as ToleranceError, refusal
-from tamias2d.study.stepped_plan import RULE_BOUNDS_NOTHING, is_ruled, plan_steps, stepped_because
+from tamias2d.study.stepped_plan import RULE_BOUNDS_NOTHING, plan_steps, stepped_because
 from tamias2d.suggestions import suggests
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
@@ -92,7 +92,7 @@ def _recommended(
         try:
             if solved(scene):
                 run = solve(scene, duration=duration, method=ClosedForm(), times=[duration])
-                if is_ruled(run) and not is_bounded(run):
+                if run.ruled is not None and not is_bounded(run):
                     reason = RULE_BOUNDS_NOTHING
             if reason is None:
                 return located_plan(scene, duration, tolerance, work_limit)

@@ -4,7 +4,6 @@ import math
 from dataclasses import replace
 
 from tamias2d.certificate import Certificate, hashes, not_claimed
-from tamias2d.contact import RULED
 from tamias2d.motion import ClosedForm, Stepped
 from tamias2d.motion.law_resolution import LOOKS
 from tamias2d.run import Run
@@ -31,10 +30,10 @@ _RISING = f"{_RISE}, relative to the largest kinetic one, or to what lifts bodie
 
 def with_rule(certificate: Certificate, run: Run) -> Certificate:
     """Return a certificate that tells what was decided by rule, and when (A18)."""
-    told = tuple(
-        f"that nature decides as the {note}" for note in run.notes if note.startswith(f"{RULED}: ")
-    )
-    return replace(certificate, does_not_claim=certificate.does_not_claim + told)
+    if run.ruled is None:
+        return certificate
+    told = f"that nature decides as the {run.ruled}"
+    return replace(certificate, does_not_claim=(*certificate.does_not_claim, told))
 
 
 def of_positions(run: Run, found: Bound, far: float | None = None) -> Certificate:
@@ -66,6 +65,7 @@ def of_positions(run: Run, found: Bound, far: float | None = None) -> Certificat
         observed_order=found.order,
         predictability_horizon=None,
         hashes=hashes(run.scene),
+        basis=found.basis,
     )
 
 

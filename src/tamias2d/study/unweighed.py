@@ -15,6 +15,7 @@ from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity, kinked, only_slowed
 from tamias2d.scene.reach import pairs_that_can_meet
+from tamias2d.solve import with_reason
 from tamias2d.study.asked import Asked
 from tamias2d.study.certify import (
     certify_embedded,
@@ -219,7 +220,7 @@ def _believed(run: Run, before: Run) -> Run:
 def _noted(run: Run, tolerance: float, attempt: int) -> Run:
     """Return a run that notes that no other method was weighed."""
     note = f"{run.method}: within {tolerance:g}{again(attempt)}; no other method was weighed"
-    return replace(run, notes=(note, *run.notes[1:]))
+    return with_reason(run, note)
 
 
 def again(attempt: int) -> str:
