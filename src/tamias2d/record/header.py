@@ -20,9 +20,7 @@ from tamias2d.scene import scene_text
 if TYPE_CHECKING:
     from tamias2d.run_data import RunData
 
-FORMAT = 2
-UNCOVERED = 1
-"""The format of recordings whose digest is that of the numbers alone."""
+FORMAT = 3
 METHODS: dict[str, Any] = {
     kind.__name__: kind
     for kind in (
@@ -56,6 +54,8 @@ _TYPES: dict[str, Any] = {
     "unresolved": str | None,
     "digest": str,
     "versions": dict,
+    "certificate": dict | None,
+    "joint_events": int,
 }
 """What JSON makes of each entry."""
 
@@ -74,20 +74,17 @@ class Header:
     notes: tuple[str, ...]
     digest: str
     versions: dict[str, str]
-    stepped_because: str | None = None
-    ruled: str | None = None
-    unresolved: str | None = None
-    certificate: dict[str, Any] | None = None
+    stepped_because: str | None
+    ruled: str | None
+    unresolved: str | None
+    certificate: dict[str, Any] | None
     """As JSON."""
+    joint_events: int
     format: int = FORMAT
-    joint_events: int = 0
 
     def dumps(self) -> str:
-        """Print the header as one line of JSON, for runs without events of joints as ever."""
-        told = asdict(self)
-        if not self.joint_events:
-            del told["joint_events"]
-        return json.dumps(told, sort_keys=True)
+        """Print the header as one line of JSON."""
+        return json.dumps(asdict(self), sort_keys=True)
 
 
 def header_of(run: RunData) -> Header:
@@ -114,17 +111,15 @@ def header_of(run: RunData) -> Header:
 
 def digest(header: Header, run: RunData) -> str:
     """Return the SHA-256 of a header and of all numbers of its run."""
-    numbers = run.digest()
-    if header.format == UNCOVERED:
-        return numbers
-    return hashlib.sha256((replace(header, digest=numbers).dumps()).encode()).hexdigest()
+    text = replace(header, digest=run.digest()).dumps()
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def loads(text: str, *, where: str) -> Header:
     """Read a header; raise `RecordingError` that begins with `where` if it is not one of ours."""
     try:
         values = json.loads(text)
-        if values["format"] not in (UNCOVERED, FORMAT):
+        if values["format"] != FORMAT:
             raise RecordingError(
                 f"{where}: format {values['format']}: this version reads format {FORMAT}. "
                 f"Open it with tamias2d {values['versions']['tamias2d']}."
@@ -145,10 +140,6 @@ def _header(values: dict[str, Any]) -> Header:
     if not all(isinstance(word, str) for word in words) or values["samples"] < 1:
         raise ValueError
     lists = {name: tuple(values[name]) for name in ("bodies", "notes")}
-    values.setdefault("certificate", None)
-    values.setdefault("joint_events", 0)
-    if not isinstance(values["joint_events"], int):
-        raise TypeError("joint_events")
     return Header(**{field.name: values[field.name] for field in fields(Header)} | lists)
 
 
