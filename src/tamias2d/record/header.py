@@ -15,31 +15,13 @@ from typing import TYPE_CHECKING, Any
 
 from tamias2d import motion
 from tamias2d.errors import RecordingError
+from tamias2d.method_names import METHOD_NAMES
 from tamias2d.scene import scene_text
 
 if TYPE_CHECKING:
     from tamias2d.run_data import RunData
 
 FORMAT = 3
-METHODS: dict[str, Any] = {
-    kind.__name__: kind
-    for kind in (
-        motion.ClosedForm,
-        motion.ExplicitEuler,
-        motion.SemiImplicitEuler,
-        motion.VelocityVerlet,
-        motion.RungeKutta4,
-        motion.Yoshida4,
-        motion.ExponentialDrag,
-        motion.DormandPrince5,
-        motion.Dop853,
-        motion.Legacy2018,
-        motion.Reference,
-        motion.Stepped,
-    )
-}
-
-
 _TYPES: dict[str, Any] = {
     "scene": str,
     "method": dict,
@@ -147,14 +129,13 @@ def method_of(header: Header, *, where: str) -> Any:
     """Build the method that the header names, with its options."""
     options = dict(header.method)
     name = str(options.pop("name", ""))
-    kind = METHODS.get(name)
-    if kind is None:
+    if name not in METHOD_NAMES.values():
         raise RecordingError(
-            f"{where}: method {name!r} is none of {', '.join(METHODS)}. "
+            f"{where}: method {name!r} is none of {', '.join(METHOD_NAMES.values())}. "
             f"Open it with tamias2d {header.versions.get('tamias2d')}."
         )
     try:
-        return kind(**options)
+        return getattr(motion, name)(**options)
     except (TypeError, ValueError) as fault:
         raise RecordingError(f"{where}: options of the method {name}: {fault}.") from fault
 
