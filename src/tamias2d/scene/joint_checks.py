@@ -14,7 +14,7 @@ from tamias2d.scene.freedoms import at_rest as freedoms_at_rest, refuse_crossed
 from tamias2d.scene.joint_kinds import Equation, Kind
 from tamias2d.scene.joint_start import Start
 from tamias2d.scene.joints import End, Joint
-from tamias2d.scene.rules import RuleError, Vector, number, shown, vector
+from tamias2d.scene.rules import RuleError, Vector, checked_flag, number, shown, vector
 from tamias2d.spec.constraint import ENDS
 
 _FITS = 1e-6
@@ -51,12 +51,9 @@ def checked_joint(
             "Revolute() or Distance(length=1.0), with its brackets.",
             "kind",
         )
-    if not isinstance(collide, bool):
-        raise RuleError(
-            f"collide of {of}: found {shown(collide)}: must be True or False (TM7). Say whether "
-            "the bodies may touch.",
-            "collide",
-        )
+    collide = checked_flag(
+        collide, "collide", of, rule="TM7", remedy="Say whether the bodies may touch."
+    )
     held = [end if isinstance(end, int) else None for end in ends]
     placed = [
         _anchor(end, anchor, of, key)

@@ -12,7 +12,7 @@ from tamias2d.motion.fixed_steps import grid
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
-from tamias2d.scene.rules import number, sequence
+from tamias2d.scene.rules import checked_count, number, sequence
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.state import Array
 from tamias2d.work_limit import WORK_LIMIT
@@ -81,17 +81,9 @@ def planned(
         _refuse_longer(chosen, time_step, duration)
     _refuse_endless(scene, duration, time_step, kept=times is None)
     steps = grid(duration, time_step or 1 / FRAMES) if times is None else _samples(times, duration)
-    _check_limit(work_limit)
+    remedy = "Give how many steps and impacts it may take."
+    work_limit = checked_count(work_limit, "work_limit", 1, remedy=remedy)
     return Plan(scene, chosen, duration, time_step, steps, (note,), work_limit, stepped_because)
-
-
-def _check_limit(work_limit: int) -> None:
-    whole = isinstance(work_limit, int) and not isinstance(work_limit, bool)
-    if not whole or work_limit < 1:
-        raise InputError(
-            f"work_limit {work_limit!r} of the run: must be a whole number of at least 1 (R4). "
-            "Give how many steps and impacts it may take."
-        )
 
 
 def _refuse_longer(method: Method, time_step: float, duration: float) -> None:

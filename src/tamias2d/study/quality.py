@@ -17,7 +17,7 @@ from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
-from tamias2d.scene.rules import shown
+from tamias2d.scene.rules import is_number, shown
 from tamias2d.solve import solve, with_reason
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError
@@ -119,13 +119,12 @@ def _seen(scene: Scene, duration: float, times: Array, step: float, substeps: in
 def checked_quality(value: object) -> float:
     """Return a quality that a run can be asked for; raise `InputError` otherwise."""
     remedy = "Give a share such as 0.01."
-    number = isinstance(value, int | float) and not isinstance(value, bool)
-    if not number or not 0 < value < 1:  # type: ignore[operator]
+    if not (is_number(value) and 0 < value < 1):
         raise InputError(
             f"quality {shown(value)}: must be a number between 0 and 1, a share of a body's "
             f"radius and of the energy (R5). {remedy}"
         )
-    return float(value)  # type: ignore[arg-type]
+    return float(value)
 
 
 def certify_quality(run: Run) -> Run:

@@ -23,7 +23,7 @@ from tamias2d.motion import (
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
-from tamias2d.scene.rules import number, shown
+from tamias2d.scene.rules import is_number, number, shown
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.solve import solve
 from tamias2d.study.certify import is_bounded
@@ -137,7 +137,7 @@ def solved(scene: Scene) -> bool:
 def checked_tolerance(value: object) -> float:
     """Return a tolerance that a run can be asked for; raise `InputError` otherwise."""
     remedy = "Give a relative error such as 1e-6."
-    if isinstance(value, bool) or not isinstance(value, int | float) or not value == value:
+    if not is_number(value) or not value == value:
         raise InputError(f"tolerance {shown(value)}: must be a number (R5). {remedy}")
     if not TIGHTEST <= value <= LOOSEST:
         raise InputError(
