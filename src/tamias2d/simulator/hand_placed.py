@@ -43,7 +43,7 @@ def beyond_limits(
     for joint in joints:
         if not any(each.limits for each in joint.freedoms):
             continue
-        values = values_of_freedoms(joint, bodies)  # type: ignore[arg-type]
+        values = values_of_freedoms(joint, bodies)
         for each, value in zip(joint.freedoms, values, strict=True):
             most = slight * (1.0 if each.measure == "angle" else size_of_joint(joint, engine))
             for side, much in beyond(each, value):

@@ -1,7 +1,5 @@
 """Joints come and go between steps (TM7), and tell what they exerted."""
 
-from typing import Any
-
 import numpy as np
 
 from tamias2d.engine.state import LARGEST
@@ -60,7 +58,7 @@ class Jointing(Stepping):
             (0.0, 0.0) if second is None and isinstance(kind, Equation) else self._end(second),
             (0.0, 0.0) if third is None else self._end(third),
         )
-        standing: Any = StandingBodies(self._engine, self._names.of_row)
+        standing = StandingBodies(self._engine, self._names.of_row)
         anchors = anchors_of(kind, ends, (anchor, other_anchor, third_anchor), at, standing)
         joint = self._joints.add(
             *(kind, ends, anchors, name, collide, standing),
