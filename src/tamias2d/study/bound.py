@@ -29,7 +29,7 @@ class Bound:
     basis: Basis = USUAL
 
 
-Way: TypeAlias = Callable[[Run, Array | None], Bound]
+Bounder: TypeAlias = Callable[[Run, Array | None], Bound]
 """From a run, and how small changes grow in it where that is known, to a bound."""
 
 

@@ -12,7 +12,7 @@ from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import shown
 from tamias2d.solve import sampled_at
 from tamias2d.state import Array
-from tamias2d.study.bound import Bound, NoBoundError, Way, companion_of
+from tamias2d.study.bound import Bound, Bounder, NoBoundError, companion_of
 from tamias2d.study.companion import RefusedError, companion, limit_beside
 from tamias2d.study.embedded import embedded, looser_than, of_halves, of_tighter, whole_beside
 from tamias2d.study.error import scale
@@ -51,7 +51,7 @@ def certify(run: Run) -> Run:
 
 
 def _certificate(run: Run) -> Certificate | None:
-    return _certified(run, lambda: _way(run), told=True).certificate
+    return _certified(run, _bounder_for(run), with_horizon=True).certificate
 
 
 def _looked_at(run: Run) -> Run:
@@ -74,7 +74,7 @@ def certify_with_error(run: Run, error: Array | None) -> Run:
     The equation of the error knows how this grows: no perturbed run is needed.
     """
     if pairs_that_can_meet(run.scene, run.duration):
-        return _certified(run, lambda: of_error(error))
+        return _certified(run, of_error(error))
     return replace(run, certificate=_stated(run, lambda: of_error(error)(run, None)))
 
 
@@ -84,7 +84,7 @@ def certify_halved(run: Run, halving: Halving | None) -> tuple[Run, Run | None]:
     The other run is the one at a tighter tolerance behind it, if these tell nothing.
     """
     tighter: list[Run] = []
-    found = _certified(run, lambda: lambda run, _: of_halves(run, halving, tighter))
+    found = _certified(run, lambda run, _: of_halves(run, halving, tighter))
     return found, tighter[-1] if tighter else None
 
 
@@ -95,19 +95,19 @@ def certify_by_companion(run: Run) -> Run:
     """
     if not isinstance(run.method, Dop853 | DormandPrince5) or run.method.halved:
         return certify(run)
-    return _certified(run, lambda: lambda run, _: embedded(run, []), told=True)
+    return _certified(run, _by_companions, with_horizon=True)
 
 
 def certify_embedded(run: Run) -> tuple[Run, Run | None]:
     """Return an adaptive run with a certificate, and the one at a tighter tolerance behind it."""
     tighter: list[Run] = []
-    found = _certified(run, lambda: lambda run, _: embedded(run, tighter))
+    found = _certified(run, lambda run, _: embedded(run, tighter))
     return found, tighter[-1] if tighter else None
 
 
 def certify_tighter(run: Run, looser: Run) -> Run:
     """Return a run with a certificate from a looser one, whose companion it was."""
-    return _certified(run, lambda: lambda run, _: of_tighter(run, looser), looser=looser)
+    return _certified(run, lambda run, _: of_tighter(run, looser), looser=looser)
 
 
 def certify_as(run: Run, basis: Basis) -> Run:
@@ -153,14 +153,16 @@ def _looser_run(run: Run, method: Dop853 | DormandPrince5, basis: Basis) -> Run 
 
 
 def _certified(
-    run: Run, way: Callable[[], Way], *, told: bool = False, looser: Run | None = None
+    run: Run, bounder: Bounder, *, with_horizon: bool = False, looser: Run | None = None
 ) -> Run:
-    """Return a run with a certificate, which tells of the horizon also where its bound is large."""
+    """Return a run with a certificate; `with_horizon` it tells of one where its bound is large."""
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=of_penetration(run, fault))
-    certificate = _stated(run, lambda: _found(run, way(), looser or run, told=told))
+    certificate = _stated(
+        run, lambda: _found(run, bounder, looser or run, with_horizon=with_horizon)
+    )
     bounded = certificate.kind not in ("invariants", "none")
-    # the way of many bodies is searched only if something is said of it
+    # the paths of many bodies are searched only if something is said of it
     if bounded and crowded(run) and (fault := next(penetrations(run), None)) is not None:
         certificate = of_penetration(run, fault)
     return replace(run, certificate=with_rule(certificate, run))
@@ -180,19 +182,21 @@ def is_bounded(run: Run) -> bool:
     return certificate is not None and certificate.bound is not None
 
 
-def _found(run: Run, way: Way, loosest: Run, *, told: bool) -> Bound:
+def _found(run: Run, bounder: Bounder, loosest: Run, *, with_horizon: bool) -> Bound:
     """Return a bound; none past the horizon.
 
     Runs that agree although each step of the loosest errs by more than what is perturbed show that
     this does not grow: they need no perturbed run.
     """
+    if isinstance(run.method, Legacy2018):
+        raise NoBoundError("the scheme of 2018 is inconsistent: no step makes its error small")
     early, fault = None, None
     if getattr(loosest.method, "rtol", 0.0) >= _COARSE:
         try:
-            early = way(run, None)
+            early = bounder(run, None)
         except NoBoundError as reason:
             fault = reason
-        if early is not None and (not told or early.value <= LOST * scale(run)):
+        if early is not None and (not with_horizon or early.value <= LOST * scale(run)):
             return early
     grown = growth(run)
     if (lost_at := horizon(run, grown)) is not None:
@@ -201,7 +205,7 @@ def _found(run: Run, way: Way, loosest: Run, *, told: bool) -> Bound:
         )
     if fault is not None:
         raise fault
-    return early or way(run, grown)
+    return early or bounder(run, grown)
 
 
 def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
@@ -223,19 +227,21 @@ def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
     return replace(run, certificate=certificate)
 
 
-def _way(run: Run) -> Way:
+def _bounder_for(run: Run) -> Bounder:
     method = run.method
     if isinstance(method, ClosedForm):
         return exact
-    if isinstance(method, Legacy2018):
-        raise NoBoundError("the scheme of 2018 is inconsistent: no step makes its error small")
     if method.fixed_step:
         return step_doubling
     if has_error_equation(run.scene, method, run.duration):
         return _by_error_equation
     if isinstance(method, Dop853 | DormandPrince5) and method.halved:
         return lambda run, _: of_halves(run, whole_beside(run), [])
-    return lambda run, _: embedded(run, [])
+    return _by_companions
+
+
+def _by_companions(run: Run, _: Array | None) -> Bound:
+    return embedded(run, [])
 
 
 def _by_error_equation(run: Run, grown: Array | None) -> Bound:

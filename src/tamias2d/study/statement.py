@@ -9,7 +9,7 @@ from tamias2d.motion.law_resolution import LOOKS
 from tamias2d.run import Run
 from tamias2d.scene.acting import brief_laws
 from tamias2d.study.bound import Bound, NoBoundError
-from tamias2d.study.error import MEASURE, radii, scale, way
+from tamias2d.study.error import MEASURE, path_length, radii, scale
 from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
 from tamias2d.study.penetration import Penetration, crowded
 
@@ -43,7 +43,7 @@ def of_positions(run: Run, found: Bound, far: float | None = None) -> Certificat
     """
     stepped = isinstance(run.method, Stepped)
     length, of = far or scale(run), "that the farthest one goes"
-    if far is None and length != way(run):
+    if far is None and length != path_length(run):
         of = "taken where nothing moves"
     if stepped and length < (largest := float(radii(run.scene).max(initial=0.0))):
         length, of = largest, "around the largest one"  # what only sinks in goes nowhere
