@@ -23,7 +23,7 @@ from tamias2d.contact.saltation import SingleImpact
 from tamias2d.contact.stepping_choice import MANY
 from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.touching import ContactImpulse, PairOf
-from tamias2d.path import Paths, Piece
+from tamias2d.path import PathPiece, Paths
 from tamias2d.scene import Scene
 from tamias2d.state import Array, State
 from tamias2d.work_limit import Work
@@ -105,7 +105,7 @@ class Located:
             told(end)
 
     @property
-    def tracks(self) -> list[list[Piece]]:
+    def tracks(self) -> list[list[PathPiece]]:
         """The paths of each body so far, in order."""
         return self._paths.tracks
 
@@ -229,7 +229,7 @@ class Located:
         self._begun = True
         self._resolve_instant(0.0, [core.index for core in self.cores if core.dynamic], end)
 
-    def _set_path(self, body: int, path: Piece) -> None:
+    def _set_path(self, body: int, path: PathPiece) -> None:
         """Set the path of a body from now on."""
         self._queue.leave_path(body)
         self._paths.set_path(body, path)
