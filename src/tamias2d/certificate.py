@@ -11,7 +11,7 @@ from typing import Any, Literal
 from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene
 
-Kind = Literal["exact", "step doubling", "embedded", "reference", "invariants", "none"]
+BoundKind = Literal["exact", "step doubling", "embedded", "reference", "invariants", "none"]
 
 BasisKind = Literal[
     "usual",
@@ -48,7 +48,7 @@ USUAL = Basis()
 class Certificate:
     """A bound on the error of one run."""
 
-    kind: Kind
+    kind: BoundKind
     """How the bound was reached; with "none" there is no bound."""
     measure: str
     """Which error is bounded, and its scale."""
@@ -74,13 +74,14 @@ class Certificate:
             return f"Certificate: none: {self.how}{until}"
         return f"Certificate: error <= {self.bound:.1e} ({self.kind}): {self.how}{until}"
 
+    @property
+    def bounds_positions(self) -> bool:
+        """Whether it bounds the error of positions, not of the energy alone, or nothing."""
+        return self.kind not in ("invariants", "none")
+
     def meets(self, tolerance: float) -> bool:
         """Whether it bounds the error of positions, by no more than a tolerance."""
-        return (
-            self.bound is not None
-            and self.kind not in ("invariants", "none")
-            and self.bound <= tolerance
-        )
+        return self.bounds_positions and self.bound is not None and self.bound <= tolerance
 
     def as_json(self) -> dict[str, Any]:
         """Return the fields as JSON holds them."""

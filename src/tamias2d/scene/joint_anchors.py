@@ -1,6 +1,6 @@
 """The anchors of a joint: as they are given, or by the place of the world that it holds (TM7)."""
 
-from tamias2d.scene.joint_kinds import Kind
+from tamias2d.scene.joint_kinds import JointKind
 from tamias2d.scene.joints import End
 from tamias2d.scene.placed_bodies import PlacedBodies, PlacedBody
 from tamias2d.scene.rules import RuleError, Vector, vector
@@ -24,7 +24,7 @@ def anchors_of(
     Raises:
         RuleError: anchors are given, too, or the kind holds no single place.
     """
-    if at is None or not isinstance(kind, Kind):  # what is no kind is refused later
+    if at is None or not isinstance(kind, JointKind):  # what is no kind is refused later
         first, second, third = (_CENTRE if anchor is None else anchor for anchor in anchors)
         return first, second, third
     of = f"at of a joint of kind {type(kind).__name__}"

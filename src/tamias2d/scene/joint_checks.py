@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from tamias2d.scene.freedoms import at_rest as freedoms_at_rest, refuse_crossed
-from tamias2d.scene.joint_kinds import Equation, Kind
+from tamias2d.scene.joint_kinds import Equation, JointKind
 from tamias2d.scene.joint_start import Start
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.placed_bodies import PlacedBodies
@@ -45,7 +45,7 @@ def checked_joint(
     That is at a time, s. If it is only asked `at_rest`, the velocities may be such as to tear it.
     """
     of = f"joint '{name}'"
-    if not isinstance(kind, Kind):
+    if not isinstance(kind, JointKind):
         raise RuleError(
             f"kind of {of}: found {shown(kind)}: must be a kind of joint (TM7). Give one such as "
             "Revolute() or Distance(length=1.0), with its brackets.",
@@ -163,7 +163,7 @@ def _refuse_idle(joint: Joint, bodies: PlacedBodies, of: str) -> None:
 
 
 def _fitted(
-    joint: Joint, kind: Kind, bodies: PlacedBodies, of: str, time: float, *, at_rest: bool
+    joint: Joint, kind: JointKind, bodies: PlacedBodies, of: str, time: float, *, at_rest: bool
 ) -> Joint:
     """Return the joint with all its parameters; what is not given is as at the start."""
     known = {name: value for name, value in kind.given.items() if value is not None}

@@ -36,7 +36,7 @@ from tamias2d.scene.fields import checked_field, refuse_field
 from tamias2d.scene.filters import checked_mask, checked_sensor, checked_whole
 from tamias2d.scene.joint_anchors import anchors_of
 from tamias2d.scene.joint_checks import checked_again, checked_joint
-from tamias2d.scene.joint_kinds import Equation, Kind
+from tamias2d.scene.joint_kinds import Equation, JointKind
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.law import checked_force, checked_law
 from tamias2d.scene.rules import RuleError, VectorLike, number, sequence, shown, vector
@@ -282,7 +282,7 @@ class Scene(SceneData):
 
     def add_joint(
         self,
-        kind: Kind,
+        kind: JointKind,
         first: int | str | VectorLike,
         second: int | str | VectorLike | None = None,
         *,

@@ -5,7 +5,7 @@ import numpy as np
 from tamias2d.engine.state import LARGEST
 from tamias2d.scene.freedoms import JointSpring, Limits, Motor
 from tamias2d.scene.joint_anchors import anchors_of
-from tamias2d.scene.joint_kinds import Equation, Kind
+from tamias2d.scene.joint_kinds import Equation, JointKind
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, Vector, VectorLike, vector
 from tamias2d.simulator.exclusive import exclusive
@@ -29,7 +29,7 @@ class Jointing(Stepping):
     @exclusive
     def add_joint(
         self,
-        kind: Kind,
+        kind: JointKind,
         first: int | str | VectorLike,
         second: int | str | VectorLike | None = None,
         *,

@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from tamias2d.certificate import USUAL, Basis, Kind
+from tamias2d.certificate import USUAL, Basis, BoundKind
 from tamias2d.motion import Method
 from tamias2d.run import Run
 from tamias2d.state import Array
@@ -21,7 +21,7 @@ _EPSILON = 2.0**-52
 class Bound:
     """How far a run is from its exact places at most, and from what that is known."""
 
-    kind: Kind
+    kind: BoundKind
     value: float
     """m"""
     how: str

@@ -161,9 +161,12 @@ def _certified(
     certificate = _stated(
         run, lambda: _found(run, bounder, looser or run, with_horizon=with_horizon)
     )
-    bounded = certificate.kind not in ("invariants", "none")
-    # the paths of many bodies are searched only if something is said of it
-    if bounded and crowded(run) and (fault := next(penetrations(run), None)) is not None:
+    # the paths of many bodies are searched only if something is said of them
+    if (
+        certificate.bounds_positions
+        and crowded(run)
+        and (fault := next(penetrations(run), None)) is not None
+    ):
         certificate = of_penetration(run, fault)
     return replace(run, certificate=with_rule(certificate, run))
 
@@ -174,12 +177,6 @@ def _stated(run: Run, bound: Callable[[], Bound]) -> Certificate:
         return of_positions(run, bound())
     except NoBoundError as reason:
         return of_energy(run, str(reason), reason.lost_at)
-
-
-def is_bounded(run: Run) -> bool:
-    """Return whether the certificate of a run states a bound."""
-    certificate = certify(run).certificate
-    return certificate is not None and certificate.bound is not None
 
 
 def _found(run: Run, bounder: Bounder, loosest: Run, *, with_horizon: bool) -> Bound:

@@ -246,6 +246,6 @@ def _own(rtol: float, loosest: float = _LOOSEST) -> float:
 
 def reached_by(certificate: Certificate | None) -> float:
     """Return the bound of places that a certificate states; infinity if it states none."""
-    if certificate is None or certificate.bound is None or certificate.kind == "invariants":
+    if certificate is None or certificate.bound is None or not certificate.bounds_positions:
         return math.inf
     return certificate.bound
