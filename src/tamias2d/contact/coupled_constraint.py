@@ -7,7 +7,6 @@ import numpy as np
 
 from tamias2d.contact.constrained_acceleration import contact_acceleration
 from tamias2d.contact.core import Placed, place
-from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.manifold import (
     Contact,
     refreshed,
@@ -23,6 +22,7 @@ from tamias2d.contact.modes import (
     force_directions,
     forces,
 )
+from tamias2d.float64 import EPSILON
 from tamias2d.generated import friction
 from tamias2d.state import Acceleration, Array, State
 

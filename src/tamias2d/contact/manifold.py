@@ -8,9 +8,10 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from tamias2d.contact.core import Core, Placed
-from tamias2d.contact.gap import EPSILON, Axis, Gap, axes, from_side, gaps, nearest_gap
+from tamias2d.contact.gap import Axis, Gap, axes, from_side, gaps, nearest_gap
 from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.contact.terrain import normals
+from tamias2d.float64 import EPSILON
 from tamias2d.generated import definitions, friction, impact, rest
 from tamias2d.state import Acceleration, State, Vector
 

@@ -12,6 +12,7 @@ from typing import ClassVar, TypeAlias
 import numpy as np
 
 from tamias2d.errors import InputError
+from tamias2d.float64 import EPSILON
 from tamias2d.generated import schemes
 from tamias2d.motion.adaptive import Adaptive, Tolerance
 from tamias2d.motion.closed_form import ClosedFormMotion
@@ -249,7 +250,6 @@ Solvable: TypeAlias = PathMethod | Legacy2018 | Stepped
 """The methods that `simulate` takes."""
 
 
-_ROUNDING = 2.0**-52
 _HELD = 2.0**-40  # of the accelerations without joints: less is none
 
 
@@ -268,5 +268,5 @@ def _scale(scene: Scene, duration: float) -> tuple[float, float]:
     ways = (speed * duration + push * duration**2).max()
     if ways <= _HELD * (unheld := (loose * duration**2).max()):
         ways = unheld  # what is left beside what joints exert is rounding
-    far = place.max() if place.max() > _ROUNDING * ways else math.inf
+    far = place.max() if place.max() > EPSILON * ways else math.inf
     return float(min(far, ways)) or 1.0, duration

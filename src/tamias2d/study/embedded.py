@@ -15,6 +15,7 @@ from tamias2d.solve import solve_halved
 from tamias2d.study.bound import Bound, NoBoundError, companion_of, difference, rounding
 from tamias2d.study.companion import error_left, limit_beside
 from tamias2d.study.error import radii, scale
+from tamias2d.study.two_digits import two_digits
 
 _BY_HALVES, _BY_COMPANIONS = Basis("halved steps"), Basis("companions")
 
@@ -109,7 +110,7 @@ def embedded(run: Run, tighter: list[Run]) -> Bound:
         )
     left = 1.0
     while left > _LEFT and rtol / times >= tightest:
-        rtol = _two_digits(rtol / times)
+        rtol = two_digits(rtol / times)
         companion = _by_whole_steps(run, rtol)
         tighter.append(companion)
         left, times = error_left(run, companion), _TIGHTER
@@ -143,13 +144,9 @@ def of_tighter(run: Run, looser: Run) -> Bound:
 def looser_than(method: Dop853 | DormandPrince5) -> Iterator[Dop853 | DormandPrince5]:
     """Yield the methods whose companion, at a tighter tolerance, is by another one."""
     for nearly in (1.0, 0.99, 1.01, 0.98, 1.02):  # times: tolerances have two digits
-        rtol = _two_digits(nearly * _TIGHTER * method.rtol)
-        if rtol < 1 and _two_digits(rtol / _TIGHTER) == method.rtol:
+        rtol = two_digits(nearly * _TIGHTER * method.rtol)
+        if rtol < 1 and two_digits(rtol / _TIGHTER) == method.rtol:
             yield replace(method, rtol=rtol)
-
-
-def _two_digits(rtol: float) -> float:
-    return float(f"{rtol:.1e}")
 
 
 def _is_short(run: Run) -> bool:

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tamias2d.float64 import EPSILON
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Body, HalfPlane
@@ -21,7 +22,6 @@ from tamias2d.state import Array, History
 from tamias2d.study.separation import Flags, SeparableHull, View, divided, hulls_of, joined, view
 from tamias2d.study.sweep import beside, meeting, standing_box, swept_boxes
 
-_EPSILON = 2.0**-52
 _TOUCH = 1e-9  # of the smaller size: overlaps less deep are touches
 _PRESSED = 0.5  # the same where contacts are stepped, which press bodies into each other
 _UNSEEN = 1e-6  # of the smaller size: by how much bodies may overlap between samples
@@ -182,7 +182,7 @@ def _tolerances(
     far = float(np.abs(history.position).max())
     wide = b.reach + b.radius + (a.reach + a.radius if a.offset is None else abs(a.offset))
     fast = float(np.abs(history.velocity).max())
-    blur = _EPSILON * (64 * (far + wide) + 16 * fast * float(nodes[-1]))
+    blur = EPSILON * (64 * (far + wide) + 16 * fast * float(nodes[-1]))
     return share * size + blur, max(share, _UNSEEN) * size + blur
 
 

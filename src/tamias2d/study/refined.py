@@ -20,6 +20,7 @@ from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.restart import restarted
 from tamias2d.simulator import states_at
+from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.error import distance, radii, swung
@@ -32,7 +33,6 @@ the last one is once as far from it as from the first, at order 1/2 two and a ha
 _NUDGE = 1e-9
 """Of the largest radius: by how much the starts of all runs but the last one are moved."""
 SUBSTEPS = 4
-_ROUNDED = 1e-9  # of a step
 _PER_STEP, _PER_LAW = 400.0, 2000.0
 """The same of a whole step, and of one under laws, which are not compiled: all that few bodies
 cost."""
@@ -102,7 +102,7 @@ def refined(
     Raises:
         RefusedError: one of them goes beyond float64.
     """
-    parts = [math.ceil(more * grid / time_step - _ROUNDED) for more, _ in _RUNS]
+    parts = [math.ceil(more * grid / time_step - SAME_STEP) for more, _ in _RUNS]
     settings = [
         (grid / many, round(substeps * sub)) for many, (_, sub) in zip(parts, _RUNS, strict=True)
     ]

@@ -15,6 +15,7 @@ from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Stepped
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
+from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.solve import FRAMES, solve
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError
@@ -32,7 +33,6 @@ _FALLS = 8.0  # times, at most, halving a step makes an error smaller
 _STALE = 4  # halvings in which the doubt must halve, or it never will
 _HALVINGS = 30  # of the first step: more than any work limit leaves
 _SAMPLES = 120
-_ROUNDED = 1e-9  # of a step
 
 
 RULE_BOUNDS_NOTHING = "impacts that act on one another are decided by a rule (A18)"
@@ -142,13 +142,13 @@ def aligned_step(duration: float, times: Array) -> float:
     most = first_step(duration)
     gap = float(np.median(np.diff(times, prepend=0.0)[times > 0.0])) if times.any() else duration
     if gap > most:
-        return gap / math.ceil(gap / most * (1 - _ROUNDED))
-    return gap * 2.0 ** math.floor(math.log2(most / gap * (1 + _ROUNDED)))
+        return gap / math.ceil(gap / most * (1 - SAME_STEP))
+    return gap * 2.0 ** math.floor(math.log2(most / gap * (1 + SAME_STEP)))
 
 
 def ends_of_steps(duration: float, step: float) -> Array:
     """Return the times (k,), s, of some 60 to 120 ends of steps, or of all if these are fewer."""
-    steps = math.ceil(duration / step * (1 - _ROUNDED))
+    steps = math.ceil(duration / step * (1 - SAME_STEP))
     every = max(math.ceil(steps / _SAMPLES), 1)
     found: Array = np.minimum(np.arange(0, steps + every, every) * step, duration)
     return found
@@ -157,8 +157,8 @@ def ends_of_steps(duration: float, step: float) -> Array:
 def _looked(times: Array, duration: float, step: float) -> Array:
     """Return times (k,), s, that were asked for, and what it takes to see when runs part."""
     more = ends_of_steps(duration, step)
-    place = np.searchsorted(times, more - _ROUNDED * step)
-    known = np.append(times, math.inf)[place] <= more + _ROUNDED * step
+    place = np.searchsorted(times, more - SAME_STEP * step)
+    known = np.append(times, math.inf)[place] <= more + SAME_STEP * step
     return np.unique(np.concatenate((times, more[~known])))
 
 

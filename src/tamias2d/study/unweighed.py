@@ -27,6 +27,7 @@ from tamias2d.study.embedded import looser_than
 from tamias2d.study.path_error import HopelessError, has_error_equation, hopeless, tightest
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.refusal import ChaosError, chaotic, sooner
+from tamias2d.study.two_digits import two_digits
 
 Adaptive: TypeAlias = Dop853 | DormandPrince5
 
@@ -240,8 +241,8 @@ def _next(method: Adaptive, tolerance: float, reached: float, tightest: float) -
 
 
 def _own(rtol: float, loosest: float = _LOOSEST) -> float:
-    """Return the tolerance of a method, rounded to two digits: notes are read by people."""
-    return float(f"{min(max(rtol, SMALLEST), loosest):.1e}")
+    """Return the tolerance of a method that is tried: within what there are, in two digits."""
+    return two_digits(min(max(rtol, SMALLEST), loosest))
 
 
 def reached_by(certificate: Certificate | None) -> float:
