@@ -2,13 +2,11 @@
 
 import hashlib
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import count
 from numbers import Integral
 from typing import Any
 
 from tamias2d.attribute_suggestions import suggests_attributes
-from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.checks import (
     MAX_NAME,
@@ -79,10 +77,6 @@ class Scene(SceneData):
             checked_text(" ".join(says.split()) if isinstance(says, str) else says, "says"),
             None if duration is None else checked_duration(duration),
         )
-
-    def loads_constant(self, body: int) -> bool:
-        """Whether all that acts on a body, given by its index, is the same at all times."""
-        return body not in varying_loads(self)
 
     def add_body(
         self,
@@ -323,11 +317,6 @@ class Scene(SceneData):
         )
         self._append_joint(joint)
         return len(self._joints) - 1
-
-    def locate(self, body: int | str, where: str) -> None:
-        """State where a file has a body, as file:line:column, for what is said of it later."""
-        k = self.index(body)
-        self._bodies[k], self._shown = replace(self._bodies[k], where=where), ()
 
     def repeat_joint(self, joint: Joint) -> None:
         """Add a joint of a scene whose bodies have the same indices.

@@ -13,7 +13,7 @@ from tamias2d.float64 import EPSILON
 from tamias2d.motion import ClosedForm, Dop853, RungeKutta4, Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Body, Scene
-from tamias2d.scene.restart import restarted
+from tamias2d.scene.other_bodies import with_bodies
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion, limit_beside
 from tamias2d.study.error import apart, scale
@@ -100,7 +100,7 @@ def _perturbed(run: Run, moved: float, phase: float) -> Scene:
         _moved(body, [moved * float(part[i]) for part in size], phase + 14.4 * i)
         for i, body in enumerate(run.scene.bodies)
     ]
-    return restarted(run.scene, bodies)
+    return with_bodies(run.scene, bodies)
 
 
 def _moved(body: Body, by: list[float], phase: float) -> Body:

@@ -18,7 +18,7 @@ import numpy as np
 from tamias2d.errors import InputError, SimulationError
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
-from tamias2d.scene.restart import restarted
+from tamias2d.scene.other_bodies import with_bodies
 from tamias2d.simulator import states_at
 from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.state import Array, History
@@ -177,7 +177,7 @@ def nudged(scene: Scene, phase: int, share: float = _NUDGE) -> Scene:
         place = (body.position[0] + x, body.position[1] + y)
         turned = body.orientation + turn / (by / share or 1.0)
         bodies.append(replace(body, position=place, orientation=turned) if body.dynamic else body)
-    return restarted(scene, bodies)
+    return with_bodies(scene, bodies)
 
 
 def work_of(scene: Scene, duration: float, time_step: float, substeps: int) -> float:
