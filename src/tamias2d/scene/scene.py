@@ -227,12 +227,20 @@ class Scene(SceneData):
         )
 
     def set_restitution(self, first: int | str, second: int | str, value: float) -> None:
-        """Set the restitution of one pair of bodies, given by index or name (R3)."""
+        """Set the restitution, from 0 to 1, of one pair of bodies, given by index or name (R3).
+
+        Raises:
+            InputError: a body is not there, both are the same, or the value is out of range.
+        """
         i, j = self._two(first, second)
         self._of_pairs[i, j] = checked_restitution(value, f"the pair {self._pair(i, j)}")
 
     def set_friction(self, first: int | str, second: int | str, value: float) -> None:
-        """Set the coefficient of friction of one pair of bodies, given by index or name (R3)."""
+        """Set the coefficient of friction of one pair of bodies, given by index or name (R3).
+
+        Raises:
+            InputError: a body is not there, both are the same, or the value is negative.
+        """
         i, j = self._two(first, second)
         self._friction_of_pairs[i, j] = checked_friction(value, f"the pair {self._pair(i, j)}")
 
