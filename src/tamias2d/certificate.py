@@ -66,6 +66,7 @@ class Certificate:
     hashes: dict[str, str]
     """SHA-256 of the specification, of the scene and of the package's sources."""
     basis: Basis = USUAL
+    """From which computation it follows."""
 
     def __str__(self) -> str:
         horizon = self.predictability_horizon

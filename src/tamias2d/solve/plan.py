@@ -38,7 +38,7 @@ class Plan(NamedTuple):
     """Why contacts are stepped, where that was not asked for."""
 
     def by_steps(self, reason: str) -> "Plan":
-        """Return the same run stepped through its contacts, for a reason."""
+        """Return the plan of the run stepped through its contacts, for a reason."""
         method, step = Stepped(), usual_step(self.duration)
         told = f"1/{FRAMES} s" if step == 1 / FRAMES else f"{step:.3g} s"
         notes = (f"{method}, {told}: {reason}",)

@@ -71,7 +71,7 @@ class Refined:
         return float(self.times[lost[0]]) if len(lost) else None
 
     def after(self, before: "Refined") -> "Refined":
-        """Return the same, trusted no more than the runs of longer steps before it.
+        """Return what is said, trusted no more than the runs of longer steps before it.
 
         Four runs may agree by chance, as those of a brick whose corners meet the floor one just
         after the other; eight by two lengths of steps hardly do.
