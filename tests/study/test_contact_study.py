@@ -153,7 +153,7 @@ def test_a_study_without_any_error_is_drawn(studied: ContactStudy, tmp_path: Pat
     points = tuple(replace(p, error=none, worst=none) for p in timed(studied).points)
     path = tmp_path / "study.svg"
     plot(replace(studied, points=points, floor=0.0), path, tolerance=None)
-    assert "<!-- Stepped x 4" in path.read_text()
+    assert "<!-- brick, 0.4 s" in path.read_text()
 
 
 def test_the_command_prints_tables(studied: ContactStudy, monkeypatch: pytest.MonkeyPatch) -> None:
