@@ -43,6 +43,8 @@ def test_what_is_no_tolerance_of_a_method(value: Any) -> None:
         if value is not None:
             with pytest.raises(t2.InputError, match=r"^atol .* m of .*: must be > 0"):
                 method(atol=value)
+    with pytest.raises(t2.InputError, match=r"^rtol .* of Reference: must lie from 1e-13"):
+        t2.Reference(rtol=value)
 
 
 def test_a_recording_is_no_scene(tmp_path: Path) -> None:

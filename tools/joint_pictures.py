@@ -9,7 +9,7 @@ from tamias2d.record.plot import draw_world, figure_for, save_figure
 from tools.pictures import PICTURES
 
 if TYPE_CHECKING:
-    from tamias2d.scene.joint_kinds import Kind
+    from tamias2d.scene.joint_kinds import JointKind
 
 PICTURE = PICTURES / "joints.png"
 COLUMNS = 4
@@ -64,7 +64,7 @@ def disc(x: float, y: float) -> dict[str, Any]:
 
 
 def hung(
-    kind: Kind,
+    kind: JointKind,
     body: dict[str, Any],
     *,
     anchor: tuple[float, float] = (0.0, 0.0),
@@ -78,7 +78,7 @@ def hung(
 
 
 def two(
-    kind: Kind,
+    kind: JointKind,
     *,
     anchor: tuple[float, float] = (0.0, 0.0),
     other_anchor: tuple[float, float] = (0.0, 0.0),

@@ -11,7 +11,17 @@ from typing import Any, Literal
 from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene
 
-Kind = Literal["exact", "step doubling", "embedded", "reference", "invariants", "none"]
+BoundKind = Literal["exact", "step doubling", "embedded", "reference", "invariants", "none"]
+
+BasisKind = Literal[
+    "usual",
+    "error equation",
+    "halved steps",
+    "companions",
+    "looser run",
+    "planned steps",
+    "quality",
+]
 
 _NOT_CLAIMED = (
     "that the models fit the world: rigid bodies, by the assumptions of the SRS",
@@ -19,11 +29,26 @@ _NOT_CLAIMED = (
 )
 
 
+@dataclass(frozen=True)
+class Basis:
+    """The computation from which a certificate follows: `replay --check` does it again."""
+
+    kind: BasisKind = "usual"
+    """The usual one is that of `certify` where no other kind is named."""
+    rtol: float | None = None
+    """The tolerance of the looser run, whose companion at a tighter one the run is."""
+    time_step: float | None = None
+    """The shortest of the planned steps, s."""
+
+
+USUAL = Basis()
+
+
 @dataclass(frozen=True, kw_only=True)
 class Certificate:
     """A bound on the error of one run."""
 
-    kind: Kind
+    kind: BoundKind
     """How the bound was reached; with "none" there is no bound."""
     measure: str
     """Which error is bounded, and its scale."""
@@ -40,6 +65,8 @@ class Certificate:
     """
     hashes: dict[str, str]
     """SHA-256 of the specification, of the scene and of the package's sources."""
+    basis: Basis = USUAL
+    """From which computation it follows."""
 
     def __str__(self) -> str:
         horizon = self.predictability_horizon
@@ -48,13 +75,14 @@ class Certificate:
             return f"Certificate: none: {self.how}{until}"
         return f"Certificate: error <= {self.bound:.1e} ({self.kind}): {self.how}{until}"
 
+    @property
+    def bounds_positions(self) -> bool:
+        """Whether it bounds the error of positions, not of the energy alone, or nothing."""
+        return self.kind not in ("invariants", "none")
+
     def meets(self, tolerance: float) -> bool:
         """Whether it bounds the error of positions, by no more than a tolerance."""
-        return (
-            self.bound is not None
-            and self.kind not in ("invariants", "none")
-            and self.bound <= tolerance
-        )
+        return self.bounds_positions and self.bound is not None and self.bound <= tolerance
 
     def as_json(self) -> dict[str, Any]:
         """Return the fields as JSON holds them."""
@@ -71,7 +99,8 @@ def from_json(text: str) -> Certificate:
     try:
         values = json.loads(text)
         lists = {name: tuple(values[name]) for name in ("claims", "does_not_claim")}
-        return Certificate(**{f.name: values[f.name] for f in fields(Certificate)} | lists)
+        given = {f.name: values[f.name] for f in fields(Certificate)} | lists
+        return Certificate(**given | {"basis": Basis(**values["basis"])})
     except (ValueError, KeyError, TypeError, RecursionError) as fault:
         raise RecordingError(
             "certificate: cannot be read: its fields are not those of a certificate. "

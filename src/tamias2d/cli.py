@@ -5,7 +5,6 @@ that `--help` comes at once.
 """
 
 import sys
-from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -13,6 +12,7 @@ import typer
 from typer.core import TyperGroup
 
 from tamias2d.errors import TamiasError
+from tamias2d.method_names import METHOD_NAMES
 
 INTERRUPTED = 130  # as shells report a program that ended by Ctrl-C
 UNREAD = 141  # likewise one that ended since nobody reads what it prints
@@ -86,35 +86,18 @@ def _options(
 ) -> None: ...
 
 
-class Method(StrEnum):
-    """The ways to solve smooth motion, by their names on the command line."""
-
-    CLOSED_FORM = "closed-form"
-    EXPLICIT_EULER = "explicit-euler"
-    SEMI_IMPLICIT_EULER = "semi-implicit-euler"
-    VELOCITY_VERLET = "velocity-verlet"
-    RUNGE_KUTTA_4 = "runge-kutta-4"
-    YOSHIDA_4 = "yoshida-4"
-    EXPONENTIAL_DRAG = "exponential-drag"
-    DORMAND_PRINCE_5 = "dormand-prince-5"
-    DOP853 = "dop853"
-    LEGACY_2018 = "legacy-2018"
-    REFERENCE = "reference"
-    STEPPED = "stepped"
-
-
-def _method(text: str) -> Method:
+def _method(text: str) -> str:
     """Read the name of a method as it is typed here, or as Python has it."""
     from tamias2d.suggestions import nearest
 
-    names = {name.replace("-", ""): name for name in Method}
+    names = {name.replace("-", ""): name for name in METHOD_NAMES}
     plain = text.lower().replace("-", "").replace("_", "").removesuffix("()")
     if plain in names:
         return names[plain]
-    near = nearest(text.partition("(")[0], Method)
+    near = nearest(text.partition("(")[0], METHOD_NAMES)
     hint = f"Did you mean {near}?" if near else "Choose one of them."
     # a `ValueError`, as `InputError` is one, would be told by Typer without its text
-    raise TamiasError(f"--method: {text!r}: must be one of {', '.join(Method)} (R5). {hint}")
+    raise TamiasError(f"--method: {text!r}: must be one of {', '.join(METHOD_NAMES)} (R5). {hint}")
 
 
 _Scene = Annotated[
@@ -167,11 +150,11 @@ def run(
     scene: _Scene,
     duration: _Duration = None,
     method: Annotated[
-        Method | None,
+        str | None,
         typer.Option(
             metavar="METHOD",
             parser=_method,
-            help=f"{', '.join(Method)}; else closed-form where loads are constant.",
+            help=f"{', '.join(METHOD_NAMES)}; else closed-form where loads are constant.",
         ),
     ] = None,
     time_step: _TimeStep = None,
@@ -224,7 +207,7 @@ def ensemble(
     seed: Annotated[int, typer.Option(min=0, help="Of what is drawn.")] = 0,
     duration: _Duration = None,
     method: Annotated[
-        Method | None, typer.Option(metavar="METHOD", parser=_method, help="As for `run`.")
+        str | None, typer.Option(metavar="METHOD", parser=_method, help="As for `run`.")
     ] = None,
     time_step: _TimeStep = None,
     tolerance: _Tolerance = None,
@@ -291,11 +274,11 @@ def explain(
         ),
     ] = False,
     method: Annotated[
-        Method,
+        str,
         typer.Option(
             metavar="METHOD", parser=_method, help="The stepped method that the code is made for."
         ),
-    ] = Method.VELOCITY_VERLET,
+    ] = "velocity-verlet",
     duration: _Duration = None,
     as_json: _Json = False,
 ) -> None:
@@ -303,7 +286,7 @@ def explain(
     from tamias2d.commands.explain import explain_scene, explain_source
 
     if source:
-        explain_source(scene, method.value)
+        explain_source(scene, method)
     else:
         explain_scene(scene, duration=duration, as_json=as_json)
 

@@ -21,7 +21,7 @@ class Bounds(NamedTuple):
     """Its size at most, rad/s^2."""
 
 
-class Piece(Protocol):
+class PathPiece(Protocol):
     """The path of one body between two times, with continuous velocity."""
 
     start: float
@@ -45,7 +45,7 @@ class Paths(Protocol):
 
     def segment(
         self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]
-    ) -> tuple[float, Sequence[Piece]]:
+    ) -> tuple[float, Sequence[PathPiece]]:
         """Return a time and the path of every body from `start` (s) to that time."""
 
     def restart(
@@ -55,7 +55,7 @@ class Paths(Protocol):
         state: Callable[[int], State],
         end: float,
         constraints: Sequence[Constraint | None],
-    ) -> Mapping[int, Piece]:
+    ) -> Mapping[int, PathPiece]:
         """Return the paths from `start` towards `end`, s, of some bodies and of all they act on.
 
         A path may end before, where a constraint depends on the state.
@@ -65,9 +65,9 @@ class Paths(Protocol):
         self,
         bodies: Iterable[int],
         time: float,
-        path: Callable[[int], Piece],
+        path: Callable[[int], PathPiece],
         constraints: Sequence[Constraint | None],
-    ) -> Mapping[int, Piece]:
+    ) -> Mapping[int, PathPiece]:
         """Return better paths of some bodies, and of all they act on, for a meeting at `time`, s.
 
         They begin and end where their paths of now do; nothing is returned for good ones.

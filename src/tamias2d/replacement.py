@@ -41,14 +41,14 @@ def aside(path: Path, *, mode: int = 0o666) -> Iterator[Path]:
 
 
 @contextmanager
-def growing(path: Path, *, mode: int = 0o666) -> Iterator[Path]:
+def growing(path: Path) -> Iterator[Path]:
     """Likewise for what is written bit by bit: its draft is kept where the block does not end well.
 
     Its name tells what it is part of: of `session.rrd` it is `session.part.rrd`, or
     `session.part2.rrd` where there is one from before. An empty one is not kept.
     """
     target, before = _target(path)
-    draft = _part(target, mode if before is None else 0o600)
+    draft = _part(target, 0o666 if before is None else 0o600)
     try:
         yield draft
         _finish(draft, before)

@@ -73,6 +73,12 @@ class RunData:
     """(k,), about the origin, kg m^2/s"""
     notes: tuple[str, ...]
     """Which method was taken and why; which bodies came to rest on which, and when."""
+    stepped_because: str | None = None
+    """Why contacts are stepped, where that was not asked for."""
+    ruled: str | None = None
+    """What a rule decided that rigid bodies leave open, and when (A18); it is in the notes, too."""
+    unresolved: str | None = None
+    """What steps that were given miss of a law; it is in the notes, too."""
     cost: Cost | None = None
     """What it cost; None if it was not simulated but read from a recording."""
     joint_events: JointEvents = field(default_factory=joint_events)

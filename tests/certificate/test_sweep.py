@@ -9,7 +9,7 @@ import tamias2d as t2
 from tamias2d.solve import sampler
 from tamias2d.study import penetration
 from tamias2d.study.penetration import penetrations
-from tamias2d.study.separation import pieces
+from tamias2d.study.separation import hulls_of
 from tamias2d.study.sweep import beside, meeting, standing_box, swept_boxes
 
 
@@ -51,7 +51,7 @@ def test_a_half_plane_is_reached_from_its_side() -> None:
 def test_a_body_that_stands_is_in_its_box() -> None:
     scene = t2.Scene(gravity=(0, 0))
     scene.add_static(t2.Box(width=2, height=0.2), position=(1, 2), orientation=np.pi / 2)
-    low, high = standing_box(scene.bodies[0], pieces(0, scene.bodies[0]))
+    low, high = standing_box(scene.bodies[0], hulls_of(0, scene.bodies[0]))
     np.testing.assert_allclose(low, [[0.9, 1.0]])
     np.testing.assert_allclose(high, [[1.1, 3.0]])
 

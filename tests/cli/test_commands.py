@@ -22,6 +22,7 @@ from tamias2d.commands.names import find_method
 from tamias2d.commands.output import followed, print_table
 from tamias2d.commands.step_warnings import as_lines
 from tamias2d.errors import RecordingError, StepWarning
+from tamias2d.method_names import METHOD_NAMES
 from tamias2d.record import load
 from tamias2d.scene import catalogue, needs
 from tamias2d.simulate import simulate
@@ -294,10 +295,11 @@ def test_a_lift_moves_and_a_sensor_pushes_nothing(call_warm: Call, tmp_path: Pat
 
 
 def test_methods_on_the_command_line_are_those_of_the_library() -> None:
-    kinds = {type(find_method(method)) for method in cli.Method}
+    kinds = {type(find_method(method)) for method in METHOD_NAMES}
     public = {kind for kind in vars(motion).values() if isinstance(kind, type)}
     bases = {motion.Method, motion.PathMethod}
     assert kinds == {kind for kind in public - bases if issubclass(kind, motion.Method)}
+    assert set(METHOD_NAMES.values()) <= set(dir(t2))
 
 
 def test_an_interrupted_run_is_kept(

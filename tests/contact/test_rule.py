@@ -462,3 +462,9 @@ def test_friction_ends_sliding_where_contacts_settle_and_does_not_turn_it_round(
     after = CoupledIsland(mobility, placed, contacts, weight, 0.0, rough).projected(states)
     for state in after.values():
         np.testing.assert_allclose((*state.velocity, state.angular_velocity), 0, atol=1e-22)
+
+
+def test_no_closed_form_is_recommended_whose_places_have_no_bound():
+    """A bound of the energy alone is none of a tolerance."""
+    with pytest.raises(t2.ToleranceError, match="decided by a rule"):
+        t2.recommend(rack(1.0, 0.0), duration=5.0, tolerance=1e-3)

@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.solver.prepare import FIRMER
 from tamias2d.generated import soft_contact
 from tamias2d.scene import catalogue
 from tamias2d.simulator import Simulator
 
 GRAVITY = 9.81
+FIRMER = 2.0
+"""Times the frequency of other contacts is that of one with what does not move, as is specified."""
 
 
 def overlap(body: t2.Disc | t2.Box, mass: float, height: float, substeps: int) -> float:

@@ -8,7 +8,7 @@ from hypothesis import given, strategies as st
 from scipy.integrate import solve_ivp
 
 from tamias2d.errors import InputError
-from tamias2d.motion import ClosedForm, ExponentialDrag, Piece, Reference
+from tamias2d.motion import ClosedForm, ExponentialDrag, PathPiece, Reference
 from tamias2d.motion.closed_form import ClosedFormMotion
 from tamias2d.motion.loads import start_states
 from tamias2d.scene import Disc, HalfPlane, Scene, catalogue
@@ -40,7 +40,7 @@ def sprung(velocity: tuple[float, float], stiffness: float, gravity: tuple[float
 scenes = st.builds(dragged, vector, positive, vector) | st.builds(sprung, vector, positive, vector)
 
 
-def path(scene: Scene, duration: float) -> Piece:
+def path(scene: Scene, duration: float) -> PathPiece:
     _, pieces = ClosedFormMotion(scene, duration).segment(0.0, start_states(scene), [None])
     return pieces[0]
 

@@ -226,6 +226,13 @@ def test_wrong_substeps_are_refused(substeps: object) -> None:
         Stepped(substeps=substeps)  # type: ignore[arg-type]
 
 
+def test_a_whole_number_of_numpy_is_one() -> None:
+    """It is kept as Python's, which a recording can hold."""
+    substeps = Stepped(substeps=np.int64(2)).substeps  # type: ignore[arg-type]
+    assert substeps == 2
+    assert type(substeps) is int
+
+
 @pytest.mark.parametrize("step", [None, 0, -1.0, math.nan, math.inf])
 def test_wrong_steps_are_refused(step: float | None) -> None:
     with pytest.raises(t2.InputError, match=r"time.step"):

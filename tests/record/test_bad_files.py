@@ -174,7 +174,7 @@ def test_arrays_that_do_not_fit(
 @pytest.mark.parametrize(
     ("old", "new", "says"),
     [
-        ('"format": 2', '"format": 3', "format 3: this version reads format 2"),
+        ('"format": 3', '"format": 2', "format 2: this version reads format 3"),
         ('"name": "ClosedForm"', '"name": "system"', "method 'system' is none of"),
         (
             '"name": "ClosedForm"',

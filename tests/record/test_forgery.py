@@ -95,20 +95,6 @@ def test_the_digest_covers_the_header(certified: t2.Run, tmp_path: Path, name: s
         record.load(path)
 
 
-def test_an_old_recording_is_read_with_a_word(certified: t2.Run, tmp_path: Path) -> None:
-    """Format 1: its digest is that of the numbers alone."""
-
-    def older(values: dict[str, Any]) -> None:
-        values.update(format=1, digest=certified.digest())
-
-    path = tmp_path / "run.npz"
-    certified.save(path)
-    answer = replay.check(forged(path, older, sealed=False))
-    assert answer.identical
-    assert "its notes and versions (format 1) are covered by no digest" in answer.says
-    assert record.load(path).digest() == certified.digest()
-
-
 def test_a_header_that_nests_without_end(certified: t2.Run, tmp_path: Path) -> None:
     path = tmp_path / "run.npz"
     certified.save(path)

@@ -138,11 +138,11 @@ def test_of_many_impacts_few_are_shown_at_a_time(run: t2.Run) -> None:
     assert layout._memory(crowded) == pytest.approx(run.duration * moving / 3000)
 
 
-def test_an_old_recording_is_refused_by_name(
+def test_a_recording_of_another_format_is_refused_by_name(
     run: t2.Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     made = headers.header_of
-    monkeypatch.setattr(headers, "header_of", lambda run: replace(made(run), format=1))
+    monkeypatch.setattr(headers, "header_of", lambda run: replace(made(run), format=4))
     run.save(tmp_path / "run.rrd")
-    with pytest.raises(t2.RecordingError, match=r"format 1: this version reads .rrd of format 2"):
+    with pytest.raises(t2.RecordingError, match=r"format 4: this version reads format 3"):
         t2.record.load(tmp_path / "run.rrd")

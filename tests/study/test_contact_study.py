@@ -151,7 +151,9 @@ def test_a_study_without_any_error_is_drawn(studied: ContactStudy, tmp_path: Pat
         energy=None, momentum=None, hang=0.0, rest=None,
     )  # fmt: skip
     points = tuple(replace(p, error=none, worst=none) for p in timed(studied).points)
-    plot(replace(studied, points=points, floor=0.0), tmp_path / "study.svg", tolerance=None)
+    path = tmp_path / "study.svg"
+    plot(replace(studied, points=points, floor=0.0), path, tolerance=None)
+    assert "<!-- brick, 0.4 s" in path.read_text()
 
 
 def test_the_command_prints_tables(studied: ContactStudy, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 from tamias2d import motion
 from tamias2d.commands.output import command
 from tamias2d.errors import InputError
+from tamias2d.method_names import METHOD_NAMES
 from tamias2d.scene import Scene, catalogue, load
 
 
@@ -31,9 +32,7 @@ def find_scene(text: str) -> Scene:
 
 def find_method(name: str) -> motion.Method:
     """The method with a name such as 'runge-kutta-4', which is the class RungeKutta4."""
-    kind: type[motion.Method] = getattr(
-        motion, "".join(part.capitalize() for part in name.split("-"))
-    )
+    kind: type[motion.Method] = getattr(motion, METHOD_NAMES[name])
     return kind()
 
 

@@ -22,7 +22,7 @@ from tamias2d.contact.refusal import (
     UndecidedContactError,
     UnlocatedContactError,
 )
-from tamias2d.contact.ruled_instants import MOST_RULED, RULED
+from tamias2d.contact.ruled_instants import MOST_RULED
 from tamias2d.contact.saltation import Passing, SingleImpact, after_impact
 from tamias2d.contact.stepping_choice import MANY, MEANT_TO_TOUCH, steps_because
 
@@ -30,7 +30,6 @@ __all__ = [
     "MANY",
     "MEANT_TO_TOUCH",
     "MOST_RULED",
-    "RULED",
     "FrictionError",
     "JointedContactError",
     "LastingContactError",

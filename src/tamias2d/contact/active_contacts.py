@@ -25,6 +25,7 @@ class ActiveContacts:
         self.rest_times = RestTimes()
         self.notes: tuple[str, ...] = ()
         """Which bodies came to rest on which."""
+        self._press_joints = False
 
     def update(self, instant: Instant) -> None:
         """Replace contacts by those of an instant, and note the new ones."""
@@ -46,8 +47,8 @@ class ActiveContacts:
 
     def _note_jointed(self, pair: PairOf, since: float) -> None:
         """Note once from when on, s, contacts press joints of which only the states are told."""
-        noted = any(note.startswith("joints: ") for note in self.notes)
-        if not noted and any(self._cores[i].jointed for i in pair):
+        if not self._press_joints and any(self._cores[i].jointed for i in pair):
+            self._press_joints = True
             self.notes += (
                 f"joints: `reactions` of this run count no contacts that last, as from {since:.15g}"
                 " s; those of Simulator(scene).reactions do",

@@ -5,7 +5,7 @@ from collections.abc import Collection, Sequence
 from tamias2d.contact.core import Core
 from tamias2d.contact.follower import Follower
 from tamias2d.contact.swept_aabb import SweptAabbs
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.state import State
 
 
@@ -14,13 +14,13 @@ class BodyPaths:
 
     def __init__(self, cores: Sequence[Core], kept_apart: Collection[tuple[int, int]]) -> None:
         """Take the bodies, and the pairs (i, j), i < j, that do not touch whatever they do."""
-        self.tracks: list[list[Piece]] = [[] for _ in cores]
+        self.tracks: list[list[PathPiece]] = [[] for _ in cores]
         """The paths of each body, in order; all but the last ones while a follower has them."""
         self.follower: Follower | None = None
         """Who has all bodies now."""
         self._aabbs = SweptAabbs(cores, kept_apart)
 
-    def path(self, body: int) -> Piece:
+    def path(self, body: int) -> PathPiece:
         """Return the path of a body now."""
         return self.follower.path(body) if self.follower else self.tracks[body][-1]
 
@@ -28,7 +28,7 @@ class BodyPaths:
         """Return the state of a body at a time on its path, s."""
         return self.path(body).at(time)
 
-    def set_path(self, body: int, path: Piece) -> None:
+    def set_path(self, body: int, path: PathPiece) -> None:
         """Put a body on another path from now on."""
         if self.follower:
             self.follower.set_path(body, path)

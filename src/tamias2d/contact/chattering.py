@@ -4,9 +4,9 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from tamias2d.contact.core import Core
-from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.contact.touching import PairOf
+from tamias2d.float64 import EPSILON
 
 _MAX_REPEATS = 32  # new paths for a body within a few units of the last place of time
 

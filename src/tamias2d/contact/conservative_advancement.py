@@ -20,7 +20,7 @@ from tamias2d.generated.continuous_collision import (
     discriminant,
 )
 from tamias2d.generated.impact import normal_velocity
-from tamias2d.path import Bounds, Piece
+from tamias2d.path import Bounds, PathPiece
 from tamias2d.state import Vector
 
 _MAX_STEPS = 100_000  # of one search; a hundred are many
@@ -39,8 +39,8 @@ class Pair:
         self,
         a: Core,
         b: Core,
-        path_a: Piece,
-        path_b: Piece,
+        path_a: PathPiece,
+        path_b: PathPiece,
         lasting: Sequence[Contact] = (),
         separating_direction: Vector | None = None,
     ) -> None:

@@ -1,16 +1,26 @@
 """The acceleration of a body on frictionless lasting contacts, as functions for `motion` (GD3)."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
 from tamias2d.contact.core import Core, Placed, place
-from tamias2d.contact.manifold import Contact, gap_acceleration, normal_velocity, refreshed
+from tamias2d.contact.manifold import (
+    Contact,
+    gap_acceleration,
+    normal_velocity,
+    refreshed,
+    sticking_acceleration,
+)
 from tamias2d.contact.response import after_impulse, coupling
 from tamias2d.generated import definitions, rotation, translation
 from tamias2d.state import Acceleration, State, Vector
+
+Tangential: TypeAlias = Callable[[Contact, Placed, Placed, Acceleration, Acceleration], float]
+"""The tangential acceleration of a contact, m/s^2, under those of its two bodies."""
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 _PARALLEL = 1e-10
@@ -85,6 +95,23 @@ def opening_acceleration(
     """Return the second derivative of a gap, m/s^2; a body that `by` lacks has no acceleration."""
     a, b = contact.a, contact.b
     return gap_acceleration(contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL))
+
+
+def contact_acceleration(
+    contact: Contact,
+    along: bool,
+    placed: Mapping[int, Placed],
+    by: Mapping[int, Acceleration],
+    tangential: Tangential = sticking_acceleration,
+) -> float:
+    """Return the normal acceleration of a contact, or that `along` its tangent, m/s^2.
+
+    A body that `by` lacks has no acceleration.
+    """
+    if not along:
+        return opening_acceleration(contact, placed, by)
+    a, b = contact.a, contact.b
+    return tangential(contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL))
 
 
 def constrained_accelerations(

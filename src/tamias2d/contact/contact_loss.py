@@ -13,7 +13,7 @@ from tamias2d.contact.mobility import Mobility
 from tamias2d.contact.pair_friction import LastingFriction
 from tamias2d.contact.refusal import Refusal
 from tamias2d.contact.rolling_island import RollingConstraint
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.state import Acceleration, Constraint, State
 
 _SLACK = 1e-9  # of the size: by how much an axis of a lasting contact may seem second to another
@@ -44,7 +44,7 @@ class ContactLossWatch:
         self._slight = slight
         self._friction = friction
 
-    def first_loss(self, path: Piece, constraint: Constraint) -> float | None:
+    def first_loss(self, path: PathPiece, constraint: Constraint) -> float | None:
         """Return the first time in s at which the contacts change, or None."""
         core = self._cores[self._body]
         endless = all(self._cores[i].endless for i in self._supports)
@@ -63,7 +63,7 @@ class ContactLossWatch:
             before = time
         return None
 
-    def _sliding_end(self, path: Piece, constraint: FrictionConstraint) -> float | None:
+    def _sliding_end(self, path: PathPiece, constraint: FrictionConstraint) -> float | None:
         """Return when sliding under constant loads ends, s; its velocity is linear in time."""
         if not constraint.sliding or constraint.keeps_sliding(path.at(path.end)):
             return None
@@ -74,7 +74,7 @@ class ContactLossWatch:
             )
         return high
 
-    def _bisect(self, path: Piece, low: float, high: float, constraint: Constraint) -> float:
+    def _bisect(self, path: PathPiece, low: float, high: float, constraint: Constraint) -> float:
         while low < (middle := (low + high) / 2) < high:
             if self._lasts(path, middle, constraint):
                 low = middle
@@ -82,7 +82,7 @@ class ContactLossWatch:
                 high = middle
         return high
 
-    def _lasts(self, path: Piece, time: float, constraint: Constraint) -> bool:
+    def _lasts(self, path: PathPiece, time: float, constraint: Constraint) -> bool:
         if isinstance(constraint, FrictionConstraint) and all(
             self._cores[i].endless for i in self._supports
         ):

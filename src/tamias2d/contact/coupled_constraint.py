@@ -5,14 +5,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.contact.constrained_acceleration import opening_acceleration
+from tamias2d.contact.constrained_acceleration import contact_acceleration
 from tamias2d.contact.core import Placed, place
-from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.manifold import (
     Contact,
     refreshed,
     speed_scale,
-    sticking_acceleration,
     tangential_velocity,
 )
 from tamias2d.contact.mobility import Mobility, rows_of
@@ -24,10 +22,10 @@ from tamias2d.contact.modes import (
     force_directions,
     forces,
 )
+from tamias2d.float64 import EPSILON
 from tamias2d.generated import friction
 from tamias2d.state import Acceleration, Array, State
 
-_STILL: Acceleration = (0.0, 0.0, 0.0)
 _FORCE_TOLERANCE = 1e-9
 """Of the largest force: how far one may be outside its cone."""
 
@@ -146,18 +144,6 @@ class _Solved(NamedTuple):
     loads: Array
     forces: list[float]
     accelerations: Array
-
-
-def contact_acceleration(
-    contact: Contact, along: bool, placed: Mapping[int, Placed], by: Mapping[int, Acceleration]
-) -> float:
-    """Return the normal or tangential acceleration of a contact, m/s^2."""
-    if not along:
-        return opening_acceleration(contact, placed, by)
-    a, b = contact.a, contact.b
-    return sticking_acceleration(
-        contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL)
-    )
 
 
 def _slip(contact: Contact, placed: Mapping[int, Placed]) -> float:

@@ -5,13 +5,9 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from tamias2d.contact.constrained_acceleration import Constant
+from tamias2d.contact.constrained_acceleration import Constant, contact_acceleration
 from tamias2d.contact.core import Placed
-from tamias2d.contact.coupled_constraint import (
-    CoupledConstraint,
-    contact_acceleration,
-    least_forces,
-)
+from tamias2d.contact.coupled_constraint import CoupledConstraint, least_forces
 from tamias2d.contact.force_problem import ForceProblem
 from tamias2d.contact.inelastic_impact import JammedError
 from tamias2d.contact.lasting_contact import Island

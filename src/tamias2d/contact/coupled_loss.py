@@ -11,7 +11,7 @@ from tamias2d.contact.gap import resolution
 from tamias2d.contact.manifold import Contact, manifold, refreshed
 from tamias2d.contact.pair_friction import LastingFriction
 from tamias2d.contact.refusal import Refusal
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.state import Acceleration, Array, State
 
 _SAMPLES = 8  # of a step, between which nothing changes and changes back unseen
@@ -25,7 +25,7 @@ class CoupledLossWatch:
         cores: Sequence[Core],
         constraint: CoupledConstraint,
         contacts: Sequence[Contact],
-        paths: Mapping[int, Piece],
+        paths: Mapping[int, PathPiece],
         free: Callable[[int, float], Acceleration],
         slight: float,
         friction: LastingFriction,

@@ -4,10 +4,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple, Protocol
 
 from tamias2d.contact.rest_time import Estimate
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.state import Array
 
-Tracks = Sequence[list[Piece]]
+Tracks = Sequence[list[PathPiece]]
 """The paths of each body so far, in order."""
 
 
@@ -47,10 +47,10 @@ class Follower(Protocol):
     def impacts(self) -> Array:
         """Return the impacts (m, 9) since this was last asked, as `Located.impacts` has them."""
 
-    def path(self, body: int) -> Piece:
+    def path(self, body: int) -> PathPiece:
         """Return the path of a body now."""
 
-    def set_path(self, body: int, path: Piece) -> None:
+    def set_path(self, body: int, path: PathPiece) -> None:
         """Put a body on another path from now on."""
 
     def near(self, body: int) -> list[int]:

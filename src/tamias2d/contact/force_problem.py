@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from tamias2d.contact.constrained_acceleration import contact_acceleration
 from tamias2d.contact.core import Placed
-from tamias2d.contact.coupled_constraint import contact_acceleration
 from tamias2d.contact.lemke import lemke
 from tamias2d.contact.mobility import Mobility, rows_of
 from tamias2d.contact.modes import Part, Patch, closed_directions, force_directions

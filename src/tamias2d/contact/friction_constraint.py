@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from tamias2d.contact.constrained_acceleration import after_force, opening_acceleration
+from tamias2d.contact.constrained_acceleration import after_force, contact_acceleration
 from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.manifold import (
     Contact,
@@ -121,7 +121,10 @@ class TurningFrictionConstraint:
         )
         rows, columns = closed(mode), force_directions(mode)
         by = {self._body: acceleration}
-        loads = [_contact_acceleration(contact, along, placed, by) for contact, along in rows]
+        loads = [
+            contact_acceleration(contact, along, placed, by, tangential_acceleration)
+            for contact, along in rows
+        ]
         found = np.linalg.lstsq(effects(self._cores, rows, columns), -np.array(loads))[0]
         core = self._cores[self._body]
         for contact, force in zip(columns, found.tolist(), strict=True):
@@ -129,17 +132,6 @@ class TurningFrictionConstraint:
             across, up, round_ = acceleration
             acceleration = across + force * x, up + force * y, round_ + force * turn
         return acceleration
-
-
-def _contact_acceleration(
-    contact: Contact, along: bool, placed: Mapping[int, Placed], by: Mapping[int, Acceleration]
-) -> float:
-    if not along:
-        return opening_acceleration(contact, placed, by)
-    a, b = contact.a, contact.b
-    return tangential_acceleration(
-        contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL)
-    )
 
 
 def jacobian_row(body: int, contact: Contact) -> Acceleration:

@@ -6,6 +6,7 @@ import numpy as np
 
 from tamias2d.contact.constrained_acceleration import (
     constrained_accelerations,
+    contact_acceleration,
     opening_acceleration,
     without_normal_velocity,
 )
@@ -46,7 +47,6 @@ from tamias2d.state import Acceleration, Constraint, State
 
 _SAME = 1e-8
 """Of the loads: by how much two equal answers may differ."""
-_STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
 def island_of(
@@ -58,7 +58,12 @@ def island_of(
     pair_friction: PairFriction,
     mobility: Mobility,
 ) -> Island:
-    """Return the island of bodies that contacts connect, with friction or without."""
+    """Return the island of bodies that contacts connect, with friction or without.
+
+    Bodies that move together, or are held by joints, have forces that depend on each other (IM18).
+    One body alone on what stands still is simpler: where it stays at rest, nothing moves to the
+    bit.
+    """
     moving = {i for c in contacts for i in (c.a, c.b) if cores[i].dynamic}
     if len(moving) > 1 or any(cores[i].jointed for i in moving):
         return CoupledIsland(mobility, placed, contacts, free, slight, pair_friction)
@@ -261,12 +266,7 @@ class FrictionalIsland(Island):
         self, contact: Contact, along: bool, by: Mapping[int, Acceleration]
     ) -> float:
         """Return the normal or tangential acceleration of a contact, m/s^2."""
-        if not along:
-            return opening_acceleration(contact, self._placed, by)
-        a, b = contact.a, contact.b
-        return tangential_acceleration(
-            contact, self._placed[a], self._placed[b], by.get(a, _STILL), by.get(b, _STILL)
-        )
+        return contact_acceleration(contact, along, self._placed, by, tangential_acceleration)
 
 
 def _senses(mode: Mode) -> dict[tuple[int, int], int]:

@@ -18,10 +18,10 @@ from typing import NamedTuple
 import numpy as np
 
 from tamias2d.contact.core import Placed, Side
+from tamias2d.float64 import EPSILON
 from tamias2d.generated.impact import normal_velocity
 from tamias2d.state import Array, Vector
 
-EPSILON = 2.0**-52
 _LEAST = 5e-324
 _BEHIND = -0.5  # cosine between directions that separate a pair from either side
 _MANY = 256  # products, from which on numpy is faster

@@ -61,7 +61,7 @@ def least_of_centres(direction: Vector, on_p: Bounds, on_q: Bounds) -> float:
 def _least_of_turning_centres(
     direction: Vector, p: Placed, q: Placed, on_p: Bounds, on_q: Bounds, window: float
 ) -> float:
-    """Return the same along an axis that turns with P, m/s^2."""
+    """Return the least acceleration of Q's centre from P's along an axis of P, m/s^2."""
     (px, py), (qx, qy) = p.state.position, q.state.position
     (pu, pv), (qu, qv) = p.state.velocity, q.state.velocity
     (pa, pb), (qa, qb) = on_p.acceleration, on_q.acceleration

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from tamias2d.contact.constrained_acceleration import opening_acceleration
 from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.frictional_rest import island_of
-from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
+from tamias2d.contact.gap import axes, either_side, resolution, slight_opening
 from tamias2d.contact.impacts import Impacts, quieten
 from tamias2d.contact.inelastic_impact import JammedError, jam_impulses, without_rates
 from tamias2d.contact.instant_inputs import InstantInputs
@@ -32,6 +32,7 @@ from tamias2d.contact.refusal import LastingContactError, RangeError, UndecidedC
 from tamias2d.contact.simultaneous_impact import apply
 from tamias2d.contact.terrain import is_behind, normals
 from tamias2d.contact.touching import ContactImpulse, PairOf, TouchingPair
+from tamias2d.float64 import EPSILON
 from tamias2d.generated import definitions, impact, rest
 from tamias2d.state import Acceleration, Constraint, State, Vector
 

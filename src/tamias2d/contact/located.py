@@ -23,7 +23,7 @@ from tamias2d.contact.saltation import SingleImpact
 from tamias2d.contact.stepping_choice import MANY
 from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.touching import ContactImpulse, PairOf
-from tamias2d.path import Paths, Piece
+from tamias2d.path import PathPiece, Paths
 from tamias2d.scene import Scene
 from tamias2d.state import Array, State
 from tamias2d.work_limit import Work
@@ -105,7 +105,7 @@ class Located:
             told(end)
 
     @property
-    def tracks(self) -> list[list[Piece]]:
+    def tracks(self) -> list[list[PathPiece]]:
         """The paths of each body so far, in order."""
         return self._paths.tracks
 
@@ -121,7 +121,12 @@ class Located:
     @property
     def notes(self) -> tuple[str, ...]:
         """Which bodies came to rest on which, and what was decided by rule (A18)."""
-        return (*self._active.notes, *self._ruled.notes)
+        return self._active.notes if self.ruled is None else (*self._active.notes, self.ruled)
+
+    @property
+    def ruled(self) -> str | None:
+        """What was decided by rule (A18), if anything."""
+        return self._ruled.note
 
     # -- with a follower
 
@@ -224,7 +229,7 @@ class Located:
         self._begun = True
         self._resolve_instant(0.0, [core.index for core in self.cores if core.dynamic], end)
 
-    def _set_path(self, body: int, path: Piece) -> None:
+    def _set_path(self, body: int, path: PathPiece) -> None:
         """Set the path of a body from now on."""
         self._queue.leave_path(body)
         self._paths.set_path(body, path)

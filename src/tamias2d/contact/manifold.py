@@ -8,9 +8,10 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from tamias2d.contact.core import Core, Placed
-from tamias2d.contact.gap import EPSILON, Axis, Gap, axes, from_side, gaps, nearest_gap
+from tamias2d.contact.gap import Axis, Gap, axes, from_side, gaps, nearest_gap
 from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.contact.terrain import normals
+from tamias2d.float64 import EPSILON
 from tamias2d.generated import definitions, friction, impact, rest
 from tamias2d.state import Acceleration, State, Vector
 
@@ -177,7 +178,8 @@ def tangential_acceleration(
 ) -> float:
     """Return the tangential acceleration of a contact that sticks, m/s^2, under given ones (GD16).
 
-    A corner circles about its centre of mass; a rim stays where it is.
+    A corner circles about its centre of mass; a rim stays where it is. That is right where the
+    normal does not turn: for one body on what stands still.
     """
     points = friction.tangential_acceleration(
         of_a[:2], of_a[2], contact.arm_a, of_b[:2], of_b[2], contact.arm_b, contact.normal
@@ -196,7 +198,11 @@ def tangential_acceleration(
 def sticking_acceleration(
     contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acceleration
 ) -> float:
-    """Return the tangential acceleration of a contact that sticks or rolls on anything (DD69)."""
+    """Return the tangential acceleration of a contact that sticks or rolls on anything (DD69).
+
+    It holds where the normal turns, too; of a corner that sticks to a side that does not turn it
+    says the same as `tangential_acceleration`.
+    """
     points = friction.tangential_acceleration(
         of_a[:2], of_a[2], contact.arm_a, of_b[:2], of_b[2], contact.arm_b, contact.normal
     )

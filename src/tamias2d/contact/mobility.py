@@ -33,7 +33,7 @@ class Mobility(NamedTuple):
     state: Callable[[int], State]
 
     def at(self, time: float, state: Callable[[int], State]) -> "Mobility":
-        """Return the same at another instant."""
+        """Return what impulses do to the same bodies at another time, s, in other states."""
         return self._replace(time=time, state=state)
 
     def moved(self, rows: Array, bodies: Sequence[int]) -> Array:

@@ -5,10 +5,10 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import NamedTuple
 
 from tamias2d.contact.core import Placed
-from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.manifold import LASTING_NOISE, Contact, speed_scale, tangential_velocity
 from tamias2d.contact.modes import Patch
 from tamias2d.contact.touching import PairOf
+from tamias2d.float64 import EPSILON
 from tamias2d.state import Acceleration, State
 
 

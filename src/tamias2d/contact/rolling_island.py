@@ -10,7 +10,7 @@ from tamias2d.contact.lasting_contact import Island
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.rolling_disc import Motion
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.state import Acceleration, Constraint, State, Vector
 
 
@@ -109,7 +109,7 @@ class RollingConstraint(Constant):
     sense: int
     """In which it slides, or 0"""
 
-    def sliding_end(self, path: Piece) -> float | None:
+    def sliding_end(self, path: PathPiece) -> float | None:
         """Return when the disc does not slide any more on a path, s, or None."""
         motion, by = _motion(path.at(path.start)), path.acceleration(path.start)
         end = rolling_disc.sliding_end(path.start, motion, by, self.arm, self.normal, self.sense)

@@ -7,8 +7,6 @@ from tamias2d.contact.coupled_constraint import CoupledConstraint
 from tamias2d.contact.instant import Instant
 from tamias2d.contact.refusal import LastingContactError, named
 
-RULED = "rule"
-"""With this a note begins that tells of what was decided by rule."""
 MOST_RULED = 500
 """Instants at which contacts last, after a rule decided something, of a run whose method was not
 asked for: they take some seconds, and steps through contacts far less."""
@@ -41,15 +39,15 @@ class RuledInstants:
             )
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def note(self) -> str | None:
         """What was decided by rule, if anything."""
         if not self._ruled:
-            return ()
+            return None
         (first, bodies), (last, _) = self._ruled[0], self._ruled[-1]
         names = named(*(self._cores[i].name for i in sorted(bodies)))
         when = f"at {first!r} s, {names}" if first == last else f"at {first!r} s first, {names}"
         until = "" if first == last else f", and at {last!r} s last"
         return (
-            f"{RULED}: {len(self._ruled)} instants at which impacts acted on one another were "
-            f"decided by A18: {when}{until}",
+            f"rule: {len(self._ruled)} instants at which impacts acted on one another were "
+            f"decided by A18: {when}{until}"
         )

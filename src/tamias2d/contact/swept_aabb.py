@@ -7,7 +7,7 @@ import numpy as np
 
 from tamias2d.contact.core import Core
 from tamias2d.generated import detection, translation
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.scene.filters import filters, may_touch
 from tamias2d.state import Array
 
@@ -25,7 +25,7 @@ class SweptAabbs:
         # Of each body: x and y of the centre, width and height of its box, m.
         self._aabbs = np.tile([[0.0], [0.0], [math.inf], [math.inf]], len(cores))
 
-    def update(self, body: int, path: Piece) -> None:
+    def update(self, body: int, path: PathPiece) -> None:
         """Set the box of a body on a path; that of a half-plane is the whole plane."""
         core = self._cores[body]
         if core.corners:
@@ -52,7 +52,7 @@ class SweptAabbs:
         return [other for other in found if may_touch(own_filter, self._cores[other].filter)]
 
 
-def _aabb(path: Piece, size: float) -> Array:
+def _aabb(path: PathPiece, size: float) -> Array:
     """Return centre, width and height of the AABB of a body on a path.
 
     By Taylor's theorem about the middle of its time; 1e-9 wider, for rounding.

@@ -23,8 +23,7 @@ from tamias2d.errors import RecordingError
 from tamias2d.record.dataset import AXES, BODIES, DIMENSIONS, TIMES, attributes, extra
 from tamias2d.scene import Scene, scene_text
 from tamias2d.scene.reading import read_scene
-from tamias2d.scene.rules import RuleError
-from tamias2d.simulator.settings import checked_count
+from tamias2d.scene.rules import RuleError, checked_count
 from tamias2d.suggestions import suggests
 
 WORLDS = "world"

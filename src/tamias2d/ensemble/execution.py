@@ -22,8 +22,7 @@ from weakref import WeakKeyDictionary
 from tamias2d.certificate import source_digest
 from tamias2d.errors import SimulationError, TamiasError
 from tamias2d.record.dataset import extra
-from tamias2d.scene.rules import RuleError, shown
-from tamias2d.simulator.settings import checked_count
+from tamias2d.scene.rules import RuleError, checked_count, shown
 
 _Result = TypeVar("_Result")
 Task: TypeAlias = Callable[[], _Result]

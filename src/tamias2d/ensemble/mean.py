@@ -15,7 +15,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
-from numbers import Real
 from typing import Any, Protocol
 
 import numpy as np
@@ -36,7 +35,7 @@ from tamias2d.ensemble.worlds import VariedWorlds
 from tamias2d.errors import SimulationError
 from tamias2d.motion import Method
 from tamias2d.scene import Scene
-from tamias2d.scene.rules import RuleError, shown
+from tamias2d.scene.rules import RuleError, is_number, shown
 from tamias2d.state import Array
 from tamias2d.suggestions import suggests
 from tamias2d.work_limit import WORK_LIMIT
@@ -163,8 +162,7 @@ def ensemble_mean(
 
 
 def _refuse_no_tolerance(tolerance: object) -> None:
-    number = isinstance(tolerance, Real) and not isinstance(tolerance, bool)
-    if not (number and 0 < tolerance < math.inf):  # type: ignore[operator]
+    if not (is_number(tolerance) and 0 < tolerance < math.inf):
         raise RuleError(
             f"tolerance {shown(tolerance)} of the mean: must be a number > 0 (R10). Give an error "
             "that you can live with, in the unit of the quantity.",

@@ -20,7 +20,7 @@ from tamias2d.ensemble.worlds import MadeWorlds, Maker, VariedWorlds, Worlds, wo
 from tamias2d.motion import Method
 from tamias2d.record.dataset import refuse_missing_extra
 from tamias2d.scene import Scene
-from tamias2d.simulator.settings import checked_count
+from tamias2d.scene.rules import checked_count
 from tamias2d.suggestions import suggests
 from tamias2d.work_limit import WORK_LIMIT
 

@@ -17,8 +17,7 @@ from tamias2d.ensemble.outline import outline_of
 from tamias2d.ensemble.places import Place, place_at
 from tamias2d.scene import Scene
 from tamias2d.scene.quantities import read_quantity
-from tamias2d.scene.rules import RuleError, shown
-from tamias2d.simulator.settings import checked_count
+from tamias2d.scene.rules import RuleError, checked_count, shown
 from tamias2d.state import Array
 from tamias2d.suggestions import suggests
 

@@ -22,8 +22,7 @@ from tamias2d.errors import SimulationError
 from tamias2d.motion import Method
 from tamias2d.record.dataset import extra
 from tamias2d.scene import Scene
-from tamias2d.scene.rules import RuleError, shown
-from tamias2d.simulator.settings import checked_count
+from tamias2d.scene.rules import RuleError, checked_count, shown
 from tamias2d.state import Array
 from tamias2d.suggestions import suggests
 

@@ -24,10 +24,10 @@ from tamias2d.ensemble.world_steps import WorldSteps
 from tamias2d.ensemble.worlds import Maker, VariedWorlds, refuse_other_bodies, worlds_of
 from tamias2d.errors import TamiasError
 from tamias2d.scene import Scene
-from tamias2d.scene.rules import RuleError
+from tamias2d.scene.rules import RuleError, checked_count
 from tamias2d.simulator import Simulator
 from tamias2d.simulator.exclusive import exclusive
-from tamias2d.simulator.settings import checked_count, checked_steps
+from tamias2d.simulator.settings import checked_steps
 from tamias2d.simulator.simulator import Start
 from tamias2d.suggestions import suggests
 

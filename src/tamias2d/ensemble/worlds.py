@@ -14,9 +14,8 @@ from tamias2d.ensemble.outline import Outline, outline_of, scene_of
 from tamias2d.ensemble.sampling import Design, Values, checked_seed, random_stream, sampled
 from tamias2d.errors import InputError
 from tamias2d.scene import Body, Scene
-from tamias2d.scene.rules import RuleError, shown
+from tamias2d.scene.rules import RuleError, checked_count, shown
 from tamias2d.scene.scene_data import checked_scene
-from tamias2d.simulator.settings import checked_count
 
 Maker: TypeAlias = Callable[[int, np.random.Generator], Scene]
 """Makes the scene of a world from its number and from random numbers of its own."""

@@ -12,7 +12,7 @@ from tamias2d.event_driven.rebound import MOST_IMPULSES
 from tamias2d.event_driven.tables import Few, Hulls, World
 from tamias2d.generated import rotation, translation
 from tamias2d.motion.loads import Loads
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.scene import Body, Disc, HalfPlane, Scene
 from tamias2d.state import Array
 
@@ -25,7 +25,7 @@ _SPREAD = 5  # percent of the bodies that may be beyond the cells at either end
 _CLEAR = 1.0 + 1e-6  # bodies that touch are nearer to each other than that
 
 
-def world_of(scene: Scene, paths: Sequence[Piece], times: Array, *, keeps_paths: bool) -> World:
+def world_of(scene: Scene, paths: Sequence[PathPiece], times: Array, *, keeps_paths: bool) -> World:
     """Return the tables of a scene whose bodies are on some paths, with samples at times, s."""
     pairs, laws = pair_laws(scene)
     hulls, departures = hulls_of(scene), 2 * _ROOM if keeps_paths else 0
@@ -93,7 +93,7 @@ def blank_few() -> Few:
     )
 
 
-def set_path(world: World, k: int, path: Piece) -> None:
+def set_path(world: World, k: int, path: PathPiece) -> None:
     """Put a body on a path of constant acceleration."""
     (x, y), turn, (u, v), spin = path.at(path.start)
     world.paths[k] = (x, y, turn, u, v, spin, *path.acceleration(path.start), path.start)

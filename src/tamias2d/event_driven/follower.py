@@ -20,7 +20,7 @@ from tamias2d.kernels import Library
 from tamias2d.kernels.groups import addresses
 from tamias2d.motion.track import sample
 from tamias2d.motion.uniform import Uniform
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.scene import Scene
 from tamias2d.state import Array, History, State
 
@@ -61,7 +61,7 @@ class EventDriven:
         self._tracks: Tracks = ()
         self._until = 0.0
         self._leads = False  # the paths are in the tables, not in the tracks
-        self._given: dict[int, tuple[int, Piece]] = {}
+        self._given: dict[int, tuple[int, PathPiece]] = {}
         self._places: Array | None = None
         self._several: dict[int, dict[PairOf, Estimate]] = {}
 
@@ -141,7 +141,7 @@ class EventDriven:
             self._give(int(body), self._uniform(path))
         return found
 
-    def path(self, body: int) -> Piece:
+    def path(self, body: int) -> PathPiece:
         """Return the path of a body now."""
         version, path = self._given[body]
         if version == self.world.notes[body, tables.VERSION]:
@@ -150,12 +150,12 @@ class EventDriven:
         self._given[body] = int(self.world.notes[body, tables.VERSION]), path
         return path
 
-    def _uniform(self, row: Sequence[float]) -> Piece:
+    def _uniform(self, row: Sequence[float]) -> PathPiece:
         x, y, turn, u, v, spin, ax, ay, turning, start = row
         state = State((x, y), turn, (u, v), spin)
         return Uniform(start=start, end=self._until, state=state, acceleration=(ax, ay, turning))
 
-    def set_path(self, body: int, path: Piece) -> None:
+    def set_path(self, body: int, path: PathPiece) -> None:
         """Put a body on another path from now on."""
         self._tell(body, self.now, [self.path(body)])
         self.world.notes[body, tables.VERSION] += 1
@@ -167,11 +167,11 @@ class EventDriven:
             self.world.changed[counts[tables.CHANGED]] = body
             counts[tables.CHANGED] += 1
 
-    def _put(self, body: int, path: Piece) -> None:
+    def _put(self, body: int, path: PathPiece) -> None:
         set_path(self.world, body, path)
         self._given[body] = int(self.world.notes[body, tables.VERSION]), path
 
-    def _give(self, body: int, path: Piece) -> None:
+    def _give(self, body: int, path: PathPiece) -> None:
         self._tracks[body].append(path)
         self._given[body] = int(self.world.notes[body, tables.VERSION]), path
 
@@ -254,7 +254,7 @@ class EventDriven:
         position, velocity = rows[..., :2].copy(), rows[..., 3:5].copy()
         return History(position, rows[..., 2].copy(), velocity, rows[..., 5].copy())
 
-    def _is_on(self, body: int, path: Piece) -> bool:
+    def _is_on(self, body: int, path: PathPiece) -> bool:
         """Whether the tables have the path of a body: one on which contacts turn they have not."""
         return self.path(body) is path and isinstance(path, Uniform)
 
@@ -266,7 +266,7 @@ class EventDriven:
             some = bodies[told == first]
             samples[first:count, some] = states_at(self.world, some, self._times[first:count])
 
-    def _tell(self, body: int, until: float, paths: Sequence[Piece]) -> None:
+    def _tell(self, body: int, until: float, paths: Sequence[PathPiece]) -> None:
         """Write down the states of a body at all samples before a time, s, from its last paths."""
         told = int(self.world.notes[body, tables.TOLD])
         last = int(np.searchsorted(self._times, until, side="left"))

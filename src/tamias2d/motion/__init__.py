@@ -28,7 +28,7 @@ from tamias2d.motion.methods import (
 from tamias2d.motion.motion import Motion, Tally
 from tamias2d.motion.reactions import Reactions, reactions_of
 from tamias2d.motion.stability import StabilityError
-from tamias2d.path import Bounds, Piece
+from tamias2d.path import Bounds, PathPiece
 
 __all__ = [
     "Bounds",
@@ -45,7 +45,7 @@ __all__ = [
     "Method",
     "Motion",
     "PathMethod",
-    "Piece",
+    "PathPiece",
     "Reactions",
     "Reference",
     "RungeKutta4",

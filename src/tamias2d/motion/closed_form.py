@@ -14,7 +14,7 @@ from tamias2d.motion.motion import Tally
 from tamias2d.motion.oscillating import Oscillating
 from tamias2d.motion.track import sample
 from tamias2d.motion.uniform import Uniform
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.scene import Scene
 from tamias2d.scene.exact import closed_forms, spring_of
 from tamias2d.state import Acceleration, Array, Constraint, History, SharedConstraint, State
@@ -29,6 +29,7 @@ class ClosedFormMotion:
         self.work = Work(duration)
         self.sampled: History | None = None
         self.notes: tuple[str, ...] = ()
+        self.unresolved: str | None = None
         self._scene = scene
         self._duration = duration
         self._loads = Loads(scene)
@@ -39,7 +40,7 @@ class ClosedFormMotion:
 
     def segment(
         self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]
-    ) -> tuple[float, list[Piece]]:
+    ) -> tuple[float, list[PathPiece]]:
         """Return the end of the run and the path of every body to it."""
         end = self._duration
         pieces = [
@@ -55,12 +56,12 @@ class ClosedFormMotion:
         state: StateOf,
         end: float,
         constraints: Sequence[Constraint | None],
-    ) -> dict[int, Piece]:
+    ) -> dict[int, PathPiece]:
         """Return the paths of some bodies from `start` to `end`, s; they act on no others.
 
         Where a constraint depends on the state, the path is one step.
         """
-        pieces: dict[int, Piece] = {}
+        pieces: dict[int, PathPiece] = {}
         for body in bodies:
             constraint = constraints[body]
             if isinstance(constraint, SharedConstraint):
@@ -72,7 +73,7 @@ class ClosedFormMotion:
                 pieces[body] = self._path(body, start, state(body), end, constraint)
         return pieces
 
-    def approach(self, *_: object) -> dict[int, Piece]:
+    def approach(self, *_: object) -> dict[int, PathPiece]:
         """Return nothing: exact paths need not be better anywhere."""
         return {}
 
@@ -101,7 +102,7 @@ class ClosedFormMotion:
 
     def _path(
         self, body: int, start: float, state: State, end: float, constraint: Constraint | None
-    ) -> Piece:
+    ) -> PathPiece:
         if constraint and constraint.state_dependent:
             return self._constrained.restart(body, start, state, end, constraint, self.work)
         steady = self._loads.steady(body)

@@ -12,7 +12,7 @@ from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
 from tamias2d.motion.reference import ScipyDop853
 from tamias2d.motion.uniform import Uniform
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.scene import Scene
 from tamias2d.state import Array, Constraint, SharedConstraint, State
 from tamias2d.work_limit import Work
@@ -35,7 +35,7 @@ class ConstrainedMotion:
 
     def restart(
         self, body: int, start: float, state: State, end: float, constraint: Constraint, work: Work
-    ) -> Piece:
+    ) -> PathPiece:
         """Return one step of the path of a body from `start` towards `end`, s."""
         if body not in self._integrators:
             scale = self._scale(body, start, end, lambda _: state)
@@ -55,7 +55,7 @@ class ConstrainedMotion:
         state: StateOf,
         end: float,
         work: Work,
-    ) -> dict[int, Piece]:
+    ) -> dict[int, PathPiece]:
         """Return one step of the paths of all bodies that a constraint holds, towards `end`, s."""
         bodies = constraint.bodies
         states = [state(i) for i in bodies]

@@ -15,7 +15,7 @@ from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.loads import Loads, state_of
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, hermite, sampled
-from tamias2d.path import Bounds, Piece
+from tamias2d.path import Bounds, PathPiece
 from tamias2d.scene import Scene
 from tamias2d.state import Acceleration, Array, State
 
@@ -63,7 +63,7 @@ class _Exact(NamedTuple):
 class _Sum:
     """A path as the sum of the exact one and of what the kicks change."""
 
-    def __init__(self, exact: Piece, change: Piece, first: State, last: State) -> None:
+    def __init__(self, exact: PathPiece, change: PathPiece, first: State, last: State) -> None:
         self.start, self.end = exact.start, exact.end
         self._parts = (exact, change)
         self._first, self._last = first, last
@@ -110,7 +110,7 @@ class _Kicked(DenseStep):
         more, faster = super().at(time)
         return q + more, rate + faster
 
-    def piece(self, body: int) -> Piece:
+    def piece(self, body: int) -> PathPiece:
         """Return the path of one of the bodies."""
         first, last = (state_of(q[body], rate[body]) for q, rate in (self.first, self.last))
         return _Sum(self.paths[body], super().piece(body), first, last)

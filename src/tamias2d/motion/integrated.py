@@ -16,7 +16,7 @@ from tamias2d.motion.integrator import Integrator
 from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import JointEvents, joint_events
 from tamias2d.motion.jointed_steps import JointedSteps
-from tamias2d.motion.law_resolution import UNRESOLVED, LawResolution, States
+from tamias2d.motion.law_resolution import LawResolution, States
 from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
 from tamias2d.motion.marching import Marching, Rule
 from tamias2d.motion.mechanisms import fitted
@@ -25,7 +25,7 @@ from tamias2d.motion.motion import Tally
 from tamias2d.motion.polynomial import DenseStep, JoinedPath
 from tamias2d.motion.step_batch import BatchPath, StepBatch
 from tamias2d.motion.uniform import Uniform
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity, only_slowed
 from tamias2d.state import Acceleration, Array, Constraint, History, SharedConstraint, State
@@ -64,7 +64,7 @@ class IntegratedMotion:
         """What takes many steps at once of bodies that act on no others, if anything does."""
         self.moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
         """The bodies that move."""
-        self._missed = False
+        self.unresolved: str | None = None
         self.notes = notes + self._loads.joint_notes(self.moving)
 
     def take_joint_codes(self, codes: JointCodes) -> None:
@@ -73,7 +73,7 @@ class IntegratedMotion:
 
     def segment(
         self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]
-    ) -> tuple[float, list[Piece]]:
+    ) -> tuple[float, list[PathPiece]]:
         """Return the end of one step, or of some, and the path of every body to it.
 
         Where nothing is held and nothing has met for a while, several steps are taken at once.
@@ -86,10 +86,10 @@ class IntegratedMotion:
         step = next(self._batches(field, start, self._duration, now, many))
         self._steps_since_impact += len(step.times) - 1 if isinstance(step, StepBatch) else 1
         end = step.end
-        paths: dict[int, Piece] = {body: step.piece(k) for k, body in enumerate(free)}
+        paths: dict[int, PathPiece] = {body: step.piece(k) for k, body in enumerate(free)}
         constrained = [i for i in self.moving if i not in paths]
         paths |= self.restart(constrained, start, states.__getitem__, end, constraints)
-        pieces: list[Piece] = [
+        pieces: list[PathPiece] = [
             paths.get(i) or Uniform(start=start, end=end, state=state, acceleration=_STILL)
             for i, state in enumerate(states)
         ]
@@ -102,14 +102,14 @@ class IntegratedMotion:
         state: StateOf,
         end: float,
         constraints: Sequence[Constraint | None],
-    ) -> dict[int, Piece]:
+    ) -> dict[int, PathPiece]:
         """Return the paths from `start` towards `end`, s, of some bodies and of all they act on.
 
         Where a constraint depends on the state, the path is one step, of a body on which no other
         acts. A path ends before its time where a force has no value further on: it may be beyond a
         wall.
         """
-        pieces: dict[int, Piece] = {}
+        pieces: dict[int, PathPiece] = {}
         alone = []
         for body in bodies:
             constraint = constraints[body]
@@ -133,7 +133,7 @@ class IntegratedMotion:
             many = 1 if any(constraints[i] for i in group) else _MOST
             steps = list(_begun(self._batches(field, start, end, now, many)))
             for k, body in enumerate(group):
-                parts: list[Piece] = [step.piece(k) for step in steps]
+                parts: list[PathPiece] = [step.piece(k) for step in steps]
                 parts = parts or [_instant(start, state(body))]
                 pieces[body] = parts[0] if len(parts) == 1 else JoinedPath(parts)
         return pieces
@@ -142,9 +142,9 @@ class IntegratedMotion:
         self,
         bodies: Iterable[int],
         time: float,
-        path: Callable[[int], Piece],
+        path: Callable[[int], PathPiece],
         constraints: Sequence[Constraint | None],
-    ) -> dict[int, Piece]:
+    ) -> dict[int, PathPiece]:
         """Return paths of some bodies, and of all they act on, with the end of a step at `time`, s.
 
         They begin and end with their paths of now. Nothing is returned for those that are as good
@@ -153,7 +153,7 @@ class IntegratedMotion:
         if not self._integrator.best_at_ends:
             return {}
         groups = {min(group): group for group in map(self._loads.group_of.get, bodies) if group}
-        pieces: dict[int, Piece] = {}
+        pieces: dict[int, PathPiece] = {}
         for group in groups.values():
             if any(_state_dependent(constraints[i]) for i in group):
                 continue
@@ -169,14 +169,14 @@ class IntegratedMotion:
         group: Sequence[int],
         time: float,
         start: float,
-        path: Callable[[int], Piece],
+        path: Callable[[int], PathPiece],
         constraints: Sequence[Constraint | None],
-    ) -> dict[int, Piece]:
+    ) -> dict[int, PathPiece]:
         """Return the paths of now until `start`, from where on a step ends at `time`."""
         end = path(group[0]).end
         before = self.restart(group, start, lambda i: path(i).at(start), time, constraints)
         after = self.restart(group, time, lambda i: before[i].at(time), end, constraints)
-        pieces: dict[int, Piece] = {}
+        pieces: dict[int, PathPiece] = {}
         for body in group:
             now = path(body)
             kept = [now.until(start)] if isinstance(now, BatchPath) and now.start < start else []
@@ -303,12 +303,12 @@ class IntegratedMotion:
 
     def _note_missed(self, field: MemoisedField, times: Sequence[float], states: States) -> None:
         """Note what steps have missed of a law, where they could not be shorter for it."""
-        if not isinstance(self._integrator, FixedSteps) or self._missed:
+        if not isinstance(self._integrator, FixedSteps) or self.unresolved is not None:
             return
         missed = self._resolution.unresolved(field.bodies, times, states, given=True)
         if missed is not None:
-            self._missed = True
-            self.notes += (f"{UNRESOLVED}: {missed.law.what}, near {missed.time:.6g} s",)
+            self.unresolved = str(missed)
+            self.notes += (self.unresolved,)
 
     def _dense_steps(
         self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
@@ -387,7 +387,7 @@ def _begun(steps: Iterator[DenseStep | StepBatch]) -> Iterator[DenseStep | StepB
             raise
 
 
-def _instant(time: float, state: State) -> Piece:
+def _instant(time: float, state: State) -> PathPiece:
     """Return the path of a body that was hit at the very end of its time."""
     return Uniform(start=time, end=time, state=state, acceleration=_STILL)
 

@@ -17,8 +17,6 @@ from tamias2d.scene.acting import varying_laws
 from tamias2d.scene.law import StateLaw
 from tamias2d.state import Array
 
-UNRESOLVED = "steps miss what a law does"
-"""Begins the note of a run whose steps are given, and too long for a law."""
 LOOKS = 1000
 """Times at which each law is asked, over a run."""
 _GOLDEN = (5.0**0.5 - 1.0) / 2.0  # multiples of it, less what is whole, are spread most evenly
@@ -38,6 +36,9 @@ class Unresolved(NamedTuple):
     time: float
     """Within it, s, where the law is farthest from what the step could know."""
     law: StateLaw
+
+    def __str__(self) -> str:
+        return f"steps miss what a law does: {self.law.what}, near {self.time:.6g} s"
 
 
 class _Load(NamedTuple):

@@ -249,7 +249,7 @@ class LimitedMechanism:
         return total
 
     def moved(self, time: float, position: Array, impulses: Array) -> Array:
-        """Return the same (m, n, 3) for each of several impulses (m, n, 3) of either sign.
+        """Return the changes (m, n, 3) of velocities by m impulses (m, n, 3) of either sign.
 
         Raises:
             LimitHeldError: a limit holds.

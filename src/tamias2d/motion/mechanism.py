@@ -167,7 +167,7 @@ class Mechanism:
         return np.asarray(change, float)
 
     def moved(self, time: float, position: Array, impulses: Array) -> Array:
-        """Return the same (m, n, 3) for each of several impulses (m, n, 3)."""
+        """Return the changes (m, n, 3) of the velocities by each of m impulses (m, n, 3)."""
         slopes, least = self._factors(time, position)
         changes = np.empty_like(impulses)
         for change, free in zip(changes, self._weights * impulses, strict=True):

@@ -49,7 +49,7 @@ class MemoisedField:
         return result
 
     def beside(self) -> "MemoisedField":
-        """Return the same accelerations, of which nothing is remembered yet."""
+        """Return a field of the same accelerations that remembers none yet."""
         return MemoisedField(
             self._field,
             self.bodies,

@@ -7,12 +7,12 @@ ends of its steps only, and `Stepped` solves contacts within its steps.
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from numbers import Real
-from typing import ClassVar, TypeAlias, cast
+from typing import ClassVar, TypeAlias
 
 import numpy as np
 
 from tamias2d.errors import InputError
+from tamias2d.float64 import EPSILON
 from tamias2d.generated import schemes
 from tamias2d.motion.adaptive import Adaptive, Tolerance
 from tamias2d.motion.closed_form import ClosedFormMotion
@@ -31,6 +31,7 @@ from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.joints import refuse_joints
+from tamias2d.scene.rules import checked_count, is_number
 from tamias2d.suggestions import suggests
 
 
@@ -131,8 +132,7 @@ class ExponentialDrag(_FixedStep):
 
 def _is_within(value: object, least: float, below: float) -> bool:
     """Return whether a value is a number in a range."""
-    number = isinstance(value, Real) and not isinstance(value, bool)
-    return number and bool(least <= cast(float, value) < below)
+    return is_number(value) and bool(least <= value < below)
 
 
 class _Embedded(PathMethod):
@@ -220,12 +220,9 @@ class Stepped(Method):
     fixed_step = True
 
     def __post_init__(self) -> None:
-        whole = isinstance(self.substeps, int) and not isinstance(self.substeps, bool)
-        if not whole or self.substeps < 1:
-            raise InputError(
-                f"substeps {self.substeps!r} of Stepped: must be a whole number of at least 1 "
-                "(R12). Give one such as 4; more make contacts firmer."
-            )
+        remedy = "Give one such as 4; more make contacts firmer."
+        checked = checked_count(self.substeps, "substeps", 1, remedy=remedy)
+        object.__setattr__(self, "substeps", checked)  # a plain number, as recordings keep it
 
 
 @suggests
@@ -236,7 +233,7 @@ class Reference(PathMethod):
     rtol: float = 1e-12
 
     def __post_init__(self) -> None:
-        if not 1e-13 <= self.rtol < 1:
+        if not _is_within(self.rtol, 1e-13, 1.0):
             raise InputError(
                 f"rtol {self.rtol!r} of Reference: must lie from 1e-13, which is as far as float64 "
                 "goes, to 1 (R5). Give a relative tolerance such as 1e-12."
@@ -253,7 +250,6 @@ Solvable: TypeAlias = PathMethod | Legacy2018 | Stepped
 """The methods that `simulate` takes."""
 
 
-_ROUNDING = 2.0**-52
 _HELD = 2.0**-40  # of the accelerations without joints: less is none
 
 
@@ -272,5 +268,5 @@ def _scale(scene: Scene, duration: float) -> tuple[float, float]:
     ways = (speed * duration + push * duration**2).max()
     if ways <= _HELD * (unheld := (loose * duration**2).max()):
         ways = unheld  # what is left beside what joints exert is rounding
-    far = place.max() if place.max() > _ROUNDING * ways else math.inf
+    far = place.max() if place.max() > EPSILON * ways else math.inf
     return float(min(far, ways)) or 1.0, duration

@@ -25,6 +25,8 @@ class Motion(Paths, Protocol):
     """What it has cost so far."""
     notes: tuple[str, ...]
     """What the user should know of it."""
+    unresolved: str | None
+    """What its steps, where they are given, miss of a law."""
     work: Work
     """What counts its steps, where it chooses them itself."""
     sampled: History | None

@@ -12,7 +12,7 @@ from functools import cache, cached_property
 import numpy as np
 
 from tamias2d.motion.loads import state_of
-from tamias2d.path import Bounds, Piece
+from tamias2d.path import Bounds, PathPiece
 from tamias2d.state import Acceleration, Array, State
 
 _NARROW = 0.125  # of a step is a window in which it changes less than it does over all
@@ -49,7 +49,7 @@ class DenseStep:
         """Return coordinates and rates (k, 2, n, 3) at times (k,), s, within the step."""
         return np.stack([np.stack(self.at(time)) for time in times.tolist()])
 
-    def piece(self, body: int) -> Piece:
+    def piece(self, body: int) -> PathPiece:
         """Return the path of one of the bodies."""
         return Polynomial(
             self.start,
@@ -219,12 +219,12 @@ class Polynomial:
 class JoinedPath:
     """Pieces that follow each other, as one."""
 
-    def __init__(self, pieces: Sequence[Piece]) -> None:
+    def __init__(self, pieces: Sequence[PathPiece]) -> None:
         self.start = pieces[0].start
         self.end = pieces[-1].end
         self.pieces = pieces
 
-    def _piece(self, time: float) -> Piece:
+    def _piece(self, time: float) -> PathPiece:
         return next((p for p in self.pieces if time <= p.end), self.pieces[-1])
 
     def at(self, time: float) -> State:
@@ -253,7 +253,7 @@ class JoinedPath:
         return sampled(self, times)
 
 
-def sampled(piece: Piece, times: Array) -> Array:
+def sampled(piece: PathPiece, times: Array) -> Array:
     """Return (k, 6) of a piece at times (k,), s, one by one."""
     states = [piece.at(time) for time in times.tolist()]
     rows = [(*p, turn, *v, spin) for p, turn, v, spin in states]

@@ -18,7 +18,7 @@ from tamias2d.motion.polynomial import (
     quintic,
     sampled,
 )
-from tamias2d.path import Bounds, Piece
+from tamias2d.path import Bounds, PathPiece
 from tamias2d.state import Acceleration, Array, State
 
 
@@ -49,7 +49,7 @@ class StepBatch:
         """Coordinates and rates (n, 3) at the end."""
         return self.knots[-1, 0], self.knots[-1, 1]
 
-    def piece(self, body: int) -> Piece:
+    def piece(self, body: int) -> PathPiece:
         """Return the path of one of the bodies."""
         return BatchPath(self, body, 0, len(self.times) - 1)
 
@@ -206,7 +206,7 @@ class BatchPath:
         return self._known[k]
 
 
-def breaks(piece: Piece) -> Sequence[float]:
+def breaks(piece: PathPiece) -> Sequence[float]:
     """Return the times, s, between which a piece is a polynomial."""
     match piece:
         case BatchPath():

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.state import Array, History, State
 
 
-def sample(tracks: Sequence[Sequence[Piece]], times: Array) -> History:
+def sample(tracks: Sequence[Sequence[PathPiece]], times: Array) -> History:
     """Return the states of n bodies at sorted times (k,), s, from their pieces in order of time.
 
     At the instant at which one piece gives way to the next, the next one speaks.
@@ -28,7 +28,7 @@ def columns(state: State, times: Array) -> Array:
     return np.stack([np.broadcast_to(value, times.shape) for value in values], axis=-1)
 
 
-def _along(pieces: Sequence[Piece], times: Array) -> Array:
+def _along(pieces: Sequence[PathPiece], times: Array) -> Array:
     starts = np.array([piece.start for piece in pieces])
     which = np.searchsorted(starts, times, side="right") - 1
     rows = np.empty((len(times), 6))

@@ -15,33 +15,13 @@ from typing import TYPE_CHECKING, Any
 
 from tamias2d import motion
 from tamias2d.errors import RecordingError
+from tamias2d.method_names import METHOD_NAMES
 from tamias2d.scene import scene_text
 
 if TYPE_CHECKING:
     from tamias2d.run_data import RunData
 
-FORMAT = 2
-UNCOVERED = 1
-"""The format of recordings whose digest is that of the numbers alone."""
-METHODS: dict[str, Any] = {
-    kind.__name__: kind
-    for kind in (
-        motion.ClosedForm,
-        motion.ExplicitEuler,
-        motion.SemiImplicitEuler,
-        motion.VelocityVerlet,
-        motion.RungeKutta4,
-        motion.Yoshida4,
-        motion.ExponentialDrag,
-        motion.DormandPrince5,
-        motion.Dop853,
-        motion.Legacy2018,
-        motion.Reference,
-        motion.Stepped,
-    )
-}
-
-
+FORMAT = 3
 _TYPES: dict[str, Any] = {
     "scene": str,
     "method": dict,
@@ -51,8 +31,13 @@ _TYPES: dict[str, Any] = {
     "impacts": int,
     "bodies": list,
     "notes": list,
+    "stepped_because": str | None,
+    "ruled": str | None,
+    "unresolved": str | None,
     "digest": str,
     "versions": dict,
+    "certificate": dict | None,
+    "joint_events": int,
 }
 """What JSON makes of each entry."""
 
@@ -71,17 +56,17 @@ class Header:
     notes: tuple[str, ...]
     digest: str
     versions: dict[str, str]
-    certificate: dict[str, Any] | None = None
-    """As JSON; recordings made before there were certificates have none."""
+    stepped_because: str | None
+    ruled: str | None
+    unresolved: str | None
+    certificate: dict[str, Any] | None
+    """As JSON."""
+    joint_events: int
     format: int = FORMAT
-    joint_events: int = 0
 
     def dumps(self) -> str:
-        """Print the header as one line of JSON, for runs without events of joints as ever."""
-        told = asdict(self)
-        if not self.joint_events:
-            del told["joint_events"]
-        return json.dumps(told, sort_keys=True)
+        """Print the header as one line of JSON."""
+        return json.dumps(asdict(self), sort_keys=True)
 
 
 def header_of(run: RunData) -> Header:
@@ -95,6 +80,9 @@ def header_of(run: RunData) -> Header:
         impacts=len(run.impacts.time),
         bodies=tuple(body.name for body in run.scene.bodies),
         notes=tuple(run.notes),
+        stepped_because=run.stepped_because,
+        ruled=run.ruled,
+        unresolved=run.unresolved,
         digest="",
         versions=versions(),
         joint_events=len(run.joint_events),
@@ -105,17 +93,15 @@ def header_of(run: RunData) -> Header:
 
 def digest(header: Header, run: RunData) -> str:
     """Return the SHA-256 of a header and of all numbers of its run."""
-    numbers = run.digest()
-    if header.format == UNCOVERED:
-        return numbers
-    return hashlib.sha256((replace(header, digest=numbers).dumps()).encode()).hexdigest()
+    text = replace(header, digest=run.digest()).dumps()
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def loads(text: str, *, where: str) -> Header:
     """Read a header; raise `RecordingError` that begins with `where` if it is not one of ours."""
     try:
         values = json.loads(text)
-        if values["format"] not in (UNCOVERED, FORMAT):
+        if values["format"] != FORMAT:
             raise RecordingError(
                 f"{where}: format {values['format']}: this version reads format {FORMAT}. "
                 f"Open it with tamias2d {values['versions']['tamias2d']}."
@@ -136,10 +122,6 @@ def _header(values: dict[str, Any]) -> Header:
     if not all(isinstance(word, str) for word in words) or values["samples"] < 1:
         raise ValueError
     lists = {name: tuple(values[name]) for name in ("bodies", "notes")}
-    values.setdefault("certificate", None)
-    values.setdefault("joint_events", 0)
-    if not isinstance(values["joint_events"], int):
-        raise TypeError("joint_events")
     return Header(**{field.name: values[field.name] for field in fields(Header)} | lists)
 
 
@@ -147,14 +129,13 @@ def method_of(header: Header, *, where: str) -> Any:
     """Build the method that the header names, with its options."""
     options = dict(header.method)
     name = str(options.pop("name", ""))
-    kind = METHODS.get(name)
-    if kind is None:
+    if name not in METHOD_NAMES.values():
         raise RecordingError(
-            f"{where}: method {name!r} is none of {', '.join(METHODS)}. "
+            f"{where}: method {name!r} is none of {', '.join(METHOD_NAMES.values())}. "
             f"Open it with tamias2d {header.versions.get('tamias2d')}."
         )
     try:
-        return kind(**options)
+        return getattr(motion, name)(**options)
     except (TypeError, ValueError) as fault:
         raise RecordingError(f"{where}: options of the method {name}: {fault}.") from fault
 

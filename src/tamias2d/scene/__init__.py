@@ -6,6 +6,7 @@ Serves: users, and every part that computes. Hides: which file holds which conce
 from tamias2d.scene import catalogue
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.chain import Chain
+from tamias2d.scene.chains_in_pieces import in_pieces, owners
 from tamias2d.scene.compound import Compound, Part, Shape, pieces_of
 from tamias2d.scene.fields import ForceField
 from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor
@@ -25,7 +26,6 @@ from tamias2d.scene.joint_kinds import (
 )
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.needs import Need, Needs, needs
-from tamias2d.scene.pieces import in_pieces, owners
 from tamias2d.scene.reading import load
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Box, Capsule, Disc, HalfPlane, Polygon, Segment

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from tamias2d.generated import terrain
 from tamias2d.scene.crossings import crossings
-from tamias2d.scene.rules import RuleError, Vector, sequence, shown, vector
+from tamias2d.scene.rules import RuleError, Vector, checked_flag, sequence, vector
 from tamias2d.suggestions import suggests
 
 _OF = "a chain"
@@ -45,7 +45,7 @@ class Chain:
             InputError: they are too few, one is no point or the same as the one before it, or two
                 pieces cross (A16); the message names them.
         """
-        loop, one_sided = _truth(loop, "loop"), _truth(one_sided, "one_sided")
+        loop, one_sided = checked_flag(loop, "loop", _OF), checked_flag(one_sided, "one_sided", _OF)
         points = _checked_vertices(vertices, 3 if loop else 2)
         _refuse_repeated(points, loop=loop)
         object.__setattr__(self, "vertices", points)
@@ -89,15 +89,6 @@ class Piece:
     def bounding_radius(self) -> float:
         """Half its length, m."""
         return math.dist(*self.core) / 2
-
-
-def _truth(value: object, key: str) -> bool:
-    if not isinstance(value, bool):
-        raise RuleError(
-            f"{key} of {_OF}: found {shown(value)}: must be True or False (R4). Give one of them.",
-            key,
-        )
-    return value
 
 
 def _checked_vertices(vertices: object, least: int) -> tuple[Vector, ...]:

@@ -8,7 +8,7 @@ do not look at that: they always touch where the group is positive, and never wh
 from numbers import Integral
 from typing import Protocol
 
-from tamias2d.scene.rules import RuleError, shown
+from tamias2d.scene.rules import RuleError, checked_flag, shown
 
 ALL = 2**63 - 1
 """The mask that shares a bit with every category."""
@@ -69,9 +69,4 @@ def checked_mask(value: object, of: str) -> int:
 
 def checked_sensor(value: object, of: str) -> bool:
     """Return whether a body is a sensor, or raise `RuleError`."""
-    if not isinstance(value, bool):
-        raise RuleError(
-            f"sensor of {of}: found {shown(value)}: must be True or False (R3). Give one of them.",
-            "sensor",
-        )
-    return value
+    return checked_flag(value, "sensor", of, rule="R3")

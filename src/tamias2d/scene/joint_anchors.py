@@ -1,10 +1,8 @@
 """The anchors of a joint: as they are given, or by the place of the world that it holds (TM7)."""
 
-from collections.abc import Sequence
-
-from tamias2d.scene.bodies import Body
-from tamias2d.scene.joint_kinds import Kind
+from tamias2d.scene.joint_kinds import JointKind
 from tamias2d.scene.joints import End
+from tamias2d.scene.placed_bodies import PlacedBodies, PlacedBody
 from tamias2d.scene.rules import RuleError, Vector, vector
 from tamias2d.scene.springs import arm
 
@@ -17,7 +15,7 @@ def anchors_of(
     ends: tuple[End, End, End],
     anchors: tuple[object, object, object],
     at: object,
-    bodies: Sequence[Body],
+    bodies: PlacedBodies,
 ) -> tuple[object, object, object]:
     """Return where a joint holds its ends: at anchors, at centres of mass, or `at` a place.
 
@@ -26,7 +24,7 @@ def anchors_of(
     Raises:
         RuleError: anchors are given, too, or the kind holds no single place.
     """
-    if at is None or not isinstance(kind, Kind):  # what is no kind is refused later
+    if at is None or not isinstance(kind, JointKind):  # what is no kind is refused later
         first, second, third = (_CENTRE if anchor is None else anchor for anchor in anchors)
         return first, second, third
     of = f"at of a joint of kind {type(kind).__name__}"
@@ -44,7 +42,7 @@ def anchors_of(
     return first, second, _CENTRE
 
 
-def _local(body: Body, place: Vector) -> Vector:
+def _local(body: PlacedBody, place: Vector) -> Vector:
     """Return where a body has a place of the world, m, in its own axes from its centre of mass."""
     (x, y), (centre_x, centre_y) = place, body.position
     along, across = arm((x - centre_x, y - centre_y), -body.orientation)

@@ -4,17 +4,17 @@ What is not given, such as a length, is found from how the bodies stand at the s
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
-from tamias2d.scene.bodies import Body
 from tamias2d.scene.freedoms import at_rest as freedoms_at_rest, refuse_crossed
-from tamias2d.scene.joint_kinds import Equation, Kind
+from tamias2d.scene.joint_kinds import Equation, JointKind
 from tamias2d.scene.joint_start import Start
 from tamias2d.scene.joints import End, Joint
-from tamias2d.scene.rules import RuleError, Vector, number, shown, vector
+from tamias2d.scene.placed_bodies import PlacedBodies
+from tamias2d.scene.rules import RuleError, Vector, checked_flag, number, shown, vector
 from tamias2d.spec.constraint import ENDS
 
 _FITS = 1e-6
@@ -34,7 +34,7 @@ def checked_joint(
     ends: tuple[End, End, End],
     anchors: tuple[object, object, object],
     collide: object,
-    bodies: Sequence[Body],
+    bodies: PlacedBodies,
     bears: tuple[object, object] = (None, None),
     *,
     at_rest: bool = False,
@@ -45,18 +45,15 @@ def checked_joint(
     That is at a time, s. If it is only asked `at_rest`, the velocities may be such as to tear it.
     """
     of = f"joint '{name}'"
-    if not isinstance(kind, Kind):
+    if not isinstance(kind, JointKind):
         raise RuleError(
             f"kind of {of}: found {shown(kind)}: must be a kind of joint (TM7). Give one such as "
             "Revolute() or Distance(length=1.0), with its brackets.",
             "kind",
         )
-    if not isinstance(collide, bool):
-        raise RuleError(
-            f"collide of {of}: found {shown(collide)}: must be True or False (TM7). Say whether "
-            "the bodies may touch.",
-            "collide",
-        )
+    collide = checked_flag(
+        collide, "collide", of, rule="TM7", remedy="Say whether the bodies may touch."
+    )
     held = [end if isinstance(end, int) else None for end in ends]
     placed = [
         _anchor(end, anchor, of, key)
@@ -88,7 +85,7 @@ def checked_joint(
     return _fitted(joint, kind, bodies, of, time, at_rest=at_rest)
 
 
-def checked_again(joint: Joint, bodies: Sequence[Body]) -> Joint:
+def checked_again(joint: Joint, bodies: PlacedBodies) -> Joint:
     """Return a joint that holds at the start of other bodies, too, or raise `RuleError`."""
     of = f"joint '{joint.name}'"
     joint = _checked_start(joint, bodies, of)
@@ -97,7 +94,7 @@ def checked_again(joint: Joint, bodies: Sequence[Body]) -> Joint:
 
 
 def _checked_start(
-    joint: Joint, bodies: Sequence[Body], of: str, time: float = 0.0, *, at_rest: bool = False
+    joint: Joint, bodies: PlacedBodies, of: str, time: float = 0.0, *, at_rest: bool = False
 ) -> Joint:
     """Return a joint with what it takes from the start, which it has to fit."""
     start = Start(joint, bodies, time)
@@ -113,7 +110,7 @@ def _bears(value: object, symbol: str, of: str, key: str, unit: str) -> float | 
     return number(value, symbol, of, f"Give it in {unit}, or leave it out.", at=(key,))
 
 
-def values_of_freedoms(joint: Joint, bodies: Sequence[Body]) -> list[float]:
+def values_of_freedoms(joint: Joint, bodies: PlacedBodies) -> list[float]:
     """Return where the freedoms of a joint are as its bodies stand, rad or m."""
     return [
         float(Start(joint.measured(each, 0.0), bodies).rows[0]) + 0.0 for each in joint.freedoms
@@ -153,7 +150,7 @@ def _refuse_unfelt(joint: Joint, of: str) -> None:
             )
 
 
-def _refuse_idle(joint: Joint, bodies: Sequence[Body], of: str) -> None:
+def _refuse_idle(joint: Joint, bodies: PlacedBodies, of: str) -> None:
     """Refuse a joint that holds a body twice, none that moves, or one whose motion is given."""
     held = joint.bodies
     for k in held:
@@ -166,7 +163,7 @@ def _refuse_idle(joint: Joint, bodies: Sequence[Body], of: str) -> None:
 
 
 def _fitted(
-    joint: Joint, kind: Kind, bodies: Sequence[Body], of: str, time: float, *, at_rest: bool
+    joint: Joint, kind: JointKind, bodies: PlacedBodies, of: str, time: float, *, at_rest: bool
 ) -> Joint:
     """Return the joint with all its parameters; what is not given is as at the start."""
     known = {name: value for name, value in kind.given.items() if value is not None}
@@ -180,7 +177,7 @@ def _fitted(
     return _governed(joint, bodies, of)
 
 
-def _governed(joint: Joint, bodies: Sequence[Body], of: str) -> Joint:
+def _governed(joint: Joint, bodies: PlacedBodies, of: str) -> Joint:
     """Return the joint with what its freedoms take from the start."""
     for each in joint.freedoms:
         _refuse_singular(Start(joint.measured(each, 0.0), bodies), bodies, of)
@@ -215,7 +212,7 @@ def _refuse_missing(joint: Joint, of: str) -> None:
             )
 
 
-def _refuse_singular(start: Start, bodies: Sequence[Body], of: str) -> None:
+def _refuse_singular(start: Start, bodies: PlacedBodies, of: str) -> None:
     """Refuse a joint without finite value and slopes at the start, or that turns a mere point."""
     parts = (start.rows, start.rates, start.convective, *start.slopes.values())
     if not all(np.isfinite(part).all() for part in parts):

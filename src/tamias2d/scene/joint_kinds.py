@@ -355,7 +355,7 @@ class Equation(_Kind):
         _set(self, equations=tuple(" ".join(str(text).split()) for text in texts))
 
 
-Kind: TypeAlias = (
+JointKind: TypeAlias = (
     Revolute
     | Distance
     | Weld

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.scene.bodies import Body
 from tamias2d.scene.joints import Joint
+from tamias2d.scene.placed_bodies import PlacedBodies, PlacedBody
 from tamias2d.spec.constraint import ENDS
 from tamias2d.spec.constraint_functions import Formula
 
@@ -18,7 +18,7 @@ _SMALLEST = 1e-150  # m: float64 cannot square what is shorter
 class Start:
     """A joint as it is at the start: its rows, their slopes and rates."""
 
-    def __init__(self, joint: Joint, bodies: Sequence[Body], time: float = 0.0) -> None:
+    def __init__(self, joint: Joint, bodies: PlacedBodies, time: float = 0.0) -> None:
         """Look at a joint at a time, s."""
         self.joint = joint
         values: dict[str, Any] = {"time": time, **joint.given}
@@ -40,7 +40,7 @@ class Start:
         self._held = {end: body for end, body in zip(ENDS, held, strict=True) if body}
 
     @property
-    def turned(self) -> list[Body]:
+    def turned(self) -> list[PlacedBody]:
         """The bodies that the joint turns, by some slope."""
         return [
             self._held[end]

@@ -22,7 +22,7 @@ from tamias2d.suggestions import suggests
 _TURNED = {"orientation", "angular_velocity"}
 _SMOOTH = "no body states friction (A6)"
 
-Kind = Literal["state", "term", "model", "method"]
+NeedKind = Literal["state", "term", "model", "method"]
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Need:
     """One thing that physics offers, and why a scene needs it or does not."""
 
     what: str
-    kind: Kind
+    kind: NeedKind
     needed: bool
     reason: str
 
@@ -296,7 +296,7 @@ def _has(joint: Joint, part: str) -> bool:
     return any(getattr(freedom, part) is not None for freedom in joint.freedoms)
 
 
-def _about(what: str, kind: Kind, bodies: list[Body], verb: str, otherwise: str) -> Need:
+def _about(what: str, kind: NeedKind, bodies: list[Body], verb: str, otherwise: str) -> Need:
     return Need(what, kind, bool(bodies), f"{_named(bodies)} {verb}" if bodies else otherwise)
 
 

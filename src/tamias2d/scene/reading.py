@@ -2,12 +2,15 @@
 
 import stat
 from collections.abc import Mapping
+from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
 from tamias2d.errors import SceneError, path_text
+from tamias2d.scene.bodies import Body
 from tamias2d.scene.forms import SECTIONS, listed, mapping, two_names, within
+from tamias2d.scene.other_bodies import with_bodies
 from tamias2d.scene.quantities import KeyPath, read_quantity, read_value, scalar_text
 from tamias2d.scene.reading_acting import add_acting
 from tamias2d.scene.reading_joints import add_joints
@@ -110,11 +113,14 @@ def read_scene(text: str, *, file: str, name: str = "", longest: float = MAX_SIZ
     except RuleError as error:
         line, column = _place(marks, error.path)
         raise SceneError(f"{file}:{line}:{column}: {error}") from None
-    for body in scene.bodies:
-        places = (marks.get((section, body.name, "key")) for section in SECTIONS)
-        line, column = next(filter(None, places), (1, 1))
-        scene.locate(body.name, f"{file}:{line}:{column}")
-    return scene
+    return with_bodies(scene, (_located(body, marks, file) for body in scene.bodies))
+
+
+def _located(body: Body, marks: Mapping[KeyPath, Place], file: str) -> Body:
+    """Return a body with the place where a file has it, for what is said of it later."""
+    places = (marks.get((section, body.name, "key")) for section in SECTIONS)
+    line, column = next(filter(None, places), (1, 1))
+    return replace(body, where=f"{file}:{line}:{column}")
 
 
 def _place(marks: Mapping[KeyPath, Place], path: KeyPath) -> Place:

@@ -18,7 +18,7 @@ from tamias2d.scene.joint_kinds import (
     Equation,
     Gear,
     Groove,
-    Kind,
+    JointKind,
     Prismatic,
     Pulley,
     Ratchet,
@@ -32,7 +32,7 @@ from tamias2d.scene.quantities import read_quantity, read_value, scalar_text
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.scene import Scene
 
-KINDS: dict[str, Callable[..., Kind]] = {
+KINDS: dict[str, Callable[..., JointKind]] = {
     "revolute": Revolute,
     "distance": Distance,
     "weld": Weld,

@@ -7,7 +7,8 @@ why, and the reader of files puts the place before it.
 import math
 from collections.abc import Iterable, Sequence
 from numbers import Real
-from typing import TypeAlias
+from operator import index
+from typing import Any, TypeAlias, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,7 @@ from tamias2d.generated.symbols import SYMBOLS
 
 Vector: TypeAlias = tuple[float, float]
 _LONGEST = 60  # characters of a value that a message repeats whole
+_LARGEST = 2**63 - 1
 VectorLike: TypeAlias = Sequence[float] | NDArray[np.floating | np.integer]
 
 
@@ -38,7 +40,7 @@ def number(value: object, symbol: str, of: str, remedy: str, *, at: tuple[str | 
         return value + 0.0  # no negative zero: equal scenes have equal texts
     unit = "" if meaning.unit == "1" else f" {meaning.unit}"
     what = f"{label(at)} of {of}"
-    if isinstance(value, bool) or not isinstance(value, Real):
+    if not is_number(value):
         raise RuleError(
             f"{what}: found {shown(value)}: must be a number{_in(unit)} (R4). {remedy}", *at
         )
@@ -52,6 +54,43 @@ def number(value: object, symbol: str, of: str, remedy: str, *, at: tuple[str | 
         found = repr(plain).removesuffix(".0")
         raise RuleError(f"{label(at)} {found}{unit} of {of}: {meaning.rule}. {remedy}", *at)
     return plain + 0.0
+
+
+def is_number(value: object) -> TypeGuard[float]:
+    """Return whether a value is a real number; truth values are none."""
+    return isinstance(value, Real) and not isinstance(value, bool)
+
+
+def checked_count(value: Any, key: str, least: int, *, remedy: str = "Give one.") -> int:
+    """Return a whole number that is at least some other one, or raise `RuleError`."""
+    try:
+        count = least - 1 if isinstance(value, bool) else index(value)
+    except TypeError:
+        count = least - 1
+    if count < least:
+        raise RuleError(
+            f"{key} {shown(value)}: must be a whole number of at least {least} (R4). {remedy}", key
+        )
+    if count > _LARGEST:
+        raise RuleError(f"{key} {shown(value)}: must be less than 2**63 (R4). Give fewer.", key)
+    return count
+
+
+def checked_flag(
+    value: object,
+    key: str,
+    of: str | None = None,
+    *,
+    rule: str = "R4",
+    remedy: str = "Give one of them.",
+) -> bool:
+    """Return a truth value, or raise `RuleError`; `of` says whose it is."""
+    if not isinstance(value, bool):
+        whose = key if of is None else f"{key} of {of}"
+        raise RuleError(
+            f"{whose}: found {shown(value)}: must be True or False ({rule}). {remedy}", key
+        )
+    return value
 
 
 def vector(

@@ -2,13 +2,11 @@
 
 import hashlib
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import count
 from numbers import Integral
 from typing import Any
 
 from tamias2d.attribute_suggestions import suggests_attributes
-from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.checks import (
     MAX_NAME,
@@ -36,7 +34,7 @@ from tamias2d.scene.fields import checked_field, refuse_field
 from tamias2d.scene.filters import checked_mask, checked_sensor, checked_whole
 from tamias2d.scene.joint_anchors import anchors_of
 from tamias2d.scene.joint_checks import checked_again, checked_joint
-from tamias2d.scene.joint_kinds import Equation, Kind
+from tamias2d.scene.joint_kinds import Equation, JointKind
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.law import checked_force, checked_law
 from tamias2d.scene.rules import RuleError, VectorLike, number, sequence, shown, vector
@@ -79,10 +77,6 @@ class Scene(SceneData):
             checked_text(" ".join(says.split()) if isinstance(says, str) else says, "says"),
             None if duration is None else checked_duration(duration),
         )
-
-    def loads_constant(self, body: int) -> bool:
-        """Whether all that acts on a body, given by its index, is the same at all times."""
-        return body not in varying_loads(self)
 
     def add_body(
         self,
@@ -233,12 +227,20 @@ class Scene(SceneData):
         )
 
     def set_restitution(self, first: int | str, second: int | str, value: float) -> None:
-        """Set the restitution of one pair of bodies, given by index or name (R3)."""
+        """Set the restitution, from 0 to 1, of one pair of bodies, given by index or name (R3).
+
+        Raises:
+            InputError: a body is not there, both are the same, or the value is out of range.
+        """
         i, j = self._two(first, second)
         self._of_pairs[i, j] = checked_restitution(value, f"the pair {self._pair(i, j)}")
 
     def set_friction(self, first: int | str, second: int | str, value: float) -> None:
-        """Set the coefficient of friction of one pair of bodies, given by index or name (R3)."""
+        """Set the coefficient of friction of one pair of bodies, given by index or name (R3).
+
+        Raises:
+            InputError: a body is not there, both are the same, or the value is negative.
+        """
         i, j = self._two(first, second)
         self._friction_of_pairs[i, j] = checked_friction(value, f"the pair {self._pair(i, j)}")
 
@@ -282,7 +284,7 @@ class Scene(SceneData):
 
     def add_joint(
         self,
-        kind: Kind,
+        kind: JointKind,
         first: int | str | VectorLike,
         second: int | str | VectorLike | None = None,
         *,
@@ -323,11 +325,6 @@ class Scene(SceneData):
         )
         self._append_joint(joint)
         return len(self._joints) - 1
-
-    def locate(self, body: int | str, where: str) -> None:
-        """State where a file has a body, as file:line:column, for what is said of it later."""
-        k = self.index(body)
-        self._bodies[k], self._shown = replace(self._bodies[k], where=where), ()
 
     def repeat_joint(self, joint: Joint) -> None:
         """Add a joint of a scene whose bodies have the same indices.

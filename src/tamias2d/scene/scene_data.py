@@ -3,10 +3,8 @@
 `Scene` adds to it.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
-from copy import copy
+from collections.abc import Iterator
 from numbers import Integral
-from typing import Self
 
 from tamias2d.errors import SceneError
 from tamias2d.generated import definitions
@@ -66,19 +64,6 @@ class SceneData:
         if len(self._shown) != len(self._bodies):
             self._shown = tuple(self._bodies)
         return self._shown
-
-    def extended(self, bodies: Iterable[Body]) -> Self:
-        """Return the scene with more bodies, after its own, on which acts what is for all."""
-        longer = copy(self)
-        longer._bodies = [*self._bodies, *bodies]
-        return longer
-
-    def altered(self, bodies: Mapping[int, Body]) -> Self:
-        """Return the scene with others in the place of some bodies, by index."""
-        other = copy(self)
-        other._bodies = [bodies.get(k, body) for k, body in enumerate(self._bodies)]
-        other._shown = ()
-        return other
 
     @property
     def restitution_of_pairs(self) -> dict[tuple[int, int], float]:

@@ -13,12 +13,12 @@ from typing import TypeAlias
 
 import numpy as np
 
+from tamias2d.float64 import EPSILON
 from tamias2d.generated import definitions
 from tamias2d.scene.outline import centred, checked_outline, edges
 from tamias2d.scene.rules import RuleError, Vector, number, vector
 from tamias2d.suggestions import suggests
 
-_EPSILON = 2.0**-52
 _WRITTEN = 1e-3  # by which the length of a unit vector may differ that is written in decimals
 
 
@@ -255,7 +255,7 @@ class HalfPlane:
                 f"({x / length:.6g}, {y / length:.6g}), and the offset in m.",
                 "normal",
             )
-        if abs(length - 1) > 4 * _EPSILON:  # a unit vector stays as it is, to the last bit
+        if abs(length - 1) > 4 * EPSILON:  # a unit vector stays as it is, to the last bit
             x, y = x / length + 0.0, y / length + 0.0
         _set(self, normal=(x, y), offset=offset)
 

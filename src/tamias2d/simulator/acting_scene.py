@@ -16,6 +16,7 @@ from tamias2d.errors import InputError
 from tamias2d.scene import Body, Scene
 from tamias2d.scene.acting import steady_load
 from tamias2d.scene.law import Law, value_at, varies
+from tamias2d.scene.other_bodies import with_bodies
 from tamias2d.scene.rules import RuleError
 from tamias2d.state import Array
 
@@ -38,26 +39,29 @@ def acting_scene(
     added = [row for row in ranked if row not in own] if acts_on_all(scene) else []
     index = {row: known + k for k, row in enumerate(added)}
     mass = (1 / engine.inverse_mass[added]).tolist()
-    longer = scene.extended(
+    more = (
         Body(name=f"body {row}", shape=None, dynamic=True, mass=mass[k])
         for k, row in enumerate(added)
     )
+    longer = with_bodies(scene, [*scene.bodies, *more])
     return longer, {row: index.get(row, row) for row in ranked if row in own or row in index}
 
 
 def with_masses(scene: Scene, own: Container[int], rows: Sequence[int], mass: Array) -> Scene:
     """Return the scene with other masses (k,), kg, of those bodies (k,) that are its `own`."""
-    given = zip(rows, mass.tolist(), strict=True)
-    return scene.altered(
-        {row: replace(scene.bodies[row], mass=each) for row, each in given if row in own}
-    )
+    bodies = list(scene.bodies)
+    for row, each in zip(rows, mass.tolist(), strict=True):
+        if row in own:
+            bodies[row] = replace(bodies[row], mass=each)
+    return with_bodies(scene, bodies)
 
 
 def steady_loads(scene: Scene, own: Container[int], rows: Sequence[int], mass: Array) -> Array:
     """Return the loads (k, 3) that stay as they are on bodies (k,) of such masses, kg."""
     known, given = len(scene), mass.tolist()
     others = (Body(name="", shape=None, dynamic=True, mass=each) for each in given)
-    heavy = with_masses(scene, own, rows, mass).extended(others)
+    heavy = with_masses(scene, own, rows, mass)
+    heavy = with_bodies(heavy, [*heavy.bodies, *others])
     place = [row if row in own else known + k for k, row in enumerate(rows)]
     return np.array([steady_load(heavy, k) for k in place]).reshape(-1, 3)
 

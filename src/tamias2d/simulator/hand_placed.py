@@ -32,20 +32,18 @@ def put_elsewhere(joints: Iterable[Joint], left: Array, engine: Engine) -> list[
     return [joint for joint in joints if moved[list(joint.bodies)].any()]
 
 
-def beyond_limits(
-    joints: Iterable[Joint], engine: Engine, slight: float = APART
-) -> Iterator[tuple[Joint, str, float]]:
+def beyond_limits(joints: Iterable[Joint], engine: Engine) -> Iterator[tuple[Joint, str, float]]:
     """Yield joints beyond a limit, which limit, and how far, m or rad.
 
-    What is less than `slight`, in rad or of the size of a joint, does not count.
+    What is less than `APART`, in rad or of the size of a joint, does not count.
     """
     bodies = StandingBodies(engine, {})
     for joint in joints:
         if not any(each.limits for each in joint.freedoms):
             continue
-        values = values_of_freedoms(joint, bodies)  # type: ignore[arg-type]
+        values = values_of_freedoms(joint, bodies)
         for each, value in zip(joint.freedoms, values, strict=True):
-            most = slight * (1.0 if each.measure == "angle" else size_of_joint(joint, engine))
+            most = APART * (1.0 if each.measure == "angle" else size_of_joint(joint, engine))
             for side, much in beyond(each, value):
                 if much > most:
                     yield joint, side, much

@@ -10,7 +10,6 @@ import numpy as np
 
 from tamias2d.engine.engine import Engine
 from tamias2d.motion.joint_events import BREAKS, CLICKS, JointEvent
-from tamias2d.scene.bodies import Body
 from tamias2d.scene.freedoms import (
     Freedom,
     JointSpring,
@@ -21,6 +20,7 @@ from tamias2d.scene.freedoms import (
 )
 from tamias2d.scene.joint_checks import checked_joint
 from tamias2d.scene.joints import End, Joint
+from tamias2d.scene.placed_bodies import PlacedBodies
 from tamias2d.scene.rules import RuleError, Vector, shown
 from tamias2d.simulator.joint_columns import JointColumns
 from tamias2d.simulator.joint_events import (
@@ -104,7 +104,7 @@ class JointSet:
         anchors: tuple[object, object, object],
         name: str | None,
         collide: object,
-        bodies: Sequence[Body],
+        bodies: PlacedBodies,
         bears: tuple[object, object],
         time: float,
     ) -> Joint:

@@ -1,13 +1,11 @@
 """Joints come and go between steps (TM7), and tell what they exerted."""
 
-from typing import Any
-
 import numpy as np
 
 from tamias2d.engine.state import LARGEST
 from tamias2d.scene.freedoms import JointSpring, Limits, Motor
 from tamias2d.scene.joint_anchors import anchors_of
-from tamias2d.scene.joint_kinds import Equation, Kind
+from tamias2d.scene.joint_kinds import Equation, JointKind
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, Vector, VectorLike, vector
 from tamias2d.simulator.exclusive import exclusive
@@ -31,7 +29,7 @@ class Jointing(Stepping):
     @exclusive
     def add_joint(
         self,
-        kind: Kind,
+        kind: JointKind,
         first: int | str | VectorLike,
         second: int | str | VectorLike | None = None,
         *,
@@ -60,7 +58,7 @@ class Jointing(Stepping):
             (0.0, 0.0) if second is None and isinstance(kind, Equation) else self._end(second),
             (0.0, 0.0) if third is None else self._end(third),
         )
-        standing: Any = StandingBodies(self._engine, self._names.of_row)
+        standing = StandingBodies(self._engine, self._names.of_row)
         anchors = anchors_of(kind, ends, (anchor, other_anchor, third_anchor), at, standing)
         joint = self._joints.add(
             *(kind, ends, anchors, name, collide, standing),

@@ -46,7 +46,7 @@ class Passed(NamedTuple):
 
 def passed_limits(joint: Joint, before: Joint, engine: Engine) -> list[Passed]:
     """Return the limits of a joint that were moved past where it is: `before` had those before."""
-    values = values_of_freedoms(joint, StandingBodies(engine, {}))  # type: ignore[arg-type]
+    values = values_of_freedoms(joint, StandingBodies(engine, {}))
     found = []
     for each, old, value in zip(joint.freedoms, before.freedoms, values, strict=True):
         size = 1.0 if each.measure == "angle" else size_of_joint(joint, engine)

@@ -19,7 +19,8 @@ from tamias2d.errors import RecordingError, TamiasError, path_text
 from tamias2d.recording_file import aside, refuse_missing
 from tamias2d.scene import Scene
 from tamias2d.scene.reading import read_scene
-from tamias2d.simulator.settings import checked_count, checked_substeps, checked_time_step
+from tamias2d.scene.rules import checked_count
+from tamias2d.simulator.settings import checked_substeps, checked_time_step
 
 Arrays = Mapping[str, NDArray[Any]]
 VERSION = 22  # of the saved state: its arrays, and the columns of the engine's

@@ -1,14 +1,12 @@
 """Settings of a simulator, checked (R4)."""
 
-from operator import index
 from typing import Any
 
 from tamias2d.engine.state import LARGEST
-from tamias2d.scene.rules import RuleError, number, shown
+from tamias2d.scene.rules import RuleError, checked_count, number
 
 MOST_SUBSTEPS = 1000
 """More than solve anything; so few that Ctrl-C does not wait for the end of a step."""
-_MOST = 2**63 - 1
 
 
 def checked_time_step(value: object) -> float:
@@ -42,25 +40,3 @@ def checked_steps(value: Any) -> int:
         "Give how many steps; how long one is, Simulator is told as it is made: time_step=1/60."
     )
     return checked_count(value, "count", 0, remedy=remedy)
-
-
-def checked_count(value: Any, key: str, least: int, *, remedy: str = "Give one.") -> int:
-    """Return a whole number that is at least some other one, or raise `RuleError`."""
-    try:
-        count = least - 1 if isinstance(value, bool) else index(value)
-    except TypeError:
-        count = least - 1
-    if count < least:
-        raise RuleError(
-            f"{key} {shown(value)}: must be a whole number of at least {least} (R4). {remedy}", key
-        )
-    if count > _MOST:
-        raise RuleError(f"{key} {shown(value)}: must be less than 2**63 (R4). Give fewer.", key)
-    return count
-
-
-def checked_flag(value: Any, key: str) -> bool:
-    """Return a truth value, or raise `RuleError`."""
-    if not isinstance(value, bool):
-        raise RuleError(f"{key}: found {shown(value)}: must be True or False (R4). Give one.", key)
-    return value

@@ -22,6 +22,7 @@ from tamias2d.recording_file import checked_path
 from tamias2d.scene import Body, Scene, scene_text
 from tamias2d.scene.acting import feels_mass
 from tamias2d.scene.joints import Joint, kept_apart
+from tamias2d.scene.rules import checked_flag
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
 from tamias2d.simulator.acting_scene import acts_on_all
@@ -37,7 +38,7 @@ from tamias2d.simulator.kept_state import KeptState, checked_state, copies
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.pushing import Pushing
 from tamias2d.simulator.saved_joints import restored_events, restored_joints
-from tamias2d.simulator.settings import checked_flag, checked_substeps, checked_time_step
+from tamias2d.simulator.settings import checked_substeps, checked_time_step
 from tamias2d.simulator.snapshot import Snapshot
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.simulator.touching_rules import TouchingRules

@@ -1,33 +1,12 @@
 """The bodies of an engine as the checks of a joint look at them."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
-
-
-@dataclass(frozen=True)
-class _Shape:
-    bounding_radius: float
-
-
-@dataclass(frozen=True)
-class _Standing:
-    """A body as the checks of a joint look at it."""
-
-    name: str
-    position: tuple[float, float]
-    orientation: float
-    velocity: tuple[float, float]
-    angular_velocity: float
-    dynamic: bool
-    kinematic: bool
-    inertia: float
-    inertia_stated: bool
-    shape: _Shape
+from tamias2d.scene.placed_bodies import Round, StandingBody
 
 
 class StandingBodies:
@@ -36,13 +15,13 @@ class StandingBodies:
     def __init__(self, engine: Engine, names: Mapping[int, str]) -> None:
         self._engine, self._names = engine, names
 
-    def __getitem__(self, row: int) -> _Standing:
+    def __getitem__(self, row: int) -> StandingBody:
         engine = self._engine
         x, y, turn = engine.pose[row].tolist()
         u, v, spin = engine.velocity[row].tolist()
         inverse = float(engine.inverse_inertia[row])
         radius = float(engine.world.state.properties[row, tb.BOUNDING_RADIUS])
-        return _Standing(
+        return StandingBody(
             name=self._names.get(row, str(row)),
             position=(x, y),
             orientation=turn,
@@ -52,5 +31,5 @@ class StandingBodies:
             kinematic=bool(engine.kind[row] == tb.KINEMATIC),
             inertia=1 / inverse if inverse > 0 else np.inf,
             inertia_stated=inverse > 0 or radius > 0,  # a particle may have none
-            shape=_Shape(radius),
+            shape=Round(radius),
         )

@@ -86,14 +86,12 @@ _REMEDIES = {
 }
 
 
-def held_beyond_limits(
-    joints: Iterable[Joint], engine: Engine, time: float, slight: float = APART
-) -> Iterator[Told]:
+def held_beyond_limits(joints: Iterable[Joint], engine: Engine, time: float) -> Iterator[Told]:
     """Yield joints that were put beyond a limit by hand before a time, s (GD21).
 
-    What is less than `slight`, in rad or of the size of a joint, is not told.
+    What is less than `APART`, in rad or of the size of a joint, is not told.
     """
-    for joint, side, much in beyond_limits(joints, engine, slight):
+    for joint, side, much in beyond_limits(joints, engine):
         text = (
             f"joint '{joint.name}' ({joint.kind}), at {time:.6g} s: it was put {much:.2g} (m or "
             f"rad) beyond its {side} limit by hand (GD21). It comes back within some steps, but "

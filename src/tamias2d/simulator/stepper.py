@@ -13,7 +13,8 @@ from tamias2d.scene import Scene
 from tamias2d.simulator.simulator import Simulator
 from tamias2d.state import Array, History, place_between
 
-_ROUNDED = 1e-9  # of a step: as near to its end as that is at it
+SAME_STEP = 1e-9
+"""Of a step: a time that is as near to its end is at it."""
 
 
 class Overlap(NamedTuple):
@@ -73,7 +74,7 @@ class Stepper:
             SimulationError: a force that varies has no finite value.
         """
         step = self._sim.time_step
-        for _ in range(math.ceil(duration / step - _ROUNDED)):
+        for _ in range(math.ceil(duration / step - SAME_STEP)):
             before = self._state()
             self._sim.step()
             self.steps += 1
@@ -106,7 +107,7 @@ class Stepper:
         step = self._sim.time_step
         while self._told < len(self._times):
             left = (end - float(self._times[self._told])) / step
-            if left < -_ROUNDED:
+            if left < -SAME_STEP:
                 return
             self._rows[self._told] = _between(before, after, left, step)
             self._told += 1
@@ -152,11 +153,11 @@ class Sampling:
         for time in times:
             last = _steps_until(time, time_step)
             if last > steps:
-                if (last * time_step - time) / time_step >= _ROUNDED:
+                if (last * time_step - time) / time_step >= SAME_STEP:
                     before = last - 1
                 steps = after = last
             self._told.append((before, after, (steps * time_step - time) / time_step))
-        end = max(math.ceil(duration / time_step - _ROUNDED), steps)
+        end = max(math.ceil(duration / time_step - SAME_STEP), steps)
         self.stops = sorted({0, end, *(k for told in self._told for k in told[:2])})
 
     def history(self, states: Array) -> History:
@@ -188,15 +189,15 @@ def states_of(sim: Simulator, sampling: Sampling) -> Array:
 
 def _steps_until(time: float, time_step: float) -> int:
     """Return how many steps there are until one ends at a time, or beyond it."""
-    steps = max(math.ceil(time / time_step - _ROUNDED) - 1, 0)
-    while (steps * time_step - time) / time_step < -_ROUNDED:
+    steps = max(math.ceil(time / time_step - SAME_STEP) - 1, 0)
+    while (steps * time_step - time) / time_step < -SAME_STEP:
         steps += 1
     return steps
 
 
 def _between(before: Array, after: Array, left: float, time_step: float) -> Array:
     """Return the state at a time that is a share `left` of a step, s, before its end."""
-    if left < _ROUNDED:
+    if left < SAME_STEP:
         return after
     share = np.array(1.0 - left)
     place, rate = np.split(before, 2, axis=-2)

@@ -4,7 +4,7 @@ Serves: `simulate` and the studies. Hides: how a method is chosen, and how each 
 a run.
 """
 
-from tamias2d.solve.assembly import sampled_at, work_limit_of
+from tamias2d.solve.assembly import sampled_at, with_reason, work_limit_of
 from tamias2d.solve.following import Interrupted, interruptible
 from tamias2d.solve.plan import FRAMES, planned
 from tamias2d.solve.sampling import sampler
@@ -21,5 +21,6 @@ __all__ = [
     "solve",
     "solve_halved",
     "solve_with_error",
+    "with_reason",
     "work_limit_of",
 ]

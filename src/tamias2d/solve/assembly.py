@@ -47,6 +47,7 @@ def run_of(
         momentum=momentum,
         angular_momentum=angular_momentum,
         notes=plan.notes + notes,
+        stepped_because=plan.stepped_because,
         cost=cost_of(impacts, tally),
     )
 
@@ -61,6 +62,11 @@ def sampled_at(run: Run, times: Array) -> Run | None:
     more = ("energy", "momentum", "angular_momentum")
     parts = {name: getattr(run, name)[rows] for name in (*names, *more)}
     return replace(run, times=times, **parts)
+
+
+def with_reason(run: Run, reason: str) -> Run:
+    """Return a run whose first note says why its method was taken, in place of the one it had."""
+    return replace(run, notes=(reason, *run.notes[1:]))
 
 
 def cost_of(impacts: Impacts, tally: Tally, *, contacts: int = 0) -> Cost:

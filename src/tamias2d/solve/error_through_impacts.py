@@ -16,7 +16,7 @@ from tamias2d.motion.error_equation import follow_step
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.marching import Error
 from tamias2d.motion.step_batch import breaks
-from tamias2d.path import Piece
+from tamias2d.path import PathPiece
 from tamias2d.state import Array
 
 
@@ -93,7 +93,7 @@ class _Carried:
             found += [time for time in (piece.start, *breaks(piece), until) if time <= until]
         return found
 
-    def _piece(self, body: int, time: float) -> Piece:
+    def _piece(self, body: int, time: float) -> PathPiece:
         """Return the path of a body from a time on, s."""
         return self._tracks[body][bisect_right(self._starts[body], time) - 1]
 

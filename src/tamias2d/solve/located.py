@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -64,7 +65,7 @@ def run_by_paths(
             found = _without_contact(plan, method, motion)
             events = motion.joint_events()
             history = fitted_history(plan.scene, plan.times, found, events, joint_code)
-            return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally, events)
+            return _run(plan, motion, history)
         follow(located, plan.duration, progress=progress)
         followed(located)
     except SimulationError as refusal:
@@ -123,9 +124,7 @@ def _reached(plan: Plan, motion: Motion, located: Located, follower: EventDriven
     """Return the run up to the time that was reached."""
     if not all(located.tracks):  # it did not get as far as a first path
         history, times = _sampled(plan, motion)
-        plan = plan._replace(times=times)
-        events = motion.joint_events()
-        return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally, events)
+        return _run(plan._replace(times=times), motion, history)
     times = plan.times[plan.times <= located.time]
     plan = plan._replace(times=times if len(times) else np.zeros(1))
     events = motion.joint_events()
@@ -133,10 +132,21 @@ def _reached(plan: Plan, motion: Motion, located: Located, follower: EventDriven
     found = states(located.tracks[: len(plan.scene)], plan.times)
     history = fitted_history(plan.scene, plan.times, found, events, joint_code)
     impacts = _impacts(located.impacts, owners(in_pieces(plan.scene)))
-    notes = motion.notes + located.notes
-    if follower is not None:
-        notes += _untold_sides(plan.scene)
-    return run_of(plan, history, impacts, notes, motion.tally, events)
+    notes = located.notes if follower is None else located.notes + _untold_sides(plan.scene)
+    return replace(_run(plan, motion, history, impacts, notes), ruled=located.ruled)
+
+
+def _run(
+    plan: Plan,
+    motion: Motion,
+    history: History,
+    impacts: Impacts = NO_IMPACTS,
+    notes: tuple[str, ...] = (),
+) -> Run:
+    """Return the run of a motion, with its own notes and others."""
+    notes = motion.notes + notes
+    run = run_of(plan, history, impacts, notes, motion.tally, motion.joint_events())
+    return replace(run, unresolved=motion.unresolved)
 
 
 def _untold_sides(scene: Scene) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from tamias2d.motion.fixed_steps import grid
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
-from tamias2d.scene.rules import number, sequence
+from tamias2d.scene.rules import checked_count, number, sequence
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.state import Array
 from tamias2d.work_limit import WORK_LIMIT
@@ -34,12 +34,15 @@ class Plan(NamedTuple):
     times: Array
     notes: tuple[str, ...]
     work_limit: int = WORK_LIMIT
+    stepped_because: str | None = None
+    """Why contacts are stepped, where that was not asked for."""
 
     def by_steps(self, reason: str) -> "Plan":
-        """Return the same run stepped through its contacts, for a reason."""
+        """Return the plan of the run stepped through its contacts, for a reason."""
         method, step = Stepped(), usual_step(self.duration)
         told = f"1/{FRAMES} s" if step == 1 / FRAMES else f"{step:.3g} s"
-        return self._replace(method=method, time_step=step, notes=(f"{method}, {told}: {reason}",))
+        notes = (f"{method}, {told}: {reason}",)
+        return self._replace(method=method, time_step=step, notes=notes, stepped_because=reason)
 
 
 def usual_step(duration: float) -> float:
@@ -65,8 +68,10 @@ def planned(
     """
     checked_scene(scene)
     duration = number(duration, "duration", "the run", "Give it in s.", at=("duration",))
-    chosen, note, usual = _method(scene, method, duration)
-    time_step = usual if time_step is None else time_step
+    stepped_because = steps_because(scene, duration) if method is None else None
+    chosen, note = _method(scene, method, stepped_because)
+    if time_step is None and stepped_because:
+        time_step = usual_step(duration)
     if chosen.fixed_step != (time_step is not None):
         need = "needs" if chosen.fixed_step else "chooses its own steps and takes no"
         remedy = "Give time_step in s." if chosen.fixed_step else "Leave time_step out."
@@ -76,17 +81,9 @@ def planned(
         _refuse_longer(chosen, time_step, duration)
     _refuse_endless(scene, duration, time_step, kept=times is None)
     steps = grid(duration, time_step or 1 / FRAMES) if times is None else _samples(times, duration)
-    _check_limit(work_limit)
-    return Plan(scene, chosen, duration, time_step, steps, (note,), work_limit)
-
-
-def _check_limit(work_limit: int) -> None:
-    whole = isinstance(work_limit, int) and not isinstance(work_limit, bool)
-    if not whole or work_limit < 1:
-        raise InputError(
-            f"work_limit {work_limit!r} of the run: must be a whole number of at least 1 (R4). "
-            "Give how many steps and impacts it may take."
-        )
+    remedy = "Give how many steps and impacts it may take."
+    work_limit = checked_count(work_limit, "work_limit", 1, remedy=remedy)
+    return Plan(scene, chosen, duration, time_step, steps, (note,), work_limit, stepped_because)
 
 
 def _refuse_longer(method: Method, time_step: float, duration: float) -> None:
@@ -121,19 +118,19 @@ def _refuse_endless(scene: Scene, duration: float, time_step: float | None, *, k
 
 
 def _method(
-    scene: Scene, method: Method | None, duration: float
-) -> tuple[Solvable, str, float | None]:
-    """Return the method with the reason for it, and the step that it takes if none is asked for."""
+    scene: Scene, method: Method | None, stepped_because: str | None
+) -> tuple[Solvable, str]:
+    """Return the method with the reason for it."""
+    if stepped_because:
+        return Stepped(), f"{Stepped()}: {stepped_because}"
     if method is None:
-        if reason := steps_because(scene, duration):
-            return Stepped(), f"{Stepped()}: {reason}", usual_step(duration)
-        return *_located(scene), None
+        return _located(scene)
     if not isinstance(method, Solvable):
         raise InputError(
             f"method {method!r}: must be a method of motion (R5). Give one such as ClosedForm() "
             "or VelocityVerlet(), with its brackets."
         )
-    return method, f"{method}: as asked", None
+    return method, f"{method}: as asked"
 
 
 def _located(scene: Scene) -> tuple[Solvable, str]:

@@ -32,7 +32,7 @@ def has_kinks(node: Node, varying: Collection[str]) -> bool:
 
 
 def _has_kinks(node: Node, power: Fraction, varying: frozenset[str]) -> bool:
-    """Return the same of a power of an expression."""
+    """Return whether a power of an expression has a kink where some names in it vary."""
     if varying.isdisjoint(names(node)):
         return False
     match node:
@@ -55,7 +55,7 @@ def _has_kinks(node: Node, power: Fraction, varying: frozenset[str]) -> bool:
 
 
 def _root_has_kinks(node: Node, power: Fraction, varying: frozenset[str]) -> bool:
-    """Return the same of a power of what a root is taken of: of a vector, of its square."""
+    """Return whether a power of a root has a kink; that of a vector is of its square."""
     bent = power.denominator > 1 and power > -1 and not _is_positive(node)
     return bent or _has_kinks(node, _ONE, varying)
 

@@ -28,16 +28,15 @@ class MarkupError(Exception):
 
 
 class _Composer:
-    def __init__(self, file: str, first_line: int, first_column: int) -> None:
+    def __init__(self, file: str, first_line: int) -> None:
         self.file = file
         self.first_line = first_line
-        self.first_column = first_column
         self.marks: dict[Path, Place] = {}
 
     def place(self, mark: Any) -> Place:
         if mark is None:
             return self.first_line, 1
-        return self.first_line + mark.line, self.first_column + mark.column
+        return self.first_line + mark.line, 1 + mark.column
 
     def fault(self, code: Code, message: str, mark: Any) -> MarkupError:
         return MarkupError(Diagnostic(self.file, *self.place(mark), code.code, message))
@@ -110,7 +109,6 @@ def compose(
     *,
     file: str,
     first_line: int = 1,
-    first_column: int = 1,
     longest: float = MAX_SIZE,
 ) -> tuple[Any, dict[Path, Place]]:
     """Read YAML of at most `longest` characters into dicts, lists and text.
@@ -121,7 +119,7 @@ def compose(
     Raises:
         MarkupError: the text is not valid YAML, or uses a feature that is refused.
     """
-    composer = _Composer(file, first_line, first_column)
+    composer = _Composer(file, first_line)
     if len(text) > longest:
         raise composer.fault(
             Code.TOO_LARGE, f"a file may have {longest} characters. Split it", None

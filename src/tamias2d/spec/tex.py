@@ -11,7 +11,6 @@ from tamias2d.spec import expression as ex
 from tamias2d.spec.expression import Node
 from tamias2d.spec.symbols import SymbolTable
 
-_PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2}
 _SIGNS = {"==": "=", "<": "<", "<=": r"\le", ">": ">", ">=": r"\ge"}
 _CALLS = {
     "d": r"\frac{{\mathrm{{d}}{0}}}{{\mathrm{{d}}{1}}}",

@@ -35,7 +35,7 @@ class Asked(NamedTuple):
         )
 
     def looked_at(self) -> "Asked":
-        """Return the same with samples also when a run is looked at."""
+        """Return what is asked for with samples also when a run is looked at."""
         return self._replace(times=with_looks(self.times, self.duration))
 
     def sampled(self, run: Run) -> Run:

@@ -7,28 +7,28 @@ from typing import TypeAlias
 
 import numpy as np
 
-from tamias2d.certificate import Kind
+from tamias2d.certificate import USUAL, Basis, BoundKind
+from tamias2d.float64 import EPSILON
 from tamias2d.motion import Method
 from tamias2d.run import Run
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion, limit_beside
 from tamias2d.study.error import apart, radii
 
-_EPSILON = 2.0**-52
-
 
 @dataclass(frozen=True)
 class Bound:
     """How far a run is from its exact places at most, and from what that is known."""
 
-    kind: Kind
+    kind: BoundKind
     value: float
     """m"""
     how: str
     order: float | None = None
+    basis: Basis = USUAL
 
 
-Way: TypeAlias = Callable[[Run, Array | None], Bound]
+Bounder: TypeAlias = Callable[[Run, Array | None], Bound]
 """From a run, and how small changes grow in it where that is known, to a bound."""
 
 
@@ -47,7 +47,7 @@ def rounding(run: Run) -> float:
     far = np.hypot(*np.moveaxis(run.position, -1, 0)) + np.abs(run.orientation) * reach
     worst = far.max(axis=0) + run.times[-1] * speed.max(axis=0)
     moving = np.array([body.dynamic for body in run.scene.bodies], dtype=bool)
-    return _EPSILON * float(worst[moving].max(initial=0.0))
+    return EPSILON * float(worst[moving].max(initial=0.0))
 
 
 def difference(one: Run, other: Run) -> float:

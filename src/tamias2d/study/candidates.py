@@ -67,9 +67,13 @@ def candidates(scene: Scene, *, rungs: Iterable[int]) -> Iterator[Candidate]:
             method = replace(adaptive, rtol=rtol)
             yield Candidate(type(method).__name__, f"rtol {rtol:g}", _own(method, None))
     for count in counts:
-        yield Candidate("Pymunk", f"{count} steps", _peer(count), count, peer=True)
+        yield Candidate(
+            "Pymunk", f"{count} steps", _peer(simulate_by_pymunk, count), count, peer=True
+        )
     for count in counts if _is_told_to_box2d(scene) else counts[:1]:
-        yield Candidate("pyb2d3", f"{count} steps", _box2d(count), count, peer=True)
+        yield Candidate(
+            "pyb2d3", f"{count} steps", _peer(simulate_by_box2d, count), count, peer=True
+        )
 
 
 def _own(method: Method, steps: int | None) -> Runner:
@@ -80,16 +84,9 @@ def _own(method: Method, steps: int | None) -> Runner:
     return run
 
 
-def _peer(steps: int) -> Runner:
+def _peer(simulate: Callable[..., Run], steps: int) -> Runner:
     def run(scene: Scene, duration: float, times: Iterable[float]) -> Run:
-        return simulate_by_pymunk(scene, duration=duration, steps=steps, times=times)
-
-    return run
-
-
-def _box2d(steps: int) -> Runner:
-    def run(scene: Scene, duration: float, times: Iterable[float]) -> Run:
-        return simulate_by_box2d(scene, duration=duration, steps=steps, times=times)
+        return simulate(scene, duration=duration, steps=steps, times=times)
 
     return run
 

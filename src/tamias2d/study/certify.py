@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from tamias2d.certificate import Certificate
+from tamias2d.certificate import USUAL, Basis, Certificate
 from tamias2d.errors import InputError
 from tamias2d.motion import ClosedForm, Dop853, DormandPrince5, Legacy2018, Stepped
 from tamias2d.motion.halved import Halving
@@ -12,16 +12,16 @@ from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import shown
 from tamias2d.solve import sampled_at
 from tamias2d.state import Array
-from tamias2d.study.bound import Bound, NoBoundError, Way, companion_of
+from tamias2d.study.bound import Bound, Bounder, NoBoundError, companion_of
 from tamias2d.study.companion import RefusedError, companion, limit_beside
 from tamias2d.study.embedded import embedded, looser_than, of_halves, of_tighter, whole_beside
 from tamias2d.study.error import scale
 from tamias2d.study.exact_bound import exact
 from tamias2d.study.looks import looked_at, with_looks
-from tamias2d.study.path_error import HOW, error_beside, has_error_equation, of_error
+from tamias2d.study.path_error import error_beside, has_error_equation, of_error
 from tamias2d.study.penetration import crowded, penetrations
 from tamias2d.study.perturbed import LOST, MOVED, growth, horizon
-from tamias2d.study.quality import certify_quality, is_of_quality
+from tamias2d.study.quality import certify_quality
 from tamias2d.study.refined import Refined
 from tamias2d.study.statement import of_energy, of_penetration, of_positions, with_rule
 from tamias2d.study.step_doubling import against_shorter, shorter_runs, step_doubling
@@ -51,7 +51,7 @@ def certify(run: Run) -> Run:
 
 
 def _certificate(run: Run) -> Certificate | None:
-    return _certified(run, lambda: _way(run), told=True).certificate
+    return _certified(run, _bounder_for(run), with_horizon=True).certificate
 
 
 def _looked_at(run: Run) -> Run:
@@ -74,7 +74,7 @@ def certify_with_error(run: Run, error: Array | None) -> Run:
     The equation of the error knows how this grows: no perturbed run is needed.
     """
     if pairs_that_can_meet(run.scene, run.duration):
-        return _certified(run, lambda: of_error(error))
+        return _certified(run, of_error(error))
     return replace(run, certificate=_stated(run, lambda: of_error(error)(run, None)))
 
 
@@ -84,7 +84,7 @@ def certify_halved(run: Run, halving: Halving | None) -> tuple[Run, Run | None]:
     The other run is the one at a tighter tolerance behind it, if these tell nothing.
     """
     tighter: list[Run] = []
-    found = _certified(run, lambda: lambda run, _: of_halves(run, halving, tighter))
+    found = _certified(run, lambda run, _: of_halves(run, halving, tighter))
     return found, tighter[-1] if tighter else None
 
 
@@ -95,66 +95,78 @@ def certify_by_companion(run: Run) -> Run:
     """
     if not isinstance(run.method, Dop853 | DormandPrince5) or run.method.halved:
         return certify(run)
-    return _certified(run, lambda: lambda run, _: embedded(run, []), told=True)
+    return _certified(run, _by_companions, with_horizon=True)
 
 
 def certify_embedded(run: Run) -> tuple[Run, Run | None]:
     """Return an adaptive run with a certificate, and the one at a tighter tolerance behind it."""
     tighter: list[Run] = []
-    found = _certified(run, lambda: lambda run, _: embedded(run, tighter))
+    found = _certified(run, lambda run, _: embedded(run, tighter))
     return found, tighter[-1] if tighter else None
 
 
 def certify_tighter(run: Run, looser: Run) -> Run:
     """Return a run with a certificate from a looser one, whose companion it was."""
-    return _certified(run, lambda: lambda run, _: of_tighter(run, looser), looser=looser)
+    return _certified(run, lambda run, _: of_tighter(run, looser), looser=looser)
 
 
-def certify_as(run: Run, told: Certificate) -> Run:
-    """Return a run with a certificate that was made as another one tells, of all ways there are."""
-    if is_of_quality(told):
-        return certify_quality(run)
-    if isinstance(run.method, Stepped):
-        return _certify_steps_as(run, told)
-    run = _looked_at(run)
-    if told.how.endswith(HOW) and has_error_equation(run.scene, run.method, run.duration):
-        return certify_with_error(run, error_beside(run))
-    usual, method = certify(run), run.method
-    if usual.certificate is None or usual.certificate.how == told.how:
-        return usual
-    if not isinstance(method, Dop853 | DormandPrince5):
-        return usual
-    for looser in looser_than(method):
-        if told.how == f"{method} against {looser}":
-            try:
-                return certify_tighter(run, companion_of(run, method=looser))
-            except NoBoundError:
-                return usual
-    return certify_embedded(run)[0]
+def certify_as(run: Run, basis: Basis) -> Run:
+    """Return a run with a certificate by the computation that another one follows from.
 
-
-def _certify_steps_as(run: Run, told: Certificate) -> Run:
-    """Return a run by steps with a certificate as another one tells: of its steps, or of a plan.
-
-    Both may be told of the same shortest step.
+    It is the usual one where the run allows no other.
     """
-    usual = certify_steps(run)
-    if usual.certificate is None or replace(usual.certificate, hashes=told.hashes) == told:
-        return usual
-    shorter = refined_to(run.scene, duration=run.duration, times=run.times, told=told.how)
-    return usual if shorter is None else certify_steps(run, shorter)
+    method = run.method
+    if basis.kind == "quality":
+        return certify_quality(run)
+    if isinstance(method, Stepped):
+        return certify_steps(run, _planned_as(run, basis))
+    if not isinstance(method, Dop853 | DormandPrince5):
+        return certify(run)
+    run = _looked_at(run)
+    match basis.kind:
+        case "error equation" if has_error_equation(run.scene, method, run.duration):
+            return certify_with_error(run, error_beside(run))
+        case "halved steps" if method.halved:
+            return certify_halved(run, whole_beside(run))[0]
+        case "companions":
+            return certify_embedded(run)[0]
+        case "looser run" if (looser := _looser_run(run, method, basis)) is not None:
+            return certify_tighter(run, looser)
+    return certify(run)
+
+
+def _planned_as(run: Run, basis: Basis) -> Refined | None:
+    """Return what shorter steps say that were planned, if they were."""
+    if basis.kind != "planned steps":
+        return None
+    times, shortest = run.times, basis.time_step
+    return refined_to(run.scene, duration=run.duration, times=times, shortest=shortest)
+
+
+def _looser_run(run: Run, method: Dop853 | DormandPrince5, basis: Basis) -> Run | None:
+    """Return the looser run whose companion a run was, if it can be made again."""
+    known = [looser for looser in looser_than(method) if looser.rtol == basis.rtol]
+    try:
+        return companion_of(run, method=known[0]) if known else None
+    except NoBoundError:
+        return None
 
 
 def _certified(
-    run: Run, way: Callable[[], Way], *, told: bool = False, looser: Run | None = None
+    run: Run, bounder: Bounder, *, with_horizon: bool = False, looser: Run | None = None
 ) -> Run:
-    """Return a run with a certificate, which tells of the horizon also where its bound is large."""
+    """Return a run with a certificate; `with_horizon` it tells of one where its bound is large."""
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=of_penetration(run, fault))
-    certificate = _stated(run, lambda: _found(run, way(), looser or run, told=told))
-    bounded = certificate.kind not in ("invariants", "none")
-    # the way of many bodies is searched only if something is said of it
-    if bounded and crowded(run) and (fault := next(penetrations(run), None)) is not None:
+    certificate = _stated(
+        run, lambda: _found(run, bounder, looser or run, with_horizon=with_horizon)
+    )
+    # the paths of many bodies are searched only if something is said of them
+    if (
+        certificate.bounds_positions
+        and crowded(run)
+        and (fault := next(penetrations(run), None)) is not None
+    ):
         certificate = of_penetration(run, fault)
     return replace(run, certificate=with_rule(certificate, run))
 
@@ -167,25 +179,21 @@ def _stated(run: Run, bound: Callable[[], Bound]) -> Certificate:
         return of_energy(run, str(reason), reason.lost_at)
 
 
-def is_bounded(run: Run) -> bool:
-    """Return whether the certificate of a run states a bound."""
-    certificate = certify(run).certificate
-    return certificate is not None and certificate.bound is not None
-
-
-def _found(run: Run, way: Way, loosest: Run, *, told: bool) -> Bound:
+def _found(run: Run, bounder: Bounder, loosest: Run, *, with_horizon: bool) -> Bound:
     """Return a bound; none past the horizon.
 
     Runs that agree although each step of the loosest errs by more than what is perturbed show that
     this does not grow: they need no perturbed run.
     """
+    if isinstance(run.method, Legacy2018):
+        raise NoBoundError("the scheme of 2018 is inconsistent: no step makes its error small")
     early, fault = None, None
     if getattr(loosest.method, "rtol", 0.0) >= _COARSE:
         try:
-            early = way(run, None)
+            early = bounder(run, None)
         except NoBoundError as reason:
             fault = reason
-        if early is not None and (not told or early.value <= LOST * scale(run)):
+        if early is not None and (not with_horizon or early.value <= LOST * scale(run)):
             return early
     grown = growth(run)
     if (lost_at := horizon(run, grown)) is not None:
@@ -194,7 +202,7 @@ def _found(run: Run, way: Way, loosest: Run, *, told: bool) -> Bound:
         )
     if fault is not None:
         raise fault
-    return early or way(run, grown)
+    return early or bounder(run, grown)
 
 
 def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
@@ -205,29 +213,32 @@ def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=of_penetration(run, fault))
     lost_at, seen = None, looked_at(run) is not None
+    basis = USUAL if shorter is None else Basis("planned steps", time_step=shorter.time_step)
     try:
         shorter = shorter or shorter_runs(run)
         lost_at = shorter.horizon(LOST)
-        found = against_shorter(run, shorter)
+        found = replace(against_shorter(run, shorter), basis=basis)
         certificate = of_positions(run, found, None if seen else float(shorter.length[-1]))
     except NoBoundError as reason:
         certificate = of_energy(run, str(reason), lost_at)
     return replace(run, certificate=certificate)
 
 
-def _way(run: Run) -> Way:
+def _bounder_for(run: Run) -> Bounder:
     method = run.method
     if isinstance(method, ClosedForm):
         return exact
-    if isinstance(method, Legacy2018):
-        raise NoBoundError("the scheme of 2018 is inconsistent: no step makes its error small")
     if method.fixed_step:
         return step_doubling
     if has_error_equation(run.scene, method, run.duration):
         return _by_error_equation
     if isinstance(method, Dop853 | DormandPrince5) and method.halved:
         return lambda run, _: of_halves(run, whole_beside(run), [])
-    return lambda run, _: embedded(run, [])
+    return _by_companions
+
+
+def _by_companions(run: Run, _: Array | None) -> Bound:
+    return embedded(run, [])
 
 
 def _by_error_equation(run: Run, grown: Array | None) -> Bound:

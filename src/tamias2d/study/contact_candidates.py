@@ -8,6 +8,7 @@ from typing import Protocol
 import numpy as np
 
 from tamias2d.scene import Scene
+from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.state import Array, History, place_between
 from tamias2d.study.contact_errors import Followed, hanging
 from tamias2d.study.engines.box2d import Box2D
@@ -19,7 +20,6 @@ from tamias2d.study.engines.own import Own
 RATES = (30, 60, 120, 240, 480, 960, 1920)
 """Steps in a second, where a run is long enough for a few of the longest"""
 _LOOKS = 30  # at overlaps of a run
-_ROUNDED = 1e-9  # of a step
 
 
 class _Maker(Protocol):
@@ -61,7 +61,7 @@ class ContactCandidate:
 
     def steps_to(self, time: float) -> int:
         """Return how many steps a time in s takes."""
-        return math.ceil(time / self.time_step - _ROUNDED)
+        return math.ceil(time / self.time_step - SAME_STEP)
 
 
 _ENGINES: tuple[tuple[str, _Maker, tuple[int, ...], str, bool], ...] = (

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tamias2d.balance import kinetic_energy, uniform_potential_energy
+from tamias2d.float64 import EPSILON
 from tamias2d.generated import gravitation
 from tamias2d.motion import Method
 from tamias2d.run import Run
@@ -21,7 +22,6 @@ from tamias2d.solve import solve
 from tamias2d.state import Array
 from tamias2d.study.phases import started
 
-_EPSILON = 2.0**-52
 _ROUNDS = 200  # that are looked at
 _ROUND = 1000  # steps
 _APART = 20  # steps between samples of a round
@@ -48,7 +48,7 @@ class Drift:
     @property
     def trendless(self) -> bool:
         """Whether the trend is nothing beside the swing, or beside what rounding does at random."""
-        walk = _WALK * _EPSILON * np.sqrt(self.steps)
+        walk = _WALK * EPSILON * np.sqrt(self.steps)
         small = abs(self.trend) <= max(_SHARE * self.swing, walk)
         return bool(small and self.largest <= max(_BEYOND * self.swing, walk))
 

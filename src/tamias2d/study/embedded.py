@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tamias2d.certificate import Basis
 from tamias2d.motion import Dop853, DormandPrince5, Method, Reference
 from tamias2d.motion.halved import Halving
 from tamias2d.run import Run
@@ -14,6 +15,9 @@ from tamias2d.solve import solve_halved
 from tamias2d.study.bound import Bound, NoBoundError, companion_of, difference, rounding
 from tamias2d.study.companion import error_left, limit_beside
 from tamias2d.study.error import radii, scale
+from tamias2d.study.two_digits import two_digits
+
+_BY_HALVES, _BY_COMPANIONS = Basis("halved steps"), Basis("companions")
 
 _TRUSTED = 1.5  # times what companions say (after Roache's index)
 _ONE = 2.5  # times what a single companion says: where a run meets something sharp, both may err
@@ -55,7 +59,7 @@ def of_halves(run: Run, halving: Halving | None, tighter: list[Run]) -> Bound:
     share = min(doubt / (2.0 ** float(run.method.facts.order) - 1), 1.0)
     value = (share + rounds) * farthest + rounding(run)
     how = f"{run.method} against whole steps, which are {farthest:.2g} m away"
-    return Bound("embedded", value, how)
+    return Bound("embedded", value, how, basis=_BY_HALVES)
 
 
 def _near_rounding(run: Run, farthest: float) -> Bound:
@@ -67,7 +71,8 @@ def _near_rounding(run: Run, farthest: float) -> Bound:
     others = sorted(_LEAST, key=lambda rtol: abs(math.log(rtol / asked)))[1:]
     distances = [difference(run, _by_whole_steps(run, rtol)) for rtol in others]
     value = 2 * _TRUSTED * max(farthest, *distances) + rounding(run)
-    return Bound("embedded", value, f"{run.method} against whole steps at three tolerances")
+    how = f"{run.method} against whole steps at three tolerances"
+    return Bound("embedded", value, how, basis=_BY_HALVES)
 
 
 def _doubt(share: float) -> float:
@@ -105,7 +110,7 @@ def embedded(run: Run, tighter: list[Run]) -> Bound:
         )
     left = 1.0
     while left > _LEFT and rtol / times >= tightest:
-        rtol = _two_digits(rtol / times)
+        rtol = two_digits(rtol / times)
         companion = _by_whole_steps(run, rtol)
         tighter.append(companion)
         left, times = error_left(run, companion), _TIGHTER
@@ -114,7 +119,9 @@ def embedded(run: Run, tighter: list[Run]) -> Bound:
     value = _ONE * difference(run, companion) / (1 - left) + rounding(run)
     if _is_short(companion):
         value = max(value, rtol * scale(run))
-    return Bound("embedded", value, f"{run.method} against {companion.method}")
+    return Bound(
+        "embedded", value, f"{run.method} against {companion.method}", basis=_BY_COMPANIONS
+    )
 
 
 def of_tighter(run: Run, looser: Run) -> Bound:
@@ -129,19 +136,17 @@ def of_tighter(run: Run, looser: Run) -> Bound:
     value = _LUCKY * math.sqrt(left) * difference(run, looser) + rounding(run)
     if _is_short(run):
         value = max(value, run.method.rtol * scale(run))  # type: ignore[attr-defined]
-    return Bound("embedded", value, f"{run.method} against {looser.method}")
+    rtol: float = looser.method.rtol  # type: ignore[attr-defined]
+    basis = Basis("looser run", rtol=rtol)
+    return Bound("embedded", value, f"{run.method} against {looser.method}", basis=basis)
 
 
 def looser_than(method: Dop853 | DormandPrince5) -> Iterator[Dop853 | DormandPrince5]:
     """Yield the methods whose companion, at a tighter tolerance, is by another one."""
     for nearly in (1.0, 0.99, 1.01, 0.98, 1.02):  # times: tolerances have two digits
-        rtol = _two_digits(nearly * _TIGHTER * method.rtol)
-        if rtol < 1 and _two_digits(rtol / _TIGHTER) == method.rtol:
+        rtol = two_digits(nearly * _TIGHTER * method.rtol)
+        if rtol < 1 and two_digits(rtol / _TIGHTER) == method.rtol:
             yield replace(method, rtol=rtol)
-
-
-def _two_digits(rtol: float) -> float:
-    return float(f"{rtol:.1e}")
 
 
 def _is_short(run: Run) -> bool:
@@ -160,4 +165,4 @@ def _against(run: Run, method: Method) -> Bound:
     """Bound the error from a run as tight as float64 allows, by another program."""
     distance = difference(run, companion_of(run, method=method))
     value = 2 * _TRUSTED * distance + rounding(run)
-    return Bound("reference", value, f"{run.method} against {method}")
+    return Bound("reference", value, f"{run.method} against {method}", basis=_BY_COMPANIONS)

@@ -57,7 +57,7 @@ def scale(run: Run) -> float:
     rows = looked_at(run)
     seen = run.position if rows is None else run.position[rows]
     place = float(np.abs(seen[:, moving]).max(initial=0.0))
-    return scale_of(run.scene, way(run), place)
+    return scale_of(run.scene, path_length(run), place)
 
 
 def scale_of(scene: Scene, far: float, place: float) -> float:
@@ -66,7 +66,7 @@ def scale_of(scene: Scene, far: float, place: float) -> float:
     return far if far > max(_STILL * size, _ROUNDING * place) else size or 1.0
 
 
-def way(run: Run) -> float:
+def path_length(run: Run) -> float:
     """Return how far the body goes that goes farthest, m.
 
     It is the diagonal of the box around its path, and how far its outermost point gets by turning.

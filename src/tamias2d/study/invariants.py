@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from tamias2d.balance import kinetic_energy, uniform_potential_energy
+from tamias2d.float64 import EPSILON
 from tamias2d.generated import definitions
 from tamias2d.run import Run
 from tamias2d.scene import Scene
@@ -77,7 +78,7 @@ def energy_rounding(run: Run) -> float:
     between = run.energy - kinetic - uniform.sum(axis=-1)
     size = kinetic + np.abs(uniform).sum(axis=-1) + np.abs(between)
     largest = float(kinetic.max())
-    return _ROUNDINGS * 2.0**-52 * float(size.max()) / largest if largest else 0.0
+    return _ROUNDINGS * EPSILON * float(size.max()) / largest if largest else 0.0
 
 
 def _conserves_energy(scene: Scene) -> bool:

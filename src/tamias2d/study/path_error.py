@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from tamias2d.certificate import Basis
 from tamias2d.motion import Dop853, DormandPrince5, Method
 from tamias2d.motion.error_equation import Watch
 from tamias2d.run import Run
@@ -13,11 +14,10 @@ from tamias2d.scene.acting import felt_velocity, kinked, only_slowed
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve import StoppedError, solve_with_error
 from tamias2d.state import Array
-from tamias2d.study.bound import Bound, NoBoundError, Way, rounding
+from tamias2d.study.bound import Bound, Bounder, NoBoundError, rounding
 from tamias2d.study.companion import limit_beside
 from tamias2d.study.error import radii, scale, scale_of, swung
 
-HOW = "and the equation of its error"
 _TIGHTEST, _JOINTED = 3e-12, 1e-10
 """Of the tolerances of a method whose steps err by more than the equation is rounded; the same with
 joints, where chaotic motion lets the rounding of their rows grow."""
@@ -64,10 +64,10 @@ def error_beside(run: Run) -> Array | None:
     )[1]
 
 
-def of_error(error: Array | None) -> Way:
-    """Return the way to bound the error of a run by the largest (n, 3) that was integrated."""
+def of_error(error: Array | None) -> Bounder:
+    """Return what bounds the error of a run by the largest (n, 3) that was integrated."""
 
-    def way(run: Run, _: Array | None) -> Bound:
+    def bounder(run: Run, _: Array | None) -> Bound:
         if error is None:
             raise NoBoundError("the equation of its error has no solution beside the run")
         value = _trusted(run.scene, error, scale(run))
@@ -75,9 +75,10 @@ def of_error(error: Array | None) -> Way:
         if run.cost and run.cost.steps < _FEW * flights and not only_slowed(run.scene):
             usual = run.method.rtol * scale(run)  # type: ignore[attr-defined]
             value = max(value, min(usual, _LUCKY * _farthest(error, run.scene)))
-        return Bound("embedded", value + rounding(run), f"{run.method} {HOW}")
+        how = f"{run.method} and the equation of its error"
+        return Bound("embedded", value + rounding(run), how, basis=Basis("error equation"))
 
-    return way
+    return bounder
 
 
 class HopelessError(StoppedError):
@@ -103,7 +104,7 @@ def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
     known: list[tuple[float, float]] = []
 
     def watch(time: float, error: Array, extent: Array) -> None:
-        far = scale_of(scene, _way(extent, scene), place)
+        far = scale_of(scene, _path_length(extent, scene), place)
         share = _trusted(scene, error, far) / far
         known.append((time, share))
         if not _EARLY * duration <= time < duration:
@@ -138,8 +139,8 @@ def _trusted(scene: Scene, error: Array, length: float) -> float:
     return times * farthest * (1 + share / _FAR)
 
 
-def _way(extent: Array, scene: Scene) -> float:
-    """Return how far the body goes that goes farthest, m, by extents (n, 3), as `error.way`."""
+def _path_length(extent: Array, scene: Scene) -> float:
+    """Return how far the body goes that goes farthest, m, by extents (n, 3) of coordinates."""
     x, y, turn = extent.T
     turned = swung(turn, _reach(len(extent), scene))
     return float((np.hypot(x, y) + turned).max(initial=0.0))

@@ -13,15 +13,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tamias2d.float64 import EPSILON
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Body, HalfPlane
 from tamias2d.solve import sampler
 from tamias2d.state import Array, History
-from tamias2d.study.separation import ConvexPart, Flags, View, divided, joined, pieces, view
+from tamias2d.study.separation import Flags, SeparableHull, View, divided, hulls_of, joined, view
 from tamias2d.study.sweep import beside, meeting, standing_box, swept_boxes
 
-_EPSILON = 2.0**-52
 _TOUCH = 1e-9  # of the smaller size: overlaps less deep are touches
 _PRESSED = 0.5  # the same where contacts are stepped, which press bodies into each other
 _UNSEEN = 1e-6  # of the smaller size: by how much bodies may overlap between samples
@@ -63,7 +63,7 @@ def penetrations(run: Run) -> Iterator[Penetration]:
     """Go through the pairs of pieces that overlap or pass through each other."""
     bodies = run.scene.bodies
     solid = [k for k, body in enumerate(bodies) if body.shape is not None and not body.sensor]
-    of = {k: pieces(k, bodies[k]) for k in solid}
+    of = {k: hulls_of(k, bodies[k]) for k in solid}
     if not any(bodies[k].dynamic for k in solid):
         return
     sample, nodes = sampler(run), _Nodes(run)
@@ -124,7 +124,7 @@ class _Nodes:
 
 
 def _near_bodies(
-    run: Run, of: dict[int, list[ConvexPart]], sample: _Sampler, nodes: _Nodes
+    run: Run, of: dict[int, list[SeparableHull]], sample: _Sampler, nodes: _Nodes
 ) -> Iterator[tuple[int, int, Flags]]:
     """Go through pairs of bodies that must not overlap, and in which intervals they come near."""
     bodies = run.scene.bodies
@@ -143,7 +143,7 @@ def _near_bodies(
 
 
 def _boxes(
-    index: int, body: Body, parts: list[ConvexPart], sample: _Sampler, nodes: _Nodes
+    index: int, body: Body, parts: list[SeparableHull], sample: _Sampler, nodes: _Nodes
 ) -> tuple[Array, Array]:
     """Return the least and the largest (i, 2), m, that a body reaches in each interval of marks."""
     if not (body.dynamic or body.kinematic):
@@ -161,7 +161,7 @@ def _exchanged(history: History) -> History:
     return History(*(part[:, ::-1] for part in history))
 
 
-def _near(a: ConvexPart, b: ConvexPart, nodes: Array, history: History) -> Flags:
+def _near(a: SeparableHull, b: SeparableHull, nodes: Array, history: History) -> Flags:
     """Return (k - 1,): in which intervals a pair may come near, by circles around both."""
     between = history.position[:, 1] - history.position[:, 0]
     if a.offset is None:
@@ -175,14 +175,14 @@ def _near(a: ConvexPart, b: ConvexPart, nodes: Array, history: History) -> Flags
 
 
 def _tolerances(
-    a: ConvexPart, b: ConvexPart, share: float, nodes: Array, history: History
+    a: SeparableHull, b: SeparableHull, share: float, nodes: Array, history: History
 ) -> tuple[float, float]:
     """Return the overlap that counts as a touch, and the one that may go unseen, m."""
     size = min(a.size, b.size)
     far = float(np.abs(history.position).max())
     wide = b.reach + b.radius + (a.reach + a.radius if a.offset is None else abs(a.offset))
     fast = float(np.abs(history.velocity).max())
-    blur = _EPSILON * (64 * (far + wide) + 16 * fast * float(nodes[-1]))
+    blur = EPSILON * (64 * (far + wide) + 16 * fast * float(nodes[-1]))
     return share * size + blur, max(share, _UNSEEN) * size + blur
 
 
@@ -191,8 +191,8 @@ class _Search:
 
     def __init__(
         self,
-        a: ConvexPart,
-        b: ConvexPart,
+        a: SeparableHull,
+        b: SeparableHull,
         sample: _Sampler,
         touch: float,
         unseen: float,

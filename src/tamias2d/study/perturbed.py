@@ -9,16 +9,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from tamias2d.float64 import EPSILON
 from tamias2d.motion import ClosedForm, Dop853, RungeKutta4, Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Body, Scene
-from tamias2d.scene.restart import restarted
+from tamias2d.scene.other_bodies import with_bodies
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion, limit_beside
 from tamias2d.study.error import apart, scale
 
 MOVED = 1e-12
-_ROUNDING = 2.0**-52
 _FINE = 1e-13  # errs less than what is perturbed
 LOST = 1e-2  # of the scale: so far away a perturbed run says nothing any more
 
@@ -31,7 +31,7 @@ def rounding_spread(run: Run) -> float | None:
     """
     try:
         perturbed = [
-            _history(_perturbed(run, _ROUNDING, phase), run, {"method": run.method})
+            _history(_perturbed(run, EPSILON, phase), run, {"method": run.method})
             for phase in (1.0, 2.0)
         ]
     except RefusedError:
@@ -100,7 +100,7 @@ def _perturbed(run: Run, moved: float, phase: float) -> Scene:
         _moved(body, [moved * float(part[i]) for part in size], phase + 14.4 * i)
         for i, body in enumerate(run.scene.bodies)
     ]
-    return restarted(run.scene, bodies)
+    return with_bodies(run.scene, bodies)
 
 
 def _moved(body: Body, by: list[float], phase: float) -> Body:

@@ -14,7 +14,7 @@ from tamias2d.errors import InputError
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import timed_loads
-from tamias2d.scene.restart import restarted
+from tamias2d.scene.other_bodies import with_bodies
 from tamias2d.solve import solve
 from tamias2d.state import State
 from tamias2d.study.contact_errors import ContactErrors
@@ -52,7 +52,7 @@ def started(run: Run, k: int) -> Scene:
             (x, y), float(run.orientation[k, i]), (u, v), float(run.angular_velocity[k, i])
         )
         bodies.append(replace(body, **state._asdict()) if body.dynamic else body)
-    return restarted(run.scene, bodies)
+    return with_bodies(run.scene, bodies)
 
 
 def over_phases(found: Sequence[_E], what: Callable[[list[float]], float]) -> _E:

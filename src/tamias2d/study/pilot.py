@@ -22,6 +22,7 @@ from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion, error_left
 from tamias2d.study.error import apart, scale
 from tamias2d.study.refusal import sooner
+from tamias2d.study.two_digits import two_digits
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
 MARGIN = 2.0
@@ -155,7 +156,7 @@ class Pilot:
     def _nearer(self, rtol: float, error: float) -> float:
         """Return a tolerance that brings an error nearer to the one that is aimed at."""
         factor = min(max(0.6 * self._aim / max(error, 1e-17), 1e-3), 1e3)
-        return _two_digits(min(max(rtol * factor, _TIGHTEST), _LOOSEST))
+        return two_digits(min(max(rtol * factor, _TIGHTEST), _LOOSEST))
 
     def _between(self, count: int, before: float, error: float, seen: float | None) -> float:
         """Return how many steps are enough, if `count` are and half of them may not be."""
@@ -175,8 +176,8 @@ class Pilot:
 
         Its error is a part of how far it is from a looser run, which follows from their steps.
         """
-        rtol = _two_digits(max(self.tolerance * _WITNESS, 1e-13))
-        looser = _two_digits(rtol * _LOOSER)
+        rtol = two_digits(max(self.tolerance * _WITNESS, 1e-13))
+        looser = two_digits(rtol * _LOOSER)
         loose = self._run(Dop853(rtol=looser))
         while True:
             tight = self._run(Dop853(rtol=rtol))
@@ -186,7 +187,7 @@ class Pilot:
             self.until = self._within(away)
             if self.reachable <= self.tolerance * _DOUBT or rtol <= 1e-13:
                 return tight
-            loose, looser, rtol = tight, rtol, _two_digits(max(rtol / _LOOSER, 1e-13))
+            loose, looser, rtol = tight, rtol, two_digits(max(rtol / _LOOSER, 1e-13))
 
     def _within(self, away: Array) -> float | None:
         """Return a time, s, before a run is farther away (k,) than the tolerance; None if never."""
@@ -219,8 +220,3 @@ class Pilot:
             self.spent += run.cost.force_evaluations
             self._left -= run.cost.steps + run.cost.impacts
         return run
-
-
-def _two_digits(rtol: float) -> float:
-    """Return a tolerance rounded to two digits: plans are read by people."""
-    return float(f"{rtol:.1e}")

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from tamias2d.float64 import EPSILON
 from tamias2d.record.plot import figure_for
 from tamias2d.storage import write_aside
 from tamias2d.study.contact_errors import ContactErrors
@@ -41,7 +42,6 @@ _PASSES = {
     ("pyb2d3", 4): "#bbbbbb",
     ("pyb2d3", 16): "#777777",
 }
-_ROUNDING = 2.0**-52
 _FEW_POWERS = 2  # of ten on an axis: fewer are no scale
 _PASSED = "passes through the contacts (seconds were not measured)"
 CostOf = Callable[[Point], float | None]
@@ -103,7 +103,7 @@ def _draw_contacts(figure: Any, study: ContactStudy, tolerance: float | None) ->
         axes.set(xscale="log", yscale="log", ylabel=f"cost: {label}")
         axes.grid(visible=True, which="major", alpha=0.25)
         if not errors:
-            axes.set(xlim=(_ROUNDING, 1.0), ylim=(1.0, 10.0))  # there is nothing to show
+            axes.set(xlim=(EPSILON, 1.0), ylim=(1.0, 10.0))  # there is nothing to show
     if study.floor > 0:
         left.set_xlim(left=study.floor / 2)
         left.axvspan(study.floor / 2, study.floor, color=_GREY, alpha=0.15, linewidth=0)

@@ -10,15 +10,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tamias2d.balance import balance, kinetic_energy
-from tamias2d.certificate import Certificate, hashes, not_claimed
+from tamias2d.certificate import Basis, Certificate, hashes, not_claimed
 from tamias2d.contact import steps_because
 from tamias2d.errors import InputError
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
-from tamias2d.scene.rules import shown
-from tamias2d.solve import solve
+from tamias2d.scene.rules import is_number, shown
+from tamias2d.solve import solve, with_reason
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.engines.overlap import worst
@@ -101,7 +101,7 @@ def of_quality(
                 progress=progress,
             )
             note = f"{method} with steps of {step:.4g} s: the cheapest of quality {quality:g}"
-            return _certified(replace(run, notes=(note, *run.notes[1:])), quality)
+            return _certified(with_reason(run, note), quality)
         best, held = min(best, found), min(held, found)
     if math.isinf(held) and math.isfinite(nearest[0]):
         held = max(nearest[0], _seen(scene, duration, times, *nearest[1:]))
@@ -119,23 +119,17 @@ def _seen(scene: Scene, duration: float, times: Array, step: float, substeps: in
 def checked_quality(value: object) -> float:
     """Return a quality that a run can be asked for; raise `InputError` otherwise."""
     remedy = "Give a share such as 0.01."
-    number = isinstance(value, int | float) and not isinstance(value, bool)
-    if not number or not 0 < value < 1:  # type: ignore[operator]
+    if not (is_number(value) and 0 < value < 1):
         raise InputError(
             f"quality {shown(value)}: must be a number between 0 and 1, a share of a body's "
             f"radius and of the energy (R5). {remedy}"
         )
-    return float(value)  # type: ignore[arg-type]
+    return float(value)
 
 
 def certify_quality(run: Run) -> Run:
     """Return a run with the certificate of its quality, whatever this is."""
     return _stating(run, quality_of(run.scene, _history(run)))
-
-
-def is_of_quality(certificate: Certificate) -> bool:
-    """Return whether a certificate states the quality of a run."""
-    return certificate.measure == _MEASURE
 
 
 def _certified(run: Run, quality: float) -> Run:
@@ -166,6 +160,7 @@ def _stating(run: Run, found: Quality) -> Run:
         observed_order=None,
         predictability_horizon=None,
         hashes=hashes(run.scene),
+        basis=Basis("quality"),
     )
     return replace(run, certificate=certificate)
 

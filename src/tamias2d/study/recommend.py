@@ -20,17 +20,18 @@ from tamias2d.motion import (
     VelocityVerlet,
     Yoshida4,
 )
+from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
-from tamias2d.scene.rules import number, shown
+from tamias2d.scene.rules import is_number, number, shown
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.solve import solve
-from tamias2d.study.certify import is_bounded
+from tamias2d.study.certify import certify
 from tamias2d.study.offers import holding
 from tamias2d.study.pilot import Estimate, Pilot
 from tamias2d.study.refusal import LOOSEST, ToleranceError as ToleranceError, refusal
-from tamias2d.study.stepped_plan import RULE_BOUNDS_NOTHING, is_ruled, plan_steps, stepped_because
+from tamias2d.study.stepped_plan import RULE_BOUNDS_NOTHING, plan_steps, stepped_because
 from tamias2d.suggestions import suggests
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
@@ -92,7 +93,7 @@ def _recommended(
         try:
             if solved(scene):
                 run = solve(scene, duration=duration, method=ClosedForm(), times=[duration])
-                if is_ruled(run) and not is_bounded(run):
+                if run.ruled is not None and not _bounds_positions(run):
                     reason = RULE_BOUNDS_NOTHING
             if reason is None:
                 return located_plan(scene, duration, tolerance, work_limit)
@@ -108,6 +109,11 @@ def _recommended(
         reason=reason,
     )
     return Recommendation(tolerance, found.estimates, found.spent)
+
+
+def _bounds_positions(run: Run) -> bool:
+    certificate = certify(run).certificate
+    return certificate is not None and certificate.bounds_positions
 
 
 def located_plan(
@@ -137,7 +143,7 @@ def solved(scene: Scene) -> bool:
 def checked_tolerance(value: object) -> float:
     """Return a tolerance that a run can be asked for; raise `InputError` otherwise."""
     remedy = "Give a relative error such as 1e-6."
-    if isinstance(value, bool) or not isinstance(value, int | float) or not value == value:
+    if not is_number(value) or not value == value:
         raise InputError(f"tolerance {shown(value)}: must be a number (R5). {remedy}")
     if not TIGHTEST <= value <= LOOSEST:
         raise InputError(

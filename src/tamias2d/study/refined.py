@@ -18,8 +18,9 @@ import numpy as np
 from tamias2d.errors import InputError, SimulationError
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
-from tamias2d.scene.restart import restarted
+from tamias2d.scene.other_bodies import with_bodies
 from tamias2d.simulator import states_at
+from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.error import distance, radii, swung
@@ -32,7 +33,6 @@ the last one is once as far from it as from the first, at order 1/2 two and a ha
 _NUDGE = 1e-9
 """Of the largest radius: by how much the starts of all runs but the last one are moved."""
 SUBSTEPS = 4
-_ROUNDED = 1e-9  # of a step
 _PER_STEP, _PER_LAW = 400.0, 2000.0
 """The same of a whole step, and of one under laws, which are not compiled: all that few bodies
 cost."""
@@ -71,7 +71,7 @@ class Refined:
         return float(self.times[lost[0]]) if len(lost) else None
 
     def after(self, before: "Refined") -> "Refined":
-        """Return the same, trusted no more than the runs of longer steps before it.
+        """Return what is said, trusted no more than the runs of longer steps before it.
 
         Four runs may agree by chance, as those of a brick whose corners meet the floor one just
         after the other; eight by two lengths of steps hardly do.
@@ -102,7 +102,7 @@ def refined(
     Raises:
         RefusedError: one of them goes beyond float64.
     """
-    parts = [math.ceil(more * grid / time_step - _ROUNDED) for more, _ in _RUNS]
+    parts = [math.ceil(more * grid / time_step - SAME_STEP) for more, _ in _RUNS]
     settings = [
         (grid / many, round(substeps * sub)) for many, (_, sub) in zip(parts, _RUNS, strict=True)
     ]
@@ -177,7 +177,7 @@ def nudged(scene: Scene, phase: int, share: float = _NUDGE) -> Scene:
         place = (body.position[0] + x, body.position[1] + y)
         turned = body.orientation + turn / (by / share or 1.0)
         bodies.append(replace(body, position=place, orientation=turned) if body.dynamic else body)
-    return restarted(scene, bodies)
+    return with_bodies(scene, bodies)
 
 
 def work_of(scene: Scene, duration: float, time_step: float, substeps: int) -> float:

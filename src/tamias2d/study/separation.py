@@ -21,7 +21,7 @@ Flags = NDArray[np.bool_]
 _NEAR = -0.5  # cosine between directions that are surely joined by others
 
 
-class ConvexPart(NamedTuple):
+class SeparableHull(NamedTuple):
     """A convex piece of a body, in the body's axes."""
 
     body: int
@@ -58,22 +58,22 @@ class View(NamedTuple):
         return View(*(part[chosen] for part in self))
 
 
-def pieces(index: int, body: Body) -> list[ConvexPart]:
+def hulls_of(index: int, body: Body) -> list[SeparableHull]:
     """Return the convex pieces of a body that has a shape."""
     if isinstance(body.shape, HalfPlane):
         normal, offset = np.array([body.shape.normal]), body.shape.offset
-        return [ConvexPart(index, normal * offset, 0.0, normal, 0.0, math.inf, offset)]
+        return [SeparableHull(index, normal * offset, 0.0, normal, 0.0, math.inf, offset)]
     assert body.shape is not None
     found = []
     for part in pieces_of(body.shape):
         corners, radius = np.array(part.core), part.shape.rounding
         reach = float(np.hypot(*corners.T).max())
         size = float(np.hypot(*(corners - corners.mean(axis=0)).T).max()) + radius
-        found.append(ConvexPart(index, corners, radius, _normals(corners), reach, size, None))
+        found.append(SeparableHull(index, corners, radius, _normals(corners), reach, size, None))
     return found
 
 
-def view(a: ConvexPart, b: ConvexPart, history: History) -> View:
+def view(a: SeparableHull, b: SeparableHull, history: History) -> View:
     """Return how the directions of two pieces separate them along the history of their bodies."""
     between = history.position[:, 1] - history.position[:, 0]
     angles = history.orientation

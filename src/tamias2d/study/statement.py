@@ -4,13 +4,12 @@ import math
 from dataclasses import replace
 
 from tamias2d.certificate import Certificate, hashes, not_claimed
-from tamias2d.contact import RULED
 from tamias2d.motion import ClosedForm, Stepped
 from tamias2d.motion.law_resolution import LOOKS
 from tamias2d.run import Run
 from tamias2d.scene.acting import brief_laws
 from tamias2d.study.bound import Bound, NoBoundError
-from tamias2d.study.error import MEASURE, radii, scale, way
+from tamias2d.study.error import MEASURE, path_length, radii, scale
 from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
 from tamias2d.study.penetration import Penetration, crowded
 
@@ -31,10 +30,10 @@ _RISING = f"{_RISE}, relative to the largest kinetic one, or to what lifts bodie
 
 def with_rule(certificate: Certificate, run: Run) -> Certificate:
     """Return a certificate that tells what was decided by rule, and when (A18)."""
-    told = tuple(
-        f"that nature decides as the {note}" for note in run.notes if note.startswith(f"{RULED}: ")
-    )
-    return replace(certificate, does_not_claim=certificate.does_not_claim + told)
+    if run.ruled is None:
+        return certificate
+    told = f"that nature decides as the {run.ruled}"
+    return replace(certificate, does_not_claim=(*certificate.does_not_claim, told))
 
 
 def of_positions(run: Run, found: Bound, far: float | None = None) -> Certificate:
@@ -44,7 +43,7 @@ def of_positions(run: Run, found: Bound, far: float | None = None) -> Certificat
     """
     stepped = isinstance(run.method, Stepped)
     length, of = far or scale(run), "that the farthest one goes"
-    if far is None and length != way(run):
+    if far is None and length != path_length(run):
         of = "taken where nothing moves"
     if stepped and length < (largest := float(radii(run.scene).max(initial=0.0))):
         length, of = largest, "around the largest one"  # what only sinks in goes nowhere
@@ -66,6 +65,7 @@ def of_positions(run: Run, found: Bound, far: float | None = None) -> Certificat
         observed_order=found.order,
         predictability_horizon=None,
         hashes=hashes(run.scene),
+        basis=found.basis,
     )
 
 

@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 
-from tamias2d.motion.law_resolution import UNRESOLVED
 from tamias2d.run import Run
 from tamias2d.state import Array, History
 from tamias2d.study.bound import Bound, NoBoundError, companion_of, difference, rounding
@@ -25,8 +24,8 @@ def step_doubling(run: Run, _: Array | None) -> Bound:
     comes from a grid of half the step, and from the slower of both orders; from none where nothing
     converges yet.
     """
-    if note := next((note for note in run.notes if note.startswith(UNRESOLVED)), ""):
-        raise NoBoundError(note)
+    if run.unresolved is not None:
+        raise NoBoundError(run.unresolved)
     step = run.time_step or run.duration
     nominal = float(run.method.facts.order) if run.method.facts else 1.0
     coarse, fine = _coarser(run, step)
@@ -96,15 +95,10 @@ def against_shorter(run: Run, shorter: Refined) -> Bound:
     away = distance(run.scene, run, finest)
     rounded = rounding(run) * run.duration / shorter.time_step + gaps(run)
     how = (
-        f"{shortest_told(shorter.time_step)}runs by steps of up to twice that, and by other "
+        f"steps of {shorter.time_step:.4g} s; runs by steps of up to twice that, and by other "
         f"substeps, show that this is within {float(doubt[-1]):.2g} m of the answer"
     )
     return Bound("step doubling", float((away + doubt).max(initial=0.0)) + rounded, how)
-
-
-def shortest_told(time_step: float) -> str:
-    """Return how a bound from shorter steps begins: with the shortest, s."""
-    return f"steps of {time_step:.4g} s; "
 
 
 def gaps(run: Run) -> float:

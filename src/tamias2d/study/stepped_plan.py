@@ -10,19 +10,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tamias2d.contact import RULED, steps_because
+from tamias2d.contact import steps_because
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Stepped
-from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
+from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.solve import FRAMES, solve
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.refined import Refined, refined, refinements, step_alone, stepped, work_of
 from tamias2d.study.refusal import BOUND_LESS, LOOSEST, ToleranceError, rounded_up, sooner
-from tamias2d.study.step_doubling import shortest_told
 
 _SHARE = 1 / 3  # of the tolerance may be in doubt
 WORK = 1000.0
@@ -34,7 +33,6 @@ _FALLS = 8.0  # times, at most, halving a step makes an error smaller
 _STALE = 4  # halvings in which the doubt must halve, or it never will
 _HALVINGS = 30  # of the first step: more than any work limit leaves
 _SAMPLES = 120
-_ROUNDED = 1e-9  # of a step
 
 
 RULE_BOUNDS_NOTHING = "impacts that act on one another are decided by a rule (A18)"
@@ -51,18 +49,13 @@ class SteppedPlan:
     """Steps of pilot runs"""
 
 
-def is_ruled(run: Run) -> bool:
-    """Return whether a rule decided something in a located run."""
-    return any(note.startswith(f"{RULED}: ") for note in run.notes)
-
-
 def stepped_because(scene: Scene, duration: float) -> str | None:
     """Return why the contacts of a scene are stepped where a bound is asked for, or None.
 
     They are if nothing is asked for, or where a rule decides what no bound is known of.
     """
     if reason := steps_because(scene, duration):
-        return reason.partition(". ")[0]
+        return _first_sentence(reason)
     if not pairs_that_can_meet(scene, duration):
         return None
     try:
@@ -70,8 +63,13 @@ def stepped_because(scene: Scene, duration: float) -> str | None:
     except (SimulationError, SceneError):
         return None
     if not isinstance(run.method, Stepped):
-        return RULE_BOUNDS_NOTHING if is_ruled(run) else None
-    _, _, reason = run.notes[0].partition(": ")
+        return None if run.ruled is None else RULE_BOUNDS_NOTHING
+    assert run.stepped_because is not None
+    return _first_sentence(run.stepped_because)
+
+
+def _first_sentence(reason: str) -> str:
+    """Return a reason without what to do about it."""
     return reason.partition(". ")[0]
 
 
@@ -109,14 +107,16 @@ def plan_steps(
     raise _beyond(tolerance, duration, seen, reason)
 
 
-def refined_to(scene: Scene, *, duration: float, times: Array, told: str) -> Refined | None:
-    """Return what shorter steps say, refined as in the plan of a bound that is told; or None.
+def refined_to(
+    scene: Scene, *, duration: float, times: Array, shortest: float | None
+) -> Refined | None:
+    """Return what shorter steps say, refined as in a plan down to the shortest step, s.
 
-    None if no plan of this scene tells it: it says which steps were the shortest.
+    None if no plan of this scene has such steps.
     """
     first, looked = _grid(duration, times)
     for step in (first / 2**halvings for halvings in range(1, _HALVINGS)):
-        if told.startswith(shortest_told(step / 2)):
+        if shortest == step / 2:
             longer, shorter = (
                 refined(scene, duration=duration, times=looked, time_step=each, grid=first)
                 for each in (2 * step, step)
@@ -142,13 +142,13 @@ def aligned_step(duration: float, times: Array) -> float:
     most = first_step(duration)
     gap = float(np.median(np.diff(times, prepend=0.0)[times > 0.0])) if times.any() else duration
     if gap > most:
-        return gap / math.ceil(gap / most * (1 - _ROUNDED))
-    return gap * 2.0 ** math.floor(math.log2(most / gap * (1 + _ROUNDED)))
+        return gap / math.ceil(gap / most * (1 - SAME_STEP))
+    return gap * 2.0 ** math.floor(math.log2(most / gap * (1 + SAME_STEP)))
 
 
 def ends_of_steps(duration: float, step: float) -> Array:
     """Return the times (k,), s, of some 60 to 120 ends of steps, or of all if these are fewer."""
-    steps = math.ceil(duration / step * (1 - _ROUNDED))
+    steps = math.ceil(duration / step * (1 - SAME_STEP))
     every = max(math.ceil(steps / _SAMPLES), 1)
     found: Array = np.minimum(np.arange(0, steps + every, every) * step, duration)
     return found
@@ -157,8 +157,8 @@ def ends_of_steps(duration: float, step: float) -> Array:
 def _looked(times: Array, duration: float, step: float) -> Array:
     """Return times (k,), s, that were asked for, and what it takes to see when runs part."""
     more = ends_of_steps(duration, step)
-    place = np.searchsorted(times, more - _ROUNDED * step)
-    known = np.append(times, math.inf)[place] <= more + _ROUNDED * step
+    place = np.searchsorted(times, more - SAME_STEP * step)
+    known = np.append(times, math.inf)[place] <= more + SAME_STEP * step
     return np.unique(np.concatenate((times, more[~known])))
 
 

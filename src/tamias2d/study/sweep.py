@@ -11,7 +11,7 @@ import numpy as np
 
 from tamias2d.scene import Body, HalfPlane
 from tamias2d.state import Array, IntArray
-from tamias2d.study.separation import ConvexPart, Flags
+from tamias2d.study.separation import Flags, SeparableHull
 
 _BEYOND = 2.0  # times the way and what the speed makes of it: how far a path may lead aside
 
@@ -33,7 +33,7 @@ def swept_boxes(
     return np.minimum.reduceat(low, first), np.maximum.reduceat(high, first)
 
 
-def standing_box(body: Body, parts: Sequence[ConvexPart]) -> tuple[Array, Array]:
+def standing_box(body: Body, parts: Sequence[SeparableHull]) -> tuple[Array, Array]:
     """Return the least and largest (1, 2), m, that a body reaches which stays where it is."""
     cos, sin = np.cos(body.orientation), np.sin(body.orientation)
     turn = np.array([[cos, sin], [-sin, cos]])

@@ -10,6 +10,7 @@ from tamias2d.motion import Dop853
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
+from tamias2d.solve import with_reason
 from tamias2d.state import Array
 from tamias2d.study.asked import Asked
 from tamias2d.study.bound import rounding
@@ -176,7 +177,7 @@ def _stepped(asked: Asked, reason: str) -> Run:
 def _noted(run: Run, tolerance: float, attempt: int) -> Run:
     step = "" if run.time_step is None else f" with steps of {run.time_step:.4g} s"
     note = f"{run.method}{step}: the cheapest within {tolerance:g}{again(attempt)}"
-    return replace(run, notes=(note, *run.notes[1:]))
+    return with_reason(run, note)
 
 
 def _finer(estimate: Estimate, excess: float) -> Estimate | None:

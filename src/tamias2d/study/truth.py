@@ -6,6 +6,7 @@ from time import thread_time
 
 import numpy as np
 
+from tamias2d.float64 import EPSILON
 from tamias2d.motion import ClosedForm, Dop853, Method, Reference
 from tamias2d.scene import Scene
 from tamias2d.scene.exact import closed_forms
@@ -21,7 +22,6 @@ from tamias2d.study.schedule import LONGEST
 
 SAMPLES = 1000
 _TIGHTEST = 1e-13
-_ROUNDING = 2.0**-52
 _LOOSE, _ORDER = 1e-3, 8  # by the order of the method tighter runs take more steps
 _PARTS = 1 / 64, 1 / 8, 1.0  # of the duration: what is too long is known before its end
 _LONGEST = 60.0
@@ -107,9 +107,9 @@ def floor_of(truth: Truth) -> float:
     run = truth.history.run
     if isinstance(run.method, ClosedForm) and are_many(run.scene):
         spread = rounding_spread(run)
-        return max(1.0 if spread is None else spread / scale(run), _ROUNDING)
+        return max(1.0 if spread is None else spread / scale(run), EPSILON)
     other = _history(run.scene, run.duration, Dop853(_TIGHTEST))
-    return max(errors(other, truth.history).size, _ROUNDING)
+    return max(errors(other, truth.history).size, EPSILON)
 
 
 def _history(scene: Scene, duration: float, method: Method) -> Sampled:

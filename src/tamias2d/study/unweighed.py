@@ -15,6 +15,7 @@ from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity, kinked, only_slowed
 from tamias2d.scene.reach import pairs_that_can_meet
+from tamias2d.solve import with_reason
 from tamias2d.study.asked import Asked
 from tamias2d.study.certify import (
     certify_embedded,
@@ -26,6 +27,7 @@ from tamias2d.study.embedded import looser_than
 from tamias2d.study.path_error import HopelessError, has_error_equation, hopeless, tightest
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.refusal import ChaosError, chaotic, sooner
+from tamias2d.study.two_digits import two_digits
 
 Adaptive: TypeAlias = Dop853 | DormandPrince5
 
@@ -219,7 +221,7 @@ def _believed(run: Run, before: Run) -> Run:
 def _noted(run: Run, tolerance: float, attempt: int) -> Run:
     """Return a run that notes that no other method was weighed."""
     note = f"{run.method}: within {tolerance:g}{again(attempt)}; no other method was weighed"
-    return replace(run, notes=(note, *run.notes[1:]))
+    return with_reason(run, note)
 
 
 def again(attempt: int) -> str:
@@ -239,12 +241,12 @@ def _next(method: Adaptive, tolerance: float, reached: float, tightest: float) -
 
 
 def _own(rtol: float, loosest: float = _LOOSEST) -> float:
-    """Return the tolerance of a method, rounded to two digits: notes are read by people."""
-    return float(f"{min(max(rtol, SMALLEST), loosest):.1e}")
+    """Return the tolerance of a method that is tried: within what there are, in two digits."""
+    return two_digits(min(max(rtol, SMALLEST), loosest))
 
 
 def reached_by(certificate: Certificate | None) -> float:
     """Return the bound of places that a certificate states; infinity if it states none."""
-    if certificate is None or certificate.bound is None or certificate.kind == "invariants":
+    if certificate is None or certificate.bound is None or not certificate.bounds_positions:
         return math.inf
     return certificate.bound

@@ -51,11 +51,6 @@ def unpack(path: Path) -> tuple[Header, Arrays]:
             "Give one that `run.save` has written."
         )
     header = headers.loads(text, where=str(path))
-    if header.format == headers.UNCOVERED:
-        raise RecordingError(
-            f"{path}: format {header.format}: this version reads .rrd of format {headers.FORMAT}. "
-            f"Open it with tamias2d {header.versions.get('tamias2d')}, or record the run again."
-        )
     found = _totals(columns) | _impacts(columns) | _joint_events(columns)
     history.check_length("times", found["times"], header.samples, where=str(path))
     return header, found | _bodies(header, columns, where=str(path))

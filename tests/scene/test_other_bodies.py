@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import tamias2d as t2
-from tamias2d.scene.restart import restarted
+from tamias2d.scene.other_bodies import with_bodies
 
 
 def scene_of(*places):
@@ -24,7 +24,7 @@ def test_bodies_that_are_added_later_are_shown():
 def test_a_scene_that_starts_otherwise_shows_its_own_bodies():
     scene = scene_of(0.0, 2.0)
     moved = [replace(body, position=(body.position[0] + 5.0, 0.0)) for body in scene.bodies]
-    other = restarted(scene, moved)
+    other = with_bodies(scene, moved)
     assert [body.position[0] for body in other.bodies] == [5.0, 7.0]
     assert [body.position[0] for body in scene.bodies] == [0.0, 2.0]
     assert other != scene
