@@ -9,13 +9,14 @@ from tamias2d.kernels.assembled import inlined
 
 
 def mark_joined(world: World) -> None:
-    """Mark the bodies that joints hold, as a batch of steps begins."""
+    """Mark the bodies that joints hold by their members, as a batch of steps begins."""
     joints, bodies = world.joints, world.bodies
     for i in range(len(bodies.properties)):
         bodies.properties[i, tb.JOINED] = 0.0
     for n in range(joints.counts[tb.MECHANISMS]):
         for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
-            bodies.properties[joints.members[m, tb.JOINED_SLOT], tb.JOINED] = 1.0
+            bodies.properties[joints.members[m, tb.JOINED_SLOT], tb.JOINED] = float(m)
+            joints.members[m, tb.JOINED_MECHANISM] = n
 
 
 @inlined

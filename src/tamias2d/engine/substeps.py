@@ -10,6 +10,7 @@ from tamias2d.engine.energy.angular_momentum import add_moments, add_moments_bef
 from tamias2d.engine.energy.step_energy import makes_energy, sum_step_energy
 from tamias2d.engine.energy_bound import bound_energy, mark_bounced, note_before_restitution
 from tamias2d.engine.islands import update_islands
+from tamias2d.engine.joints.impacts import answer_impacts
 from tamias2d.engine.joints.rebound import fit_rebound
 from tamias2d.engine.joints.stages import (
     begin_joints,
@@ -175,6 +176,7 @@ def solve_slab(again: bool, slab: int, substep: float, world: World) -> None:
     share = 1.0 / world.control.progress[tb.PART_TIME]
     if sprung:
         apply_springs(False, substep, share, bodies, world.springs)
+    answer_impacts(substep, world)
     solve_joints(False, substep, world)
     tree, tree_end = slabs[slab, tb.S_TREE], slabs[slab + 1, tb.S_TREE]
     solve_trees(False, tree, tree_end, substep, bodies, constraints, world.direct)

@@ -2093,6 +2093,48 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1298,
     ),
+    "impact_rate": Symbol(
+        "impact_rate",
+        "m/s",
+        "velocity of a contact in a substep beyond that which closes its gap, negative in an impact",
+        tex="w_{\\text{impact}}",
+        file="srs/symbols.md",
+        line=1303,
+    ),
+    "overlap_removed": Symbol(
+        "overlap_removed",
+        "m",
+        "by how much an overlap is less deep after a step, negative where it is deeper",
+        tex="\\Delta_o",
+        file="srs/symbols.md",
+        line=1307,
+    ),
+    "load_size": Symbol(
+        "load_size",
+        "N",
+        "size of the forces on a body without those of contacts and joints",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="F_{\\text{load}}",
+        file="srs/symbols.md",
+        line=1311,
+    ),
+    "impulse_way": Symbol(
+        "impulse_way",
+        "N*s*m",
+        "impulse of a contact times the way by which its overlap is less deep",
+        tex="q_o",
+        file="srs/symbols.md",
+        line=1316,
+    ),
+    "overlap_work": Symbol(
+        "overlap_work",
+        "J",
+        "energy that overlaps give a body as they are pushed apart",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="W_{\\text{overlap}}",
+        file="srs/symbols.md",
+        line=1320,
+    ),
     "support_work": Symbol(
         "support_work",
         "J",
@@ -2100,7 +2142,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1303,
+        line=1325,
     ),
     "support_energy": Symbol(
         "support_energy",
@@ -2108,7 +2150,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a support gives by the impulses of a contact",
         tex="E_{\\text{support}}",
         file="srs/symbols.md",
-        line=1308,
+        line=1330,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -2117,7 +2159,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1312,
+        line=1334,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2125,7 +2167,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1317,
+        line=1339,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2133,7 +2175,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_{\\mathrm{sup}}",
         file="srs/symbols.md",
-        line=1321,
+        line=1343,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2142,7 +2184,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1325,
+        line=1347,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2150,7 +2192,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1331,
+        line=1353,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2159,7 +2201,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1335,
+        line=1357,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2168,7 +2210,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1340,
+        line=1362,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2177,7 +2219,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1345,
+        line=1367,
     ),
     "rising_energy_left": Symbol(
         "rising_energy_left",
@@ -2186,7 +2228,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1350,
+        line=1372,
     ),
     "velocity_rising_reduced": Symbol(
         "velocity_rising_reduced",
@@ -2195,7 +2237,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1355,
+        line=1377,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2203,7 +2245,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1360,
+        line=1382,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2212,7 +2254,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1366,
+        line=1388,
     ),
     "energy_along_given_left": Symbol(
         "energy_along_given_left",
@@ -2221,7 +2263,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1371,
+        line=1393,
     ),
     "velocity_reduced": Symbol(
         "velocity_reduced",
@@ -2230,7 +2272,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1376,
+        line=1398,
     ),
     "angular_velocity_reduced": Symbol(
         "angular_velocity_reduced",
@@ -2238,7 +2280,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1381,
+        line=1403,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2247,7 +2289,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1385,
+        line=1407,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2255,7 +2297,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1390,
+        line=1412,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2264,7 +2306,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1394,
+        line=1416,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2272,7 +2314,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1399,
+        line=1421,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2281,7 +2323,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1404,
+        line=1426,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2290,7 +2332,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1409,
+        line=1431,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2299,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1414,
+        line=1436,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2307,7 +2349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1419,
+        line=1441,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2315,7 +2357,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1423,
+        line=1445,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2323,7 +2365,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1427,
+        line=1449,
     ),
     "energy_defect": Symbol(
         "energy_defect",
@@ -2331,7 +2373,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1431,
+        line=1453,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2340,7 +2382,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1437,
+        line=1459,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2349,7 +2391,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1442,
+        line=1464,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2358,7 +2400,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1449,
+        line=1471,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2367,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1454,
+        line=1476,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2375,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1459,
+        line=1481,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2383,7 +2425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\ell_v",
         file="srs/symbols.md",
-        line=1464,
+        line=1486,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2391,7 +2433,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1470,
+        line=1492,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2400,7 +2442,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_L",
         file="srs/symbols.md",
-        line=1474,
+        line=1496,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2409,7 +2451,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1481,
+        line=1503,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2418,7 +2460,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1486,
+        line=1508,
     ),
     "energy": Symbol(
         "energy",
@@ -2426,7 +2468,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1491,
+        line=1513,
     ),
     "radius": Symbol(
         "radius",
@@ -2435,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1500,
+        line=1522,
     ),
     "length": Symbol(
         "length",
@@ -2444,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1505,
+        line=1527,
     ),
     "width": Symbol(
         "width",
@@ -2453,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1512,
+        line=1534,
     ),
     "height": Symbol(
         "height",
@@ -2462,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1517,
+        line=1539,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2471,7 +2513,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1522,
+        line=1544,
     ),
     "center": Symbol(
         "center",
@@ -2480,7 +2522,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1527,
+        line=1549,
     ),
     "offset": Symbol(
         "offset",
@@ -2488,7 +2530,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1532,
+        line=1554,
     ),
     "area": Symbol(
         "area",
@@ -2497,7 +2539,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1536,
+        line=1558,
     ),
     "way": Symbol(
         "way",
@@ -2506,7 +2548,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_c",
         file="srs/symbols.md",
-        line=1541,
+        line=1563,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2514,7 +2556,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha_c",
         file="srs/symbols.md",
-        line=1546,
+        line=1568,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2523,7 +2565,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1550,
+        line=1572,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2532,7 +2574,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1555,
+        line=1577,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2540,7 +2582,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta_e",
         file="srs/symbols.md",
-        line=1560,
+        line=1582,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2548,7 +2590,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1564,
+        line=1586,
     ),
     "lean": Symbol(
         "lean",
@@ -2556,7 +2598,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1568,
+        line=1590,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2564,7 +2606,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho_c",
         file="srs/symbols.md",
-        line=1572,
+        line=1594,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2572,7 +2614,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1576,
+        line=1598,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2581,7 +2623,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1582,
+        line=1604,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2589,7 +2631,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1595,
+        line=1617,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2597,7 +2639,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1599,
+        line=1621,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2605,7 +2647,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1603,
+        line=1625,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2613,7 +2655,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1607,
+        line=1629,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2622,7 +2664,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta_C",
         file="srs/symbols.md",
-        line=1611,
+        line=1633,
     ),
     "slope": Symbol(
         "slope",
@@ -2631,7 +2673,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}",
         file="srs/symbols.md",
-        line=1616,
+        line=1638,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2640,7 +2682,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}_0",
         file="srs/symbols.md",
-        line=1621,
+        line=1643,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2649,7 +2691,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta G^2",
         file="srs/symbols.md",
-        line=1626,
+        line=1648,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2658,7 +2700,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="G^2",
         file="srs/symbols.md",
-        line=1631,
+        line=1653,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2666,7 +2708,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="G_\\varphi",
         file="srs/symbols.md",
-        line=1636,
+        line=1658,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2674,7 +2716,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1640,
+        line=1662,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2682,7 +2724,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e_G",
         file="srs/symbols.md",
-        line=1644,
+        line=1666,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2691,7 +2733,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_G",
         file="srs/symbols.md",
-        line=1648,
+        line=1670,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2699,7 +2741,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="G_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1653,
+        line=1675,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2707,7 +2749,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_G",
         file="srs/symbols.md",
-        line=1657,
+        line=1679,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2715,7 +2757,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1661,
+        line=1683,
     ),
     "inertia_factor_most": Symbol(
         "inertia_factor_most",
@@ -2723,7 +2765,7 @@ SYMBOLS: dict[str, Symbol] = {
         "most times its own inertia with which a body counts in joints",
         tex="\\kappa_{\\max}",
         file="srs/symbols.md",
-        line=1665,
+        line=1687,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2731,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1669,
+        line=1691,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2739,7 +2781,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1673,
+        line=1695,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2747,7 +2789,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1677,
+        line=1699,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2755,7 +2797,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1681,
+        line=1703,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2763,7 +2805,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1685,
+        line=1707,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2771,7 +2813,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1689,
+        line=1711,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2780,7 +2822,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1693,
+        line=1715,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2788,7 +2830,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda_l",
         file="srs/symbols.md",
-        line=1698,
+        line=1720,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2797,7 +2839,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1702,
+        line=1724,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2805,7 +2847,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1707,
+        line=1729,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2814,7 +2856,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1711,
+        line=1733,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2823,7 +2865,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1716,
+        line=1738,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2832,7 +2874,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1721,
+        line=1743,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2841,7 +2883,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1726,
+        line=1748,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2849,7 +2891,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1731,
+        line=1753,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2858,7 +2900,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1735,
+        line=1757,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2866,7 +2908,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1740,
+        line=1762,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2874,7 +2916,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1744,
+        line=1766,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2883,7 +2925,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1748,
+        line=1770,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2892,7 +2934,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1753,
+        line=1775,
     ),
     "row_pull": Symbol(
         "row_pull",
@@ -2900,7 +2942,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row's spring and damper without their maximum",
         tex="P_C",
         file="srs/symbols.md",
-        line=1758,
+        line=1780,
     ),
     "row_pull_across": Symbol(
         "row_pull_across",
@@ -2908,7 +2950,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the same of the other row of a target",
         tex="P_\\bot",
         file="srs/symbols.md",
-        line=1762,
+        line=1784,
     ),
     "row_pull_size": Symbol(
         "row_pull_size",
@@ -2917,7 +2959,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_\\sigma",
         file="srs/symbols.md",
-        line=1766,
+        line=1788,
     ),
     "row_share": Symbol(
         "row_share",
@@ -2926,7 +2968,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=1771,
+        line=1793,
     ),
     "whole_impulse": Symbol(
         "whole_impulse",
@@ -2934,7 +2976,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a spring at a joint for all of a substep",
         tex="\\Lambda_\\Theta",
         file="srs/symbols.md",
-        line=1776,
+        line=1798,
     ),
     "impulse_left": Symbol(
         "impulse_left",
@@ -2943,7 +2985,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_<",
         file="srs/symbols.md",
-        line=1780,
+        line=1802,
     ),
     "impulse_room": Symbol(
         "impulse_room",
@@ -2952,7 +2994,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{room}",
         file="srs/symbols.md",
-        line=1785,
+        line=1807,
     ),
     "row_energy_bounded": Symbol(
         "row_energy_bounded",
@@ -2961,7 +3003,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\sigma",
         file="srs/symbols.md",
-        line=1790,
+        line=1812,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -2969,7 +3011,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1795,
+        line=1817,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -2978,7 +3020,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1799,
+        line=1821,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -2986,7 +3028,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1804,
+        line=1826,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -2994,7 +3036,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1808,
+        line=1830,
     ),
     "amplification": Symbol(
         "amplification",
@@ -3003,7 +3045,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1812,
+        line=1834,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -3012,7 +3054,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1817,
+        line=1839,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -3021,7 +3063,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1822,
+        line=1844,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -3030,7 +3072,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1827,
+        line=1849,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -3039,7 +3081,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1832,
+        line=1854,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -3048,7 +3090,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1837,
+        line=1859,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -3057,7 +3099,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=1842,
+        line=1864,
     ),
     "change_most": Symbol(
         "change_most",
@@ -3066,7 +3108,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=1847,
+        line=1869,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -3075,7 +3117,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=1852,
+        line=1874,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -3084,7 +3126,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1857,
+        line=1879,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -3093,7 +3135,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1862,
+        line=1884,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -3101,7 +3143,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1867,
+        line=1889,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -3110,7 +3152,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1871,
+        line=1893,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -3119,7 +3161,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1876,
+        line=1898,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -3128,7 +3170,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1881,
+        line=1903,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -3136,7 +3178,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1886,
+        line=1908,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -3145,7 +3187,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=1890,
+        line=1912,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -3153,7 +3195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1895,
+        line=1917,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3161,7 +3203,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=1899,
+        line=1921,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3170,7 +3212,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1903,
+        line=1925,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3179,7 +3221,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1908,
+        line=1930,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3188,7 +3230,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1913,
+        line=1935,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3196,7 +3238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1918,
+        line=1940,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3204,7 +3246,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1922,
+        line=1944,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3212,7 +3254,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1926,
+        line=1948,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3221,7 +3263,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=1930,
+        line=1952,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3230,7 +3272,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=1935,
+        line=1957,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3239,7 +3281,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1940,
+        line=1962,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3248,7 +3290,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1945,
+        line=1967,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3257,7 +3299,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=1950,
+        line=1972,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3266,7 +3308,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=1955,
+        line=1977,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3275,7 +3317,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=1960,
+        line=1982,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3284,7 +3326,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=1965,
+        line=1987,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3292,7 +3334,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1970,
+        line=1992,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3301,7 +3343,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1974,
+        line=1996,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3309,7 +3351,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1979,
+        line=2001,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3318,7 +3360,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1983,
+        line=2005,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3327,7 +3369,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1988,
+        line=2010,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3336,7 +3378,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1993,
+        line=2015,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3345,7 +3387,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1998,
+        line=2020,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3354,7 +3396,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=2003,
+        line=2025,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3362,7 +3404,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=2008,
+        line=2030,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3371,7 +3413,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=2012,
+        line=2034,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3380,7 +3422,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=2017,
+        line=2039,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3389,7 +3431,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=2022,
+        line=2044,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3398,7 +3440,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=2027,
+        line=2049,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3406,7 +3448,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=2032,
+        line=2054,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3414,7 +3456,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=2036,
+        line=2058,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3423,7 +3465,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=2040,
+        line=2062,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3432,7 +3474,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=2045,
+        line=2067,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3441,7 +3483,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=2050,
+        line=2072,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3450,7 +3492,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=2055,
+        line=2077,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3459,7 +3501,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=2060,
+        line=2082,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3468,7 +3510,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=2065,
+        line=2087,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3477,7 +3519,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=2070,
+        line=2092,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3486,7 +3528,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=2075,
+        line=2097,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3495,7 +3537,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=2080,
+        line=2102,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3503,7 +3545,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2085,
+        line=2107,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3511,7 +3553,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2089,
+        line=2111,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3520,7 +3562,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2093,
+        line=2115,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3528,7 +3570,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2098,
+        line=2120,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3536,7 +3578,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2102,
+        line=2124,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3545,7 +3587,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2106,
+        line=2128,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3554,7 +3596,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2111,
+        line=2133,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3563,7 +3605,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2116,
+        line=2138,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3571,7 +3613,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2121,
+        line=2143,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3580,7 +3622,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2125,
+        line=2147,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3588,7 +3630,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2130,
+        line=2152,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3597,7 +3639,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2134,
+        line=2156,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3605,7 +3647,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2139,
+        line=2161,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3614,7 +3656,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2143,
+        line=2165,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3622,7 +3664,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2148,
+        line=2170,
     ),
     "change": Symbol(
         "change",
@@ -3631,7 +3673,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2152,
+        line=2174,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3640,7 +3682,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2157,
+        line=2179,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3649,7 +3691,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2162,
+        line=2184,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3657,7 +3699,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2167,
+        line=2189,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3666,7 +3708,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2171,
+        line=2193,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3674,7 +3716,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2176,
+        line=2198,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3682,7 +3724,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2180,
+        line=2202,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3690,7 +3732,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2184,
+        line=2206,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3699,7 +3741,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2188,
+        line=2210,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3707,7 +3749,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2193,
+        line=2215,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3716,6 +3758,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2197,
+        line=2219,
     ),
 }

@@ -53,6 +53,7 @@ class Capacities:
             "ranks": self.shapes + 1,
             "nodes": 2 * first_leaf_node(self.shapes),
             "pair_bodies": 2 * self.contacts + self.members + self.joined,
+            "impact_points": tb.POINTS_OF_MEMBER * self.joined,
             "events": events,
             "queue": 2 * events + 2,
             "chunks": self.slots // tb.CHUNK,

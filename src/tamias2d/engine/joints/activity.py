@@ -27,6 +27,7 @@ def note_mechanisms(world: World) -> None:
     joints = world.joints
     if joints.counts[tb.JOINTS] == 0:
         return
+    world.control.counts[tb.IMPACTS] = 0
     began = world.control.counts[tb.TICK] + world.control.counts[tb.RETAKEN] > 0
     if joints.counts[tb.PLACED] == 1 and not began:
         pull_after_moved(world.bodies, joints)

@@ -6,7 +6,7 @@ from tamias2d.engine.energy.angular_momentum import add_given_by_joints
 from tamias2d.engine.energy.joined_gains import joints_disagree, note_gains, noted_if_free
 from tamias2d.engine.islands import join_islands
 from tamias2d.engine.joined import mark_joined, or_joined, unless_joined
-from tamias2d.engine.joined_approach import forget_blow, joined_approach
+from tamias2d.engine.joined_approach import joined_approach, judge_blow
 from tamias2d.engine.joints.acting import unless_tied
 from tamias2d.engine.joints.activity import (
     activate_joined,
@@ -16,6 +16,7 @@ from tamias2d.engine.joints.activity import (
     note_mechanisms,
 )
 from tamias2d.engine.joints.at_rest import note_joined_support, wake_tied
+from tamias2d.engine.joints.impacts import answer_impacts
 from tamias2d.engine.joints.island_bound import bound_joined, support_joined
 from tamias2d.engine.joints.joined_dissipation import reduce_motion_as_one, reduce_together
 from tamias2d.engine.joints.placement import note_places
@@ -35,13 +36,14 @@ from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
 JOINT_STAGES = (
     activate_joined,
     add_given_by_joints,
+    answer_impacts,
     begin_joints,
     look_at_touched,
     clear_of_joints,
     end_joints,
     fit_rebound,
     fit_touched,
-    forget_blow,
+    judge_blow,
     hold_tied,
     join_islands,
     join_slabs,

@@ -174,6 +174,12 @@ def gain_of_tree(n: int, joints: Joints) -> float:
 
 def fit_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of its rows from the velocities of a tree."""
+    write_rates_of_tree(n, bodies, joints)
+    answer_tree(n, 0.0, energy_asked_of_tree(n, substep, bodies, joints), bodies, joints)
+
+
+def write_rates_of_tree(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Write the rates of the rows of a tree as their errors."""
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         rate_x, rate_y = rates_of_hinge(m, bodies, joints)
         begin_errors(joints.hinges[m], rate_x, rate_y)
@@ -183,7 +189,6 @@ def fit_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
                 rate = rate_of_row(j, r, bodies, joints)
                 wanted = joints.laws[j, tb.LAW_RATE]
                 joints.numbers[j, tb.J_ERROR + r] = drive_error(rate, wanted)
-    answer_tree(n, 0.0, energy_asked_of_tree(n, substep, bodies, joints), bodies, joints)
 
 
 @inlined

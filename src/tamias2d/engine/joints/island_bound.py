@@ -9,10 +9,11 @@ from tamias2d.engine.energy.step_energy import UNLIMITED
 from tamias2d.engine.energy.support import SUPPORTED_BY_MORE, SUPPORTED_BY_ONE, support_island
 from tamias2d.engine.joints.acting import acts, note_tied
 from tamias2d.engine.joints.bounded_springs import energy_of_spring
+from tamias2d.engine.joints.overlap_work import add_overlap_work
 from tamias2d.engine.joints.yielding import energy_driven, yields
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Joints, Touching
 from tamias2d.generated.island_energy import kinetic_energy_most, lift_work
-from tamias2d.generated.joint_step import drive_work, kept_way
+from tamias2d.generated.joint_step import drive_work, kept_way, load_size
 from tamias2d.state import Array
 
 
@@ -120,6 +121,7 @@ def bound_joined(
     for n in range(joints.counts[tb.MECHANISMS]):
         row = islands.energy[root_of_mechanism(n, islands, joints)]
         row[tb.WORK] += work_of_motors(n, joints) + work_of_springs(n, joints)
+    add_overlap_work(control.progress[tb.PART_TIME], bodies, constraints, islands)
     for n in range(joints.counts[tb.MECHANISMS]):
         if acts(n, joints):
             bound_for_mechanism(n, islands.energy[root_of_mechanism(n, islands, joints)], joints)
@@ -176,7 +178,7 @@ def sum_masses_and_lift_work(
     for k in range(constraints.counts[tb.ACTIVE]):
         row = islands.energy[touching.active[k]]
         row[tb.KEPT_WAY], row[tb.LIFT_WORK], row[tb.DRIVEN_ENERGY] = 1.0, 0.0, 0.0
-        row[tb.ISLAND_MASS] = 0.0
+        row[tb.ISLAND_MASS] = row[tb.ISLAND_LOAD] = 0.0
     for k in range(constraints.counts[tb.ACTIVE]):
         i = touching.active[k]
         if bodies.kind[i] == tb.DYNAMIC:
@@ -186,6 +188,7 @@ def sum_masses_and_lift_work(
             row = islands.energy[islands.links[i, tb.ROOT]]
             row[tb.LIFT_WORK] += substeps * of_substep
             row[tb.ISLAND_MASS] += mass
+            row[tb.ISLAND_LOAD] += load_size(mass, gravity, (load[0], load[1]))
 
 
 def rests_on_ground(row: Array) -> bool:

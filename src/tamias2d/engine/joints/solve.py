@@ -151,13 +151,17 @@ def keep_velocities(n: int, warm: float, substep: float, bodies: Bodies, joints:
     """
     start_impulses(n, warm, joints)
     for _ in range(1 if joints.mechanisms[n, tb.M_MESHED] == 1 else 2):
-        for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
-            for r in range(joints.joints[j, tb.J_ROWS]):
-                rate = rate_of_row(j, r, bodies, joints)
-                wanted = joints.laws[j, tb.LAW_RATE]
-                joints.numbers[j, tb.J_ERROR + r] = drive_error(rate, wanted)
+        write_rates(n, bodies, joints)
         most = energy_asked_of_rows(n, substep, bodies, joints)
         solve_joint_errors(n, 0.0, most, bodies, joints)
+
+
+def write_rates(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Write the rates of the rows of a mechanism as their errors."""
+    for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
+        for r in range(joints.joints[j, tb.J_ROWS]):
+            rate = rate_of_row(j, r, bodies, joints)
+            joints.numbers[j, tb.J_ERROR + r] = drive_error(rate, joints.laws[j, tb.LAW_RATE])
 
 
 def start_impulses(n: int, share: float, joints: Joints) -> None:

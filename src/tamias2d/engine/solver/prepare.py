@@ -4,7 +4,7 @@ Source: Catto (2024), soft step; the softness under a load, and the preload, are
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joined_approach import forget_blow, joined_approach
+from tamias2d.engine.joined_approach import joined_approach, judge_blow
 from tamias2d.engine.tables import Bodies, Constraints, Contacts, Control, Integers
 from tamias2d.generated.soft_contact import (
     angular_frequency_even,
@@ -144,7 +144,7 @@ def finish_lane(
         at = tb.SHARED + n * tb.POINT_SIZE + m
         if ahead > 0.0:
             row[at + tb.P_GAP] = gap_before(m, at, row, a, b, ahead)
-        forget_blow(m, at, lane, row, control, bodies)
+        judge_blow(m, at, lane, row, control, bodies)
         if row[tb.R_RESTITUTION + m] > 0.0:
             speed = approach_velocity(m, at, row, a, b)
             pressing = 0.0 if bounced else row[at + tb.P_NORMAL_IMPULSE]

@@ -30,7 +30,7 @@ BOUNDING_RADIUS = _properties()  # m, of the circle around the body
 MIN_EXTENT = _properties()  # m, half of its least width
 CORE_RADIUS = _properties()  # m, distance of its farthest vertex from its centre
 PROPAGATOR = _properties()  # row of its propagator
-JOINED = _properties()  # 1 if a joint holds it
+JOINED = _properties()  # its place among the members of joints; 0 where no joint holds it
 
 # propagators (DD41): v' = DECAY v + GAIN a, x' = x + GAIN v + LIFT a
 DECAY, GAIN, LIFT = range(3)  # 1, s, s^2

@@ -34,6 +34,7 @@ OUTWEIGHED = _control()  # slot, plus 1, of a body of an island of masses too di
 LIMITS = (
     _control()
 )  # how often something was found to tell: of these pairs and this body, or of joints
+IMPACTS = _control()  # 1 if a mechanism is struck in this part
 LOADS_VARY = _control()  # 1 if loads vary, and are put right as the step ends
 ALL_ASLEEP = _control()  # 1 if no body was awake in the last step, and nobody came or went since
 EVENTS_TOLD = _control()  # 1 if what begins and ceases to touch in each step is logged

@@ -62,6 +62,9 @@ DISSIPABLE_ENERGY = _energy()  # J, that the bodies chosen now can lose
 DISSIPATED_SHARE = _energy()  # of that
 DRIVEN_RATE = _energy()  # m/s, at which its supports move against each other, at most
 DRIVEN_ENERGY = _energy()  # J, that what carries its mechanisms is likely to give it; 0 if none is
+ISLAND_LOAD = _energy()  # N, sum of the forces on its bodies
+OVERLAP_IMPULSE = _energy()  # N s, of all its contacts
+OVERLAP_IMPULSE_WAY = _energy()  # N s m, of each times the way by which it became less deep
 KEPT_WAY = _energy()  # share of its way in this step that an island with joints keeps
 
 _islands = Columns()

@@ -2,7 +2,7 @@
 
 from typing import Annotated, NamedTuple
 
-from tamias2d.engine.tables.declarations import Columns, Sized
+from tamias2d.engine.tables.declarations import Columns, Rewritten, Sized
 from tamias2d.engine.tables.direct import factor_columns, sparse_columns
 from tamias2d.engine.tables.hinges import hinge_columns, link_columns
 from tamias2d.engine.tables.tree_lanes import (
@@ -47,8 +47,8 @@ M_IN_BLOCK = _mechanisms()  # 1 if it is a tree that is solved in a lane of a bl
 M_WRITTEN = _mechanisms()  # 1 if its rows are those of its places and masses
 M_HALF = _mechanisms()  # 1 in the first substep of a step whose forces came half before it
 # status: those of the second kind have no limits, motors and springs, those of the third have some
-# and contacts touch those of the last
-ASLEEP, FREE_OF_CONTACTS, GOVERNED_ALONE, IN_CONTACT = range(4)
+# and contacts touch those of the fourth; they strike those of the last, while that is answered
+ASLEEP, FREE_OF_CONTACTS, GOVERNED_ALONE, IN_CONTACT, STRUCK = range(5)
 
 _joint = Columns()  # whole numbers of a joint
 J_KIND = _joint()  # by the number in `generated.joint_rows`
@@ -58,6 +58,7 @@ J_NODE = _joint(3)  # their nodes, or one of those below
 J_EDGE = _joint(3)  # of the pairs AB, AC and BC, or -1 where one does not move
 J_LAW = _joint()  # what governs its row, one of those below
 J_STATE = _joint()  # whether a limit or a motor holds, one of those below
+J_STATE_BEFORE = _joint()  # the same, before its mechanism was struck
 J_EQUATION = _joint()  # its equation, or -1 where it is one of a kind
 J_PAIR = _joint()  # of the spring of a target: its other row, or one of those below
 
@@ -83,6 +84,7 @@ CLOCK_NOW, CLOCK_AHEAD = range(2)  # s: the instant where bodies are, and how fa
 # are placed
 
 ENDS_OF_JOINT = 3
+POINTS_OF_MEMBER = 4  # that are answered together where a mechanism is struck, on the average
 NOT_PUSHED, UNUSED = -1, -2  # instead of a node: nothing pushes what is there, or none is asked for
 
 _joint_numbers = Columns()
@@ -144,6 +146,7 @@ JOINED_BODY = _joined()  # row of the body
 JOINED_SLOT = _joined()  # its slot in this step
 JOINED_ABOVE = _joined()  # member on which it hangs in a tree of hinges; 0 for the plane
 JOINED_HINGE = _joined()  # the joint by which it hangs, or -1
+JOINED_MECHANISM = _joined()  # of a node
 JOINED_SPRING = _joined()  # the spring of the angle of that, of a tree in a block, or -1
 
 _places = Columns()  # of a member, as generated code takes it
@@ -154,6 +157,14 @@ PLACE_COSINE = _places()
 PLACE_SINE = _places()
 LEANING = _places()  # N m, of joints that pull at the arms of the body
 HELD_INVERSE_INERTIA = _places()  # 1/(kg m^2), with which it counts in joints
+
+_impact_points = Columns()  # of a point of a mechanism that is struck
+STRUCK_PLACE = _impact_points()  # two for each lane of each block
+STRUCK_ALLOWED = _impact_points()  # m/s, at which it may close
+STRUCK_RATE = _impact_points()  # m/s, along one of its lines, that is to be taken away
+STRUCK_STEP = _impact_points()  # N s, that is tried along it
+STRUCK_NORMAL = _impact_points()  # N s, so far
+STRUCK_TANGENT = _impact_points()  # N s, so far
 
 
 class Joints(NamedTuple):
@@ -176,6 +187,7 @@ class Joints(NamedTuple):
     tree_lanes: Annotated[FloatRows, Sized("tree_rows", tree_lane_columns.width)]
     links: Annotated[FloatRows, Sized("joints", link_columns.width)]
     net_nodes: Annotated[FloatRows, Sized("joined", 8)]
+    impact_points: Annotated[FloatRows, Sized("impact_points", _impact_points.width), Rewritten()]
     bends: Annotated[Floats, Sized(9)]  # m, second derivatives of the rows of a joint
     equations: Annotated[RankRows, Sized("equations", _equations.width)]
     operations: Annotated[RankRows, Sized("operations", 3)]  # what is done to which scalars
