@@ -2,9 +2,11 @@
 
 import math
 from contextlib import suppress
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given, reject, settings, strategies as st
 
 from tamias2d.errors import InputError
@@ -180,6 +182,17 @@ def test_text_loads_back_bit_for_bit(scene: Scene) -> None:
     )
     assert [corners(body) for body in again.bodies] == [corners(body) for body in scene.bodies]
     assert again.friction_of_pairs == scene.friction_of_pairs
+
+
+@pytest.mark.parametrize("name", ["", "drop"])
+def test_a_file_holds_the_scene_whatever_it_is_called(name: str, tmp_path: Path) -> None:
+    scene = Scene(gravity=(0.0, -9.81), name=name)
+    scene.add_body(None, mass=1.0, position=(0.0, 1.0), name="stone")
+    for file in ("one.yaml", "other.yml"):
+        (tmp_path / file).write_text(scene_text(scene), encoding="utf-8")
+        again = load(tmp_path / file)
+        assert again == scene
+        assert again.digest() == scene.digest()
 
 
 def corners(body: Body) -> object:

@@ -77,6 +77,7 @@ def _found(known: Known, seed: int) -> Mean:
         seed=seed,
         method=known.method,
         time_step=known.time_step,
+        times=(known.duration,),
         workers=1,
     )
 

@@ -34,7 +34,9 @@ class Request:
     """s"""
     tolerance: float | None
     times: tuple[float, ...]
-    """s"""
+    """Of what is kept, s."""
+    usual: bool
+    """Whether runs have the samples of `simulate`, for quantities; the end is what is kept."""
     names: tuple[str, ...]
     """Of the bodies of the scene."""
     bodies: tuple[int, ...]
@@ -60,8 +62,9 @@ class Request:
 
     def arguments(self) -> dict[str, Any]:
         """Return the arguments of `simulate` but for the scene."""
-        names = ("duration", "method", "time_step", "tolerance", "times", "work_limit")
-        return {name: getattr(self, name) for name in names}
+        names = ("duration", "method", "time_step", "tolerance", "work_limit")
+        times = None if self.usual else self.times
+        return {name: getattr(self, name) for name in names} | {"times": times}
 
 
 def request_of(
@@ -77,12 +80,15 @@ def request_of(
     quantities: Mapping[str, Quantity] | None = None,
     work_limit: int = WORK_LIMIT,
 ) -> Request:
-    """Return a request that has been checked with one of the scenes; times are the end if none.
+    """Return a request that has been checked with one of the scenes.
+
+    Without times the end is kept; quantities then see runs with the samples of `simulate`.
 
     Raises:
         InputError: an argument breaks a rule.
     """
-    asked = (duration,) if times is None else times
+    usual = times is None and bool(quantities)
+    asked = (duration,) if times is None and not usual else times
     plan = planned(scene, duration, method, time_step, asked, work_limit)
     if tolerance is not None and method is not None:
         raise InputError(
@@ -94,7 +100,8 @@ def request_of(
         method=method,
         time_step=time_step,
         tolerance=tolerance,
-        times=tuple(plan.times.tolist()),
+        times=(plan.duration,) if usual else tuple(plan.times.tolist()),
+        usual=usual,
         names=tuple(body.name for body in scene.bodies),
         bodies=_bodies(scene, bodies),
         keep=_kept(keep),
@@ -115,7 +122,7 @@ def kept_of(run: Run, request: Request) -> dict[str, Array]:
     bodies = list(request.bodies)
     found = {}
     for name in request.keep:
-        values: Array = getattr(run, name)
+        values: Array = getattr(run, name)[-len(request.times) :]
         found[name] = values[:, bodies] if BODIES in DIMENSIONS[name] else values
     for name, quantity in request.quantities.items():
         found[name] = _number(quantity(run), name)

@@ -75,8 +75,10 @@ def ensemble(
     is computed. `duration`, `method`, `time_step`, `tolerance`, `times` and `work_limit` are those
     of `simulate`; without `times` the end alone is kept. `keep` names values of a run, `bodies`
     those bodies that are kept (without it all that move), and `quantities` are functions from a
-    run to a number. `outcome` tells which worlds were located, stepped, or refused as `simulate`
-    would: their values are NaN.
+    run to a number. The run that they see has the samples at `times`, and without these all that
+    `simulate` gives: for those that look at the end alone, ``times=(duration,)`` saves time.
+    `outcome` tells which worlds were located, stepped, or refused as `simulate` would: their
+    values are NaN.
 
     With `out` the results go to a Zarr store in chunks of `chunk` worlds, and the same call goes
     on where an interrupted one was. Worlds are computed by `workers` processes on this machine,

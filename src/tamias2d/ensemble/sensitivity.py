@@ -5,7 +5,7 @@ Communications 181 (2010) 259-270, as scipy.stats.sobol_indices has it.
 """
 
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from numbers import Real
 from types import SimpleNamespace
@@ -22,7 +22,7 @@ from tamias2d.errors import SimulationError
 from tamias2d.motion import Method
 from tamias2d.record.dataset import extra
 from tamias2d.scene import Scene
-from tamias2d.scene.rules import RuleError, checked_count, shown
+from tamias2d.scene.rules import RuleError, checked_count, sequence, shown
 from tamias2d.state import Array
 from tamias2d.suggestions import suggests
 
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 _PLACES = "place"
+_REMEDY = "Give sorted times in s, from 0 to the duration."
 _RESAMPLES = 999  # of the bootstrap
 
 
@@ -46,6 +47,7 @@ def sensitivities(
     method: Method | None = None,
     time_step: float | None = None,
     tolerance: float | None = None,
+    times: Iterable[float] | None = None,
     workers: int | None = None,
     client: Any = None,
 ) -> "Dataset":
@@ -55,7 +57,9 @@ def sensitivities(
     its share with all that it does together with others; `_low` and `_high` are the ends of
     intervals that hold each with a `confidence`, found by bootstrap. `vary` has a distribution for
     each place; the base sample has `worlds` worlds, a power of 2, and (places + 2) times as many
-    are simulated, as by `ensemble`.
+    are simulated, as by `ensemble`. The run that `quantity` gets has its samples at `times`, s, and
+    without these all that `simulate` gives; for a quantity that looks at the end alone,
+    ``times=(duration,)`` saves time.
 
     Raises:
         InputError: an argument breaks a rule.
@@ -75,6 +79,7 @@ def sensitivities(
         method=method,
         time_step=time_step,
         tolerance=tolerance,
+        times=None if times is None else sequence(times, "the run", _REMEDY, at=("times",)),
         quantities={"quantity": quantity},
         workers=workers,
         client=client,

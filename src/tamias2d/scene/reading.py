@@ -45,6 +45,8 @@ _WHAT = {"bodies": "body", "kinematics": "kinematic body", "statics": "static bo
 def load(source: str | Path) -> Scene:
     """Return the scene of a YAML file, or of YAML text (a text has more than one line).
 
+    A scene is what its text says, wherever the file lies and whatever that is called.
+
     Raises:
         SceneError: the file or a value in it breaks a rule; the message says where.
     """
@@ -61,7 +63,7 @@ def load(source: str | Path) -> Scene:
             "recording of a run is read by Run.load(path), and shown by `tamias2d replay`; a saved "
             "simulator by Simulator.restore(path)."
         )
-    return read_scene(_file_text(path), file=str(path), name=path.stem)
+    return read_scene(_file_text(path), file=str(path))
 
 
 def _file_text(path: Path) -> str:

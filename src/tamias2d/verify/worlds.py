@@ -39,6 +39,7 @@ def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
                     of,
                     vary=vary,
                     tolerance=float(given["within"]),
+                    times=(case.duration,),
                     seed=_SEED,
                     workers=1,
                     **solver,
