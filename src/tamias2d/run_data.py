@@ -83,6 +83,13 @@ class RunData:
     """What it cost; None if it was not simulated but read from a recording."""
     joint_events: JointEvents = field(default_factory=joint_events)
     """Limits of joints that were reached, motors that gave way, joints that broke."""
+    contact_force: Array | None = None
+    """(k, n, 2), what contacts that last exert on each body that moves, N
+
+    It is told where contacts last of bodies that joints hold, and was not stepped; else None.
+    """
+    contact_torque: Array | None = None
+    """(k, n), likewise, about its centre of mass, N m"""
     certificate: Certificate | None = None
     """How wrong it is at most; None until it is certified."""
 
@@ -91,7 +98,12 @@ class RunData:
         """What the joints exert at each sample, and how well they hold (TM7)."""
         states = (self.position, self.orientation, self.velocity, self.angular_velocity)
         history = History(*states)
-        return reactions_of(self.scene, self.times, history, self.joint_events, joint_code)
+        pushed = None
+        if self.contact_force is not None and self.contact_torque is not None:
+            pushed = np.dstack((self.contact_force, self.contact_torque))
+        return reactions_of(
+            self.scene, self.times, history, self.joint_events, joint_code, pushed=pushed
+        )
 
     def digest(self) -> str:
         """Return the SHA-256 of all numbers of the run: equal runs have equal digests."""

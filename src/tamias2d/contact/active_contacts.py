@@ -1,5 +1,6 @@
 """The contacts that last (the active set), and the constraints on bodies that follow from them."""
 
+from bisect import bisect_right
 from collections.abc import Collection, Iterable, Sequence
 
 from tamias2d.contact.core import Core
@@ -25,7 +26,9 @@ class ActiveContacts:
         self.rest_times = RestTimes()
         self.notes: tuple[str, ...] = ()
         """Which bodies came to rest on which."""
-        self._press_joints = False
+        self._since: list[list[tuple[float, Constraint | None]]] = [[] for _ in cores]
+        self.on_joints = False
+        """Whether contacts have lasted of what joints hold."""
 
     def update(self, instant: Instant) -> None:
         """Replace contacts by those of an instant, and note the new ones."""
@@ -39,25 +42,23 @@ class ActiveContacts:
                 before.add(names)  # a chain may have more pieces that it touches
                 since = self.rest_times.time_of(pair, instant)
                 self.notes += (f"rest: {names} stay in contact from {since:.15g} s",)
-                self._note_jointed(pair, since)
+                self.on_joints |= any(self._cores[i].jointed for i in pair)
             self._drop(pair)
             if touch.staying:
                 self.of[pair] = touch.staying
         self.senses.update(instant.senses)
 
-    def _note_jointed(self, pair: PairOf, since: float) -> None:
-        """Note once from when on, s, contacts press joints of which only the states are told."""
-        if not self._press_joints and any(self._cores[i].jointed for i in pair):
-            self._press_joints = True
-            self.notes += (
-                f"joints: `reactions` of this run count no contacts that last, as from {since:.15g}"
-                " s; those of Simulator(scene).reactions do",
-            )
-
     def constrain(self, bodies: Iterable[int], instant: Instant) -> None:
         """Replace the constraints on bodies by those of an instant."""
         for body in bodies:
             self.constraints[body] = instant.constraints.get(body)
+            self._since[body].append((instant.time, self.constraints[body]))
+
+    def constraint_at(self, body: int, time: float) -> Constraint | None:
+        """Return the constraint that a body had at a time, s; at an instant the one after it."""
+        since = self._since[body]
+        k = bisect_right(since, time, key=lambda entry: entry[0])
+        return since[k - 1][1] if k else None
 
     def on(self, bodies: Collection[int]) -> list[Contact]:
         """Return the contacts of all pairs with one of the bodies."""

@@ -1,11 +1,12 @@
 """The accelerations of several bodies that lasting contacts couple (IM18)."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.contact.constrained_acceleration import contact_acceleration
+from tamias2d.contact.constrained_acceleration import Constant, contact_acceleration
 from tamias2d.contact.core import Placed, place
 from tamias2d.contact.manifold import (
     Contact,
@@ -57,6 +58,19 @@ class CoupledConstraint:
         """Return the accelerations (n, 3) of all bodies under which closed contacts stay closed."""
         return self._solved(time, accelerations, states).accelerations
 
+    def exerted(self, time: float, accelerations: Array, states: Sequence[State]) -> Array:
+        """Return what contacts exert on all bodies (n, 3), N and N m, for accelerations without.
+
+        Where contacts and joints leave open who bears what, it is the least that does it, or where
+        that is outside of the cones of friction, forces within them.
+        """
+        found = self._solved(time, accelerations, states)
+        directions, pushes = force_directions(found.mode), found.forces
+        if not _within_cones(found) and (other := self._other_forces(found)) is not None:
+            directions, pushes = cone_edges(found.mode), other
+        total: Array = np.array(pushes) @ rows_of(directions, self.bodies)
+        return total.reshape(-1, 3)
+
     def slides_on(self, states: Sequence[State], slack: Sequence[float]) -> bool:
         """Return whether all parts that slide do so in their senses, in these states.
 
@@ -68,7 +82,7 @@ class CoupledConstraint:
     def holds(self, time: float, accelerations: Array, states: Sequence[State]) -> bool:
         """Return whether forces obey Coulomb's law in these states, under these loads."""
         found = self._solved(time, accelerations, states)
-        return _within_cones(found) or self._has_forces(found)
+        return _within_cones(found) or self._other_forces(found) is not None
 
     def against(self, states: Sequence[State], accelerations: Array, length: float) -> list[float]:
         """Return how fast each part may slide against its sense for some time, s, by rounding, m/s.
@@ -129,10 +143,18 @@ class CoupledConstraint:
         }
         return self._still | moving
 
-    def _has_forces(self, found: "_Solved") -> bool:
-        """Return whether other forces within the cones do the same."""
+    def _other_forces(self, found: "_Solved") -> list[float] | None:
+        """Return forces along the edges of the cones that do the same, if there are any."""
         edges = found.mobility.moved(rows_of(cone_edges(found.mode), self.bodies), self.bodies)
-        return forces(found.jacobian @ edges.T, found.loads) is not None
+        return forces(found.jacobian @ edges.T, found.loads)
+
+
+@dataclass(frozen=True)
+class Resting(Constant):
+    """Bodies at rest, some of which joints hold; the forces that keep them so are known."""
+
+    kept_by: CoupledConstraint = field(compare=False)
+    """The same contacts as a constraint that is solved for its forces."""
 
 
 class _Solved(NamedTuple):

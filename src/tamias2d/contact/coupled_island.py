@@ -7,7 +7,7 @@ import numpy as np
 
 from tamias2d.contact.constrained_acceleration import Constant, contact_acceleration
 from tamias2d.contact.core import Placed
-from tamias2d.contact.coupled_constraint import CoupledConstraint, least_forces
+from tamias2d.contact.coupled_constraint import CoupledConstraint, Resting, least_forces
 from tamias2d.contact.force_problem import ForceProblem
 from tamias2d.contact.inelastic_impact import JammedError
 from tamias2d.contact.lasting_contact import Island
@@ -169,12 +169,14 @@ class CoupledIsland(Island):
         Raises:
             LastingContactError: what is not in contact pulls bodies that move on.
         """
-        if self._rests:
+        if self._rests and not self._jointed:
             return {i: Constant(_STILL) for i in self.bodies}
         if self._constant:
             return super().constraints(states, time)
-        self._refuse_pulled(time)
         constraint = CoupledConstraint(self._mobility, self.bodies, self._mode, self._placed)
+        if self._rests:
+            return dict.fromkeys(self.bodies, Resting(_STILL, constraint))
+        self._refuse_pulled(time)
         return dict.fromkeys(self.bodies, constraint)
 
     def _refuse_pulled(self, time: float) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 from tamias2d.contact.active_contacts import ActiveContacts
 from tamias2d.contact.body_paths import BodyPaths
 from tamias2d.contact.chattering import Chattering
+from tamias2d.contact.contact_loads import contact_loads
 from tamias2d.contact.core import cores_of
 from tamias2d.contact.event_queue import Event, EventQueue
 from tamias2d.contact.follower import Follower, Memory
@@ -25,7 +26,7 @@ from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.touching import ContactImpulse, PairOf
 from tamias2d.path import PathPiece, Paths
 from tamias2d.scene import Scene
-from tamias2d.state import Array, State
+from tamias2d.state import Array, History, State
 from tamias2d.work_limit import Work
 
 _REFINEMENTS = 8  # of an impact: of bodies that act on each other one may undo that of another
@@ -108,6 +109,15 @@ class Located:
     def tracks(self) -> list[list[PathPiece]]:
         """The paths of each body so far, in order."""
         return self._paths.tracks
+
+    def contact_loads(self, times: Array, history: History) -> Array | None:
+        """Return what contacts that last exert on n bodies (k, n, 3), N and N m, at k times, s.
+
+        None where they press nothing that joints hold. `history` are the states at the times.
+        """
+        if not self._active.on_joints:
+            return None
+        return contact_loads(self.cores, self._active, self._motion, times, history)
 
     @property
     def impacts(self) -> Array:

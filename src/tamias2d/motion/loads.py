@@ -33,9 +33,10 @@ class Loads:
         self.group_of = {body: group for group in groups(scene) for body in group}
         """The bodies that act on each other, for each body that moves."""
         self._steady = [self._steadily(k) for k in range(len(scene))]
-        self._inverse = np.array(
+        self.inverse = np.array(
             [(b.inverse_mass, b.inverse_mass, b.inverse_inertia) for b in scene.bodies]
         )
+        """Inverse masses and inertias (n, 3) of the bodies."""
         self._fields: dict[int, Field] = {}
         self.timeline = Timeline()
         """What has happened in joints."""
@@ -112,7 +113,7 @@ class Loads:
 
         They are by impulses (m, n, 3), N s and N m s, each with what joints answer.
         """
-        changes: Array = impulses * self._inverse[list(bodies)]
+        changes: Array = impulses * self.inverse[list(bodies)]
         for own, mechanism in self.mechanisms(bodies):
             position, _ = coordinates([state(bodies[k]) for k in own])
             changes[:, own] = mechanism.moved(time, position, impulses[:, own])

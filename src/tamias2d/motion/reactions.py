@@ -51,8 +51,13 @@ def reactions_of(
     history: History,
     events: JointEvents | None = None,
     codes: JointCodes | None = None,
+    *,
+    pushed: Array | None = None,
 ) -> Reactions:
-    """Return the reactions at states that fit the joints, at times (k,), s, between events."""
+    """Return the reactions at states that fit the joints, at times (k,), s, between events.
+
+    `pushed` (k, n, 3) is what contacts exert on the bodies, N and N m.
+    """
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
     loads = Loads(scene, codes)
     loads.timeline.events += events or ()
@@ -72,6 +77,8 @@ def reactions_of(
         q = np.column_stack((history.position[k], history.orientation[k]))
         rate = np.column_stack((history.velocity[k], history.angular_velocity[k]))
         pull = free(time, q[moving], rate[moving])
+        if pushed is not None:
+            pull = pull + loads.inverse[moving] * pushed[k, moving]
         for own, mechanism in loads.mechanisms(moving):
             bodies = list(mechanism.bodies)
             state = (time, q[bodies], rate[bodies])

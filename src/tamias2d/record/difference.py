@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
     from tamias2d.run_data import RunData
 
-_SYMBOL_OF = {"point": "position"}  # where a quantity of an impact has no symbol of its own
+_SYMBOL_OF = {"point": "position", "contact_force": "force", "contact_torque": "torque"}
+"""Of quantities that have no symbol of their own."""
 
 
 @dataclass(frozen=True)
@@ -52,11 +53,13 @@ def first_difference(recorded: RunData, recomputed: RunData) -> Difference | Non
 def _of_samples(recorded: RunData, recomputed: RunData) -> Iterator[Difference]:
     names = [body.name for body in recorded.scene.bodies]
     yield from _counts("samples", recorded.times, recomputed.times)
-    for quantity in ("times", *history.OF_BODIES, *history.TOTALS):
+    told = recorded.contact_force is not None and recomputed.contact_force is not None
+    contacts = history.OF_CONTACTS if told else {}
+    for quantity in ("times", *history.OF_BODIES, *contacts, *history.TOTALS):
         a, b = getattr(recorded, quantity), getattr(recomputed, quantity)
         place = _first(a, b)
         if place is not None:
-            in_body = quantity in history.OF_BODIES
+            in_body = quantity in (*history.OF_BODIES, *contacts)
             of = f"body {names[place[1]]!r}" if in_body else "the scene"
             yield _difference(
                 recorded.times[place[0]], of, quantity, place[1 + in_body :], a[place], b[place]

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 OF_BODIES = {"position": 2, "orientation": 1, "velocity": 2, "angular_velocity": 1}
 """Quantities of each body at each sample, with their number of components."""
+OF_CONTACTS = {"contact_force": 2, "contact_torque": 1}
+"""What contacts exert on each body at each sample, in runs that tell it."""
 TOTALS = {"energy": 1, "momentum": 2, "angular_momentum": 1}
 """Quantities of the whole scene at each sample."""
 OF_IMPACTS = {
@@ -46,6 +48,8 @@ def arrays_of(run: RunData) -> Arrays:
     """Name all arrays of a run: `times`, `position`, ..., `impacts.time`, ...; shapes as in Run."""
     of_run = {name: getattr(run, name) for name in ("times", *OF_BODIES, *TOTALS)}
     found = of_run | {f"impacts.{name}": getattr(run.impacts, name) for name in OF_IMPACTS}
+    if run.contact_force is not None:
+        found |= {name: getattr(run, name) for name in OF_CONTACTS}
     if not len(run.joint_events):
         return found
     return found | {
@@ -78,6 +82,11 @@ def run_of(header: headers.Header, arrays: Mapping[str, NDArray[Any]], *, where:
             "Record the run again."
         )
     stored: dict[str, Any] = {name: arrays[name] for name in ("times", *OF_BODIES, *TOTALS)}
+    if not arrays.keys().isdisjoint(OF_CONTACTS):
+        for name, width in OF_CONTACTS.items():
+            shape = (header.samples, len(header.bodies), width)[: 1 + width]
+            _check_array(name, arrays.get(name), shape, where)
+            stored[name] = arrays[name]
     return RunData(
         scene=scene,
         method=headers.method_of(header, where=where),

@@ -59,7 +59,9 @@ def sampled_at(run: Run, times: Array) -> Run | None:
     if not np.array_equal(run.times[rows], times):
         return None
     names = ("position", "orientation", "velocity", "angular_velocity")
-    more = ("energy", "momentum", "angular_momentum")
+    more: tuple[str, ...] = ("energy", "momentum", "angular_momentum")
+    if run.contact_force is not None:
+        more += "contact_force", "contact_torque"
     parts = {name: getattr(run, name)[rows] for name in (*names, *more)}
     return replace(run, times=times, **parts)
 

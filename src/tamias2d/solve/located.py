@@ -133,7 +133,10 @@ def _reached(plan: Plan, motion: Motion, located: Located, follower: EventDriven
     history = fitted_history(plan.scene, plan.times, found, events, joint_code)
     impacts = _impacts(located.impacts, owners(in_pieces(plan.scene)))
     notes = located.notes if follower is None else located.notes + _untold_sides(plan.scene)
-    return replace(_run(plan, motion, history, impacts, notes), ruled=located.ruled)
+    run = replace(_run(plan, motion, history, impacts, notes), ruled=located.ruled)
+    if (loads := located.contact_loads(plan.times, history)) is None:
+        return run
+    return replace(run, contact_force=loads[..., :2].copy(), contact_torque=loads[..., 2].copy())
 
 
 def _run(

@@ -27,7 +27,9 @@ class Sampled:
         """The same run at the common times only."""
         rows = np.searchsorted(self.run.times, self.shared)
         columns = ("times", "position", "orientation", "velocity", "angular_velocity")
-        balance = ("energy", "momentum", "angular_momentum")
+        balance: tuple[str, ...] = ("energy", "momentum", "angular_momentum")
+        if self.run.contact_force is not None:
+            balance += "contact_force", "contact_torque"
         return replace(
             self.run, **{name: getattr(self.run, name)[rows] for name in columns + balance}
         )

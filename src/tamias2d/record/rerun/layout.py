@@ -33,7 +33,7 @@ FRAME_LOOP = "tamias2d.FrameLoop"
 """Marks the recording of a frame loop, which has no header."""
 HEADER, SAMPLE = "tamias2d.Recording", "tamias2d.Sample"
 STATE, STILL, IMPACT = "tamias2d.State", "tamias2d.Still", "tamias2d.Impact"
-JOINT_EVENT = "tamias2d.JointEvent"
+JOINT_EVENT, CONTACTS = "tamias2d.JointEvent", "tamias2d.Contacts"
 """Groups of components that hold the exact history, float64: `State` of what can move, at each
 sample, and `Still` of what cannot, once."""
 

@@ -53,7 +53,7 @@ def unpack(path: Path) -> tuple[Header, Arrays]:
     header = headers.loads(text, where=str(path))
     found = _totals(columns) | _impacts(columns) | _joint_events(columns)
     history.check_length("times", found["times"], header.samples, where=str(path))
-    return header, found | _bodies(header, columns, where=str(path))
+    return header, found | _bodies(header, columns, where=str(path)) | _contacts(columns)
 
 
 def _columns(path: Path) -> tuple[str | None, Columns]:
@@ -112,6 +112,12 @@ def _bodies(header: Header, columns: Columns, *, where: str) -> Arrays:
             history.check_length(f"{name} of bodies", rows, header.samples, where=where)
             arrays[name][:, moving] = rows
     return arrays
+
+
+def _contacts(columns: Columns) -> Arrays:
+    """What contacts exert, of a run that tells it."""
+    rows = {name: _rows(columns, f"{layout.CONTACTS}:{name}") for name in history.OF_CONTACTS}
+    return {name: row for name, row in rows.items() if len(row)}
 
 
 def _joined(columns: Columns, component: str, entity: str = layout.RECORDING) -> NDArray[Any]:

@@ -124,6 +124,11 @@ def _history(stream: rr.RecordingStream, run: RunData, times: bodies.Times) -> N
     _send(stream, layout.STILL, still | {"bodies": np.flatnonzero(static)[None]})
     for part in exact.blocks(len(run.times), 3 * moving["position"][:1].nbytes):
         _send(stream, layout.STATE, {k: v[part] for k, v in moving.items()}, times(part))
+    if run.contact_force is None:
+        return
+    exerted = {name: getattr(run, name) for name in history.OF_CONTACTS}
+    for part in exact.blocks(len(run.times), 2 * run.contact_force[:1].nbytes):
+        _send(stream, layout.CONTACTS, {k: v[part] for k, v in exerted.items()}, times(part))
 
 
 def _send(
@@ -133,7 +138,7 @@ def _send(
     times: Sequence[rr.TimeColumn] = (),
 ) -> None:
     """Send values (rows, bodies) or (rows, bodies, 2)."""
-    rows, count = values["orientation"].shape
+    rows, count = next(iter(values.values())).shape[:2]
     flat = {name: v.reshape(rows * count, *v.shape[2:]) for name, v in values.items()}
     components = {name: exact.column(v) for name, v in flat.items()}
     if count:
