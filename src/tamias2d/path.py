@@ -90,11 +90,30 @@ class Paths(Protocol):
         bodies: Sequence[int],
         impulses: Array,
         state: Callable[[int], State],
+        *,
+        in_turns: bool = False,
     ) -> Array:
         """Return the changes (m, n, 3) of velocities by impulses (m, n, 3), joints being linear.
 
-        `bodies` are whole mechanisms, and others; impulses are in N s and N m s.
+        `bodies` are whole mechanisms, and others; impulses are in N s and N m s. Limits that hold
+        are refused, but where contacts and limits answer `in_turns`.
         """
+
+    def pushed(
+        self,
+        time: float,
+        bodies: Sequence[int],
+        forces: Array,
+        state: Callable[[int], State],
+    ) -> Array:
+        """Return the accelerations (m, n, 3) by forces (m, n, 3), N and N m, with joints' answer.
+
+        Limits that hold, and motors that keep their speed, answer whatever the sign of a force.
+        `bodies` are whole mechanisms, and others.
+        """
+
+    def joint_changes(self, bodies: Sequence[int], time: float) -> Sequence[object]:
+        """Return what is other as soon as joints of some bodies do something else at a time, s."""
 
     def free(self, body: int, time: float, state: Callable[[int], State]) -> Acceleration:
         """Return the acceleration of an unconstrained body, at a time in s."""

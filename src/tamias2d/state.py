@@ -48,6 +48,16 @@ class SharedConstraint(Protocol):
         """Return the constrained accelerations (n, 3) for those without contacts, in states."""
 
 
+@runtime_checkable
+class ExertingConstraint(Protocol):
+    """A constraint on several bodies, some of which joints hold, that tells its forces."""
+
+    bodies: tuple[int, ...]
+
+    def exerted(self, time: float, accelerations: Array, states: Sequence[State]) -> Array:
+        """Return the forces and torques (n, 3), N and N m, for accelerations without contacts."""
+
+
 class History(NamedTuple):
     """The states of n bodies at k times."""
 

@@ -8,7 +8,6 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import tamias2d as t2
-from tamias2d.contact import JointedContactError
 
 G = 9.81
 EXACT = t2.Dop853(rtol=1e-11, atol=1e-13)
@@ -222,16 +221,6 @@ def test_a_chain_that_falls_on_a_rough_floor_comes_to_rest_on_it(seed: int) -> N
         turned = run.orientation[:, k]
         reach = (np.abs(np.sin(turned)) * box.width + np.abs(np.cos(turned)) * box.height) / 2
         assert (run.position[:, k, 1] - reach).min() > -1e-9
-
-
-def test_joints_that_may_switch_are_refused_by_name_where_contacts_last() -> None:
-    scene = t2.Scene(gravity=(0.0, -G))
-    floor(scene, 0.5)
-    scene.add_body(t2.Disc(radius=0.5), mass=1, position=(0, 0.5), friction=0.5, restitution=0.0)
-    limits = t2.Limits(lower=-1.0, upper=1.0, restitution=0.0)
-    scene.add_joint(t2.Prismatic(axis=(1, 0), limits=limits), (0, 0.5), 1, name="rail")
-    with pytest.raises(JointedContactError, match=r"joint 'rail' .* limit.*R13"):
-        t2.simulate(scene, duration=1.0, method=EXACT)
 
 
 def balls_on_a_rod_at_its_limit() -> t2.Scene:

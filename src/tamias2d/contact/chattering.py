@@ -31,6 +31,12 @@ class Chattering:
                 time=start,
             )
 
+    def forget(self, bodies: Iterable[int]) -> None:
+        """Forget what was counted of bodies: somebody else counts how often they are asked."""
+        for body in bodies:
+            self.stalled[body] = 0
+        self._repeats = (self._repeats[0], Counter())
+
     def count_event(self, time: float, i: int, j: int) -> None:
         """Refuse a pair that comes into contact again and again at one instant."""
         if time > self._repeats[0]:

@@ -10,8 +10,13 @@ def complementarity(a: list[list[float]], b: list[float]) -> list[float]:
 
     `a` is symmetric and positive semidefinite, as couplings are, and b in reach of a x; what x does
     to the bodies is then unique, even where x is not. Equal items of the problem have equal answers
-    to the bit, for one or two.
+    to the bit, for one or two. An item that nothing moves, as where joints hold it, is 0.
     """
+    if len(moved := [k for k in range(len(b)) if a[k][k]]) < len(b):
+        found = dict(zip(moved, complementarity(_of(a, moved), [b[k] for k in moved]), strict=True))
+        return [found.get(k, 0.0) for k in range(len(b))]
+    if not b:
+        return []
     if len(b) == 1:
         return [max(-b[0] / a[0][0], 0.0)]
     if len(b) == 2:
@@ -20,6 +25,10 @@ def complementarity(a: list[list[float]], b: list[float]) -> list[float]:
     size = np.sqrt(np.diag(matrix))  # so that light and heavy bodies count alike
     scaled = _active_set(matrix / np.outer(size, size), np.array(b) / size)
     return [float(x) for x in scaled / size]
+
+
+def _of(a: list[list[float]], chosen: list[int]) -> list[list[float]]:
+    return [[a[k][m] for m in chosen] for k in chosen]
 
 
 def _two(a: list[list[float]], b: list[float]) -> list[float]:

@@ -6,10 +6,9 @@ import numpy as np
 
 from tamias2d.contact.active_contacts import ActiveContacts
 from tamias2d.contact.core import Core
-from tamias2d.contact.coupled_constraint import CoupledConstraint, Resting
 from tamias2d.contact.mobility import inverse_masses
 from tamias2d.path import Paths
-from tamias2d.state import Array, Constraint, History, State
+from tamias2d.state import Array, Constraint, ExertingConstraint, History, State
 
 
 def contact_loads(
@@ -21,7 +20,7 @@ def contact_loads(
         at = _at_sample(history, sample)
         for bodies, constraint in _held(active, time, found.shape[1]):
             free = np.array([motion.free(body, time, at) for body in bodies])
-            if isinstance(constraint, CoupledConstraint):
+            if isinstance(constraint, ExertingConstraint):
                 states = [at(body) for body in bodies]
                 found[sample, bodies] = constraint.exerted(time, free, states)
             else:
@@ -32,16 +31,12 @@ def contact_loads(
     return found
 
 
-def _held(
-    active: ActiveContacts, time: float, count: int
-) -> list[tuple[list[int], Constraint | CoupledConstraint]]:
+def _held(active: ActiveContacts, time: float, count: int) -> list[tuple[list[int], Constraint]]:
     """Return the constraints on bodies at a time, s, each with the bodies that it holds."""
-    found: dict[int, tuple[list[int], Constraint | CoupledConstraint]] = {}
+    found: dict[int, tuple[list[int], Constraint]] = {}
     for body in range(count):
         constraint = active.constraint_at(body, time)
-        if isinstance(constraint, Resting):
-            constraint = constraint.kept_by
-        if isinstance(constraint, CoupledConstraint):
+        if isinstance(constraint, ExertingConstraint):
             found[id(constraint)] = [*constraint.bodies], constraint
         elif constraint is not None:
             found[body] = [body], constraint

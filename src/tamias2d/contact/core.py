@@ -41,14 +41,12 @@ class Core:
         timed: bool = False,
         group: frozenset[int] = frozenset(),
         jointed: bool = False,
-        switching: str | None = None,
         welded: frozenset[int] = frozenset(),
     ) -> None:
         """Take a body, whether its loads are constant, whether they change at rest, and its group.
 
         The group holds the bodies on whose states its loads depend, itself included. It is jointed
-        where it moves and a joint holds it, and may be `welded` to others for good. `switching` is
-        a joint that holds one of the group and changes what it does at instants.
+        where it moves and a joint holds it, and may be `welded` to others for good.
         """
         shape = body.shape
         self.index = index
@@ -61,7 +59,6 @@ class Core:
         self.timed = timed
         self.group = group
         self.jointed = jointed
-        self.switching = switching
         self.welded = welded
         self.inverse_mass = body.inverse_mass
         self.inverse_inertia = body.inverse_inertia
@@ -89,13 +86,6 @@ def cores_of(scene: Scene) -> list[Core]:
     varying, timed = varying_loads(scene), timed_loads(scene)
     group_of = {i: frozenset(group) for group in groups(scene) for i in group}
     jointed = {i for joint in scene.joints for i in joint.bodies}
-    switching = {
-        i: joint.name
-        for joint in scene.joints
-        if joint.may_switch
-        for body in joint.bodies
-        for i in group_of.get(body, ())
-    }
     welded_to = {i: frozenset(bodies) for bodies in welded(scene) for i in bodies}
     return [
         Core(
@@ -105,7 +95,6 @@ def cores_of(scene: Scene) -> list[Core]:
             timed=i in timed,
             group=group_of.get(i, frozenset()),
             jointed=i in jointed and body.dynamic,
-            switching=switching.get(i) if i in jointed else None,
             welded=welded_to.get(i, frozenset()),
         )
         for i, body in enumerate(scene.bodies)

@@ -156,6 +156,15 @@ class Resting(Constant):
     kept_by: CoupledConstraint = field(compare=False)
     """The same contacts as a constraint that is solved for its forces."""
 
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        """All bodies that rest together."""
+        return self.kept_by.bodies
+
+    def exerted(self, time: float, accelerations: Array, states: Sequence[State]) -> Array:
+        """Return what contacts exert on all bodies (n, 3), N and N m."""
+        return self.kept_by.exerted(time, accelerations, states)
+
 
 class _Solved(NamedTuple):
     """What the contacts of a mode do in some states."""

@@ -25,7 +25,7 @@ from tamias2d.contact.manifold import (
     tangent_of,
     tangential_velocity,
 )
-from tamias2d.contact.mobility import refuse_switching, with_mechanisms
+from tamias2d.contact.mobility import with_mechanisms
 from tamias2d.contact.one_surface import strike_as_one
 from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.refusal import LastingContactError, RangeError, UndecidedContactError, named
@@ -215,7 +215,7 @@ class Instant:
                     own.append(tangent_of(own[0]))
                 still += own
         if still:
-            self.states.update(without_rates(self._world.mobility, still, self.states))
+            self.states.update(without_rates(self._world.lasting_mobility, still, self.states))
 
     def _slip(self, contact: Contact) -> float:
         return tangential_velocity(contact, self.states[contact.a], self.states[contact.b])
@@ -264,11 +264,9 @@ class Instant:
             for contact in touch.contacts
             if abs(self._rate(contact)) <= touch.noise
         ]
-        refuse_switching(self._world.cores, staying, "they stay in contact", self.time)
         self._refuse_corners(staying)
         islands = self._islands(staying)
         while low := self._unresolved_bounces(islands, staying):
-            refuse_switching(self._world.cores, low, "they come to rest on each other", self.time)
             self._refuse_corners(low)
             if self._end_low_bounces(staying, low):
                 staying += low
@@ -287,7 +285,7 @@ class Instant:
         if not any(contact in held for contact in low):
             return True
         before = dict(self.states)
-        self.states.update(without_rates(self._world.mobility, held, self.states))
+        self.states.update(without_rates(self._world.lasting_mobility, held, self.states))
         for touch in self.touching_pairs.values():
             noise = 64 * EPSILON * touch.speed
             if any(self._rate(contact) < -noise for contact in touch.contacts):
@@ -343,7 +341,13 @@ class Instant:
         for bodies, joined in groups:
             free = {i: self._free(i) for i in sorted(bodies)}
             island = island_of(
-                cores, placed, joined, free, min(slight), pair_friction, self._world.mobility
+                cores,
+                placed,
+                joined,
+                free,
+                min(slight),
+                pair_friction,
+                self._world.lasting_mobility,
             )
             self._stopped |= island.stopped  # also of the islands into which it falls
             alone = len(island.bodies) == 1 or len(island.lasting) == len(joined)

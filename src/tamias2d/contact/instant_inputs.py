@@ -25,6 +25,8 @@ class InstantInputs(NamedTuple):
     """What impulses on jointed bodies change, now; limits answer those that press them."""
     mobility: Mobility
     """What impulses on any bodies change, now."""
+    lasting_mobility: Mobility
+    """What forces on any bodies change, now; joints answer as they do between instants."""
     lasting: Mapping[PairOf, Sequence[Contact]]
     """The contacts that have lasted until now."""
     sticking: Collection[PairOf]

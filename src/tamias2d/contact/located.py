@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.loss_search import LossSearch
 from tamias2d.contact.mobility import Mobility
 from tamias2d.contact.overlap import refuse_overlap
-from tamias2d.contact.refusal import LastingContactError
+from tamias2d.contact.refusal import JointedContactError, LastingContactError, named
 from tamias2d.contact.ruled_instants import RuledInstants
 from tamias2d.contact.saltation import SingleImpact
 from tamias2d.contact.stepping_choice import MANY
@@ -26,9 +27,10 @@ from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.touching import ContactImpulse, PairOf
 from tamias2d.path import PathPiece, Paths
 from tamias2d.scene import Scene
-from tamias2d.state import Array, History, State
+from tamias2d.state import Array, ExertingConstraint, History, State
 from tamias2d.work_limit import Work
 
+_MOST_ASKED = 200  # times that contacts are decided again at one instant, as limits bounce
 _REFINEMENTS = 8  # of an impact: of bodies that act on each other one may undo that of another
 
 
@@ -69,6 +71,7 @@ class Located:
         """All impacts, in order; None once bodies met at several points at once, or stayed."""
         self._refined: dict[PairOf, tuple[int, int]] = {}
         self._refinements: dict[PairOf, int] = {}  # since the last event
+        self._asked_at, self._asked = -1.0, 0
         self._queue = EventQueue(len(self.cores))
         self._paths = BodyPaths(self.cores, scene.kept_apart)
         self._active = ActiveContacts(self.cores)
@@ -304,17 +307,40 @@ class Located:
         ended = {i for i in bodies if self._paths.path(i).end == time and time < end}
         changed = sorted(instant.changed | ended)
         self._active.constrain(changed, instant)
+        pressing = self._pressing(changed)
+        before = self._motion.joint_changes(pressing, time)
         paths = self._motion.restart(changed, time, instant.state, end, self._active.constraints)
         for body, path in paths.items():
             if body in changed:
                 self._chattering.count_path(body, self._paths.path(body).start, path.start)
             self._set_path(body, path)
         self._schedule_ends(paths, end)
+        if before != self._motion.joint_changes(pressing, time):
+            self._ask_again(time, pressing)
         self._search.resume_after(instant, self._until, paths.keys())
         self._schedule_impacts(paths or bodies)
         if self._paths.follower:
             touched = {i for pair in instant.touching_pairs for i in pair}
             self._paths.follower.remember(touched | set(changed), self._memory())
+
+    def _pressing(self, bodies: Iterable[int]) -> list[int]:
+        """Return those of some bodies on which contacts last beside joints."""
+        held = self._active.constraints
+        return [body for body in bodies if isinstance(held[body], ExertingConstraint)]
+
+    def _ask_again(self, time: float, bodies: Sequence[int]) -> None:
+        """Let contacts be decided again at once, as joints do something else beside them."""
+        self._asked = self._asked + 1 if self._asked_at == time else 0
+        self._asked_at = time
+        if self._asked > _MOST_ASKED:
+            raise JointedContactError(
+                f"{named(*(self.cores[i].name for i in bodies))} at {time!r} s: what limits, "
+                "motors or breaking joints and contacts that last do together is not found (GD20). "
+                "End the run before, take method=Stepped(), or change the scene.",
+                time=time,
+            )
+        self._chattering.forget(bodies)
+        self._queue.schedule(time, bodies[0], bodies[0])
 
     def _note_single(self, instant: Instant) -> None:
         """Note the impacts of an instant, if each is the only thing that happens to its bodies."""
@@ -333,13 +359,15 @@ class Located:
 
     def _instant(self, time: float, bodies: list[int]) -> Instant:
         """Return an instant around some bodies."""
+        moved = partial(self._motion.moved, in_turns=time == self._asked_at)
         world = InstantInputs(
             self.cores,
             self._state,
             self._paths.near,
             lambda body, state: self._motion.free(body, time, state),
             lambda impulses: self._motion.struck(time, impulses, self._state),
-            Mobility(self.cores, self._motion.moved, time, self._state),
+            Mobility(self.cores, moved, time, self._state),
+            Mobility(self.cores, self._motion.pushed, time, self._state),
             self._active.of,
             self._active.sticking,
             lambda pair: self._search.separating_direction(pair, time),

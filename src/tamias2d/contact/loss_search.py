@@ -58,7 +58,7 @@ class LossSearch:
             lambda time: self._free(body, time),
             self._slight(contacts, now, until),
             LastingFriction(self._friction, self._active.senses),
-            Mobility(self._cores, self._motion.moved, now, lambda i: self._paths.state(i, now)),
+            Mobility(self._cores, self._motion.pushed, now, lambda i: self._paths.state(i, now)),
         )
         return watch.first_loss(self._paths.path(body), constraint)
 

@@ -7,7 +7,6 @@ import numpy as np
 
 from tamias2d.contact.core import Core
 from tamias2d.contact.manifold import Contact
-from tamias2d.contact.refusal import JointedContactError, named
 from tamias2d.contact.response import coupling
 from tamias2d.generated import definitions
 from tamias2d.state import Array, State
@@ -76,22 +75,6 @@ class Mobility(NamedTuple):
 
     def _jointed(self, bodies: Iterable[int]) -> bool:
         return any(self.cores[i].jointed for i in bodies)
-
-
-def refuse_switching(
-    cores: Sequence[Core], contacts: Iterable[Contact], what: str, time: float
-) -> None:
-    """Refuse lasting contacts of a mechanism whose joints may do something else meanwhile."""
-    for contact in contacts:
-        for i in (contact.a, contact.b):
-            if joint := cores[i].switching:
-                raise JointedContactError(
-                    f"{named(cores[contact.a].name, cores[contact.b].name)} at {time!r} s: {what}, "
-                    f"and joint '{joint}' holds '{cores[i].name}' or what it is tied to, with a "
-                    "limit, a maximum or a break threshold: that is not solved yet (R13). End the "
-                    "run before, take method=Stepped(), or leave these out.",
-                    time=time,
-                )
 
 
 def with_mechanisms(cores: Sequence[Core], bodies: Iterable[int]) -> list[int]:

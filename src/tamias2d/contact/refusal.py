@@ -31,7 +31,7 @@ class FrictionError(Refusal):
 
 
 class JointedContactError(Refusal):
-    """A lasting contact of a mechanism whose joints may switch meanwhile: not solved yet."""
+    """What contacts that last and joints that limit, drive or break do together is not found."""
 
     code = "jointed-contact"
 

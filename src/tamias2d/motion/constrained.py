@@ -76,7 +76,7 @@ class ConstrainedMotion:
             return constraint.together(time, loads(time, position, velocity), now)
 
         field = MemoisedField(held, bodies, [None] * len(bodies), self._tally)
-        steps = JointedSteps(self._loads, self._coupled[bodies], field)
+        steps = JointedSteps(self._loads, self._coupled[bodies], field, [constraint])
         step = next(steps.until(start, end, *coordinates(states)))
         work.step(step.end)
         return {body: step.piece(k) for k, body in enumerate(bodies)}

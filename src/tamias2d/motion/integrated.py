@@ -14,7 +14,7 @@ from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.halved import Halved, Halving
 from tamias2d.motion.integrator import Integrator
 from tamias2d.motion.joint_code import JointCodes
-from tamias2d.motion.joint_events import JointEvents, joint_events
+from tamias2d.motion.joint_events import JointEvents, Mode, joint_events
 from tamias2d.motion.jointed_steps import JointedSteps
 from tamias2d.motion.law_resolution import LawResolution, States
 from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
@@ -189,9 +189,25 @@ class IntegratedMotion:
         """Return what impulses on jointed bodies change at a time in s, in their mechanisms."""
         return self._loads.struck(time, impulses, state)
 
-    def moved(self, time: float, bodies: Sequence[int], impulses: Array, state: StateOf) -> Array:
+    def moved(
+        self,
+        time: float,
+        bodies: Sequence[int],
+        impulses: Array,
+        state: StateOf,
+        *,
+        in_turns: bool = False,
+    ) -> Array:
         """Return what impulses on bodies change at a time in s, with what joints answer."""
-        return self._loads.moved(time, bodies, impulses, state)
+        return self._loads.moved(time, bodies, impulses, state, in_turns=in_turns)
+
+    def pushed(self, time: float, bodies: Sequence[int], forces: Array, state: StateOf) -> Array:
+        """Return the accelerations by forces on bodies, with what joints answer as they do now."""
+        return self._loads.pushed(time, bodies, forces, state)
+
+    def joint_changes(self, bodies: Sequence[int], time: float) -> list[tuple[Mode, int]]:
+        """Return what joints of some bodies do at a time, s, and how many limits were struck."""
+        return self._loads.joint_changes(bodies, time)
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
         """Return the acceleration of an unconstrained body, at a time in s."""
@@ -314,7 +330,7 @@ class IntegratedMotion:
         self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
     ) -> Iterator[DenseStep]:
         """Yield steps one by one, up to the first event of a joint."""
-        jointed = JointedSteps(self._loads, self._integrator, field)
+        jointed = JointedSteps(self._loads, self._integrator, field, field.constraints)
         for step in jointed.until(start, end, position, velocity):
             self._note_missed(field, (step.start, step.end), step.states)
             if jointed.mechanisms and isinstance(self._batching, ErrorEquation):

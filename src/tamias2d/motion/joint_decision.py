@@ -23,17 +23,21 @@ _ROUNDING = 1e-14  # of the speeds that there have been
 _SHARE = 1e-12  # of the largest force, or of the most that a motor exerts: more is no rounding
 
 
-def begin(mechanism: LimitedMechanism, now: Now) -> Array:
+def begin(mechanism: LimitedMechanism, now: Now, *, anew: bool = False) -> Array:
     """Decide what the joints do from now on; return the velocities (n, 3) after it.
 
-    What was decided for later is forgotten: a path may be found anew after an impact.
+    What was decided for later is forgotten: a path may be found anew after an impact. What broke
+    at this time is asked `anew` where it was not known what contacts bear.
 
     Raises:
         JointError: everything breaks.
     """
     cause = mechanism.rewind(now.time)
-    decision = Decision(mechanism, now, mechanism.mode(now.time), cause or Cause(now.time))
-    if mechanism.begun and cause is None and not decision.disturbed():
+    known = mode = mechanism.mode(now.time)
+    if anew:
+        mode = replace(mode, broken=mechanism.broken_before(now.time))
+    decision = Decision(mechanism, now, mode, cause or Cause(now.time))
+    if mechanism.begun and cause is None and mode == known and not decision.disturbed():
         return now.velocity
     velocity, strikes = decision.impacts()
     mode = decision.mode()

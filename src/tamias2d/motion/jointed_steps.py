@@ -1,6 +1,6 @@
 """Steps of jointed bodies: they end where joints hold, and at what these do in an instant."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 import numpy as np
@@ -10,11 +10,11 @@ from tamias2d.motion.joint_decision import begin
 from tamias2d.motion.joint_instant import Now
 from tamias2d.motion.joint_search import JointSearch
 from tamias2d.motion.limited_mechanism import LimitedMechanism
-from tamias2d.motion.loads import Field, Loads
+from tamias2d.motion.loads import Field, Loads, state_of
 from tamias2d.motion.mechanisms import fitted
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, moved_end
-from tamias2d.state import Array
+from tamias2d.state import Array, ExertingConstraint
 
 _REFINED = 6  # times that a step is taken anew to end at an event of a joint
 
@@ -22,12 +22,24 @@ _REFINED = 6  # times that a step is taken anew to end at an event of a joint
 class JointedSteps:
     """Takes the steps of some bodies by an integrator; joints may hold them."""
 
-    def __init__(self, loads: Loads, integrator: Integrator, field: MemoisedField) -> None:
+    def __init__(
+        self,
+        loads: Loads,
+        integrator: Integrator,
+        field: MemoisedField,
+        constraints: Iterable[object],
+    ) -> None:
+        """Take the accelerations of bodies, and the constraints on them by lasting contacts."""
         self._integrator = integrator
         self._field = field
         self._loads = loads
         self.mechanisms = loads.mechanisms(field.bodies)
         """Those that hold some, with the rows of the bodies in each."""
+        self._pressing: list[ExertingConstraint] = []
+        """What lasting contacts do to these bodies, each once."""
+        for constraint in constraints:
+            if isinstance(constraint, ExertingConstraint) and constraint not in self._pressing:
+                self._pressing.append(constraint)
         self._limited = [
             (own, one) for own, one in self.mechanisms if isinstance(one, LimitedMechanism)
         ]
@@ -56,6 +68,26 @@ class JointedSteps:
         """Accelerations without what joints exert."""
         return self._loads.free_field(self._field.bodies)
 
+    @cached_property
+    def _without_contacts(self) -> Field:
+        """Accelerations with what joints exert, but no contacts."""
+        bodies = self._field.bodies
+        return self._loads.field(bodies, [None] * len(bodies))
+
+    def _pull(self, time: float, position: Array, velocity: Array) -> Array:
+        """Return the accelerations by loads and by contacts that last, without joints."""
+        pull = self._free(time, position, velocity)
+        if not self._pressing:
+            return pull
+        pull, place = pull.copy(), {body: k for k, body in enumerate(self._field.bodies)}
+        free = self._without_contacts(time, position, velocity)
+        for constraint in self._pressing:
+            own = [place[body] for body in constraint.bodies]
+            states = [state_of(position[k], velocity[k]) for k in own]
+            exerted = constraint.exerted(time, free[own], states)
+            pull[own] += self._loads.inverse[list(constraint.bodies)] * exerted
+        return pull
+
     def _step(self, start: float, end: float, position: Array, velocity: Array) -> DenseStep:
         """Return a step that ends where the joints hold."""
         step = self._integrator.step(self._field, start, end, position, velocity)
@@ -65,10 +97,11 @@ class JointedSteps:
 
     def _begun(self, start: float, position: Array, velocity: Array) -> Array:
         """Return the velocities with which joints begin what they do from here on."""
-        pull = self._free(start, position, velocity)
+        pull = self._pull(start, position, velocity)
         velocity = velocity.copy()
         for own, mechanism in self._limited:
-            velocity[own] = begin(mechanism, Now(start, position[own], velocity[own], pull[own]))
+            now = Now(start, position[own], velocity[own], pull[own])
+            velocity[own] = begin(mechanism, now, anew=bool(self._pressing))
         self._field.forget()
         return velocity
 
@@ -81,7 +114,7 @@ class JointedSteps:
         found = [
             (hit[0], k, hit[1])
             for k, (own, one) in enumerate(self._limited)
-            if (hit := JointSearch(one, own, self._free, step).first())
+            if (hit := JointSearch(one, own, self._pull, step).first())
         ]
         if not found:
             return None
@@ -93,7 +126,7 @@ class JointedSteps:
             shorter = self._step(step.start, time, *step.first)
             if shorter.end < time:  # it is further off than a step may be here
                 return self._event(shorter) or shorter
-            later = JointSearch(mechanism, own, self._free, shorter).zero(watch)
+            later = JointSearch(mechanism, own, self._pull, shorter).zero(watch)
             beyond = not step.start < later <= step.end  # a step is too coarse to say more
             if abs(later - time) <= 4 * np.spacing(time) or beyond:
                 break

@@ -4,6 +4,7 @@ Between two instants it is a mechanism like others, with a row more for each lim
 each motor that keeps its speed.
 """
 
+from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from itertools import count
 from typing import Literal
@@ -98,6 +99,11 @@ class LimitedMechanism:
     def mode(self, time: float) -> Mode:
         """Return what its joints do at a time in s."""
         return mode_at(self._modes, time)
+
+    def broken_before(self, time: float) -> frozenset[int]:
+        """Return the joints that had broken before a time in s."""
+        k = bisect_left(self._modes, time, key=lambda entry: entry[0])
+        return self._modes[k - 1][1].broken if k else frozenset()
 
     def within(self, mode: Mode) -> Mechanism:
         """Return the mechanism that it is in a mode."""
@@ -248,14 +254,24 @@ class LimitedMechanism:
         total: Array = change + answer
         return total
 
-    def moved(self, time: float, position: Array, impulses: Array) -> Array:
+    def strikes_at(self, time: float) -> int:
+        """Return how many limits were struck at a time in s."""
+        struck = (STRIKES, STRIKES + 1)
+        events = self._timeline.events
+        return sum(e.time == time and e.joint in self._own and e.what in struck for e in events)
+
+    def moved(
+        self, time: float, position: Array, impulses: Array, *, in_turns: bool = False
+    ) -> Array:
         """Return the changes (m, n, 3) of velocities by m impulses (m, n, 3) of either sign.
+
+        Limits that hold give none: they are refused, or struck `in_turns` with what else meets.
 
         Raises:
             LimitHeldError: a limit holds.
         """
         mode = self.mode(time)
-        if mode.held:
+        if mode.held and not in_turns:
             raise LimitHeldError(self._joint[min(mode.held)[0][0]].name, time)
         rows, _ = self.stiff(time, position, mode, [])
         endless = np.full(len(rows), -np.inf)
@@ -264,6 +280,13 @@ class LimitedMechanism:
             answer, _ = bounded_sum(rows, self.inverse, -rows @ change.ravel(), endless)
             change += answer
         return changes
+
+    def pushed(self, time: float, position: Array, forces: Array) -> Array:
+        """Return the accelerations (m, n, 3) by each of m forces (m, n, 3), N and N m.
+
+        Limits that hold and motors that keep their speed answer whatever the sign.
+        """
+        return self.within(self.mode(time)).moved(time, position, forces)
 
     def stiff(
         self, time: float, position: Array, mode: Mode, limits: Sequence[Side]

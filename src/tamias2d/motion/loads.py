@@ -8,7 +8,8 @@ import numpy as np
 from tamias2d.errors import SimulationError
 from tamias2d.generated import rotation, translation
 from tamias2d.motion.joint_code import JointCodes
-from tamias2d.motion.joint_events import Timeline
+from tamias2d.motion.joint_events import Mode, Timeline
+from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.mechanisms import Mechanisms, Placed
 from tamias2d.motion.terms import Term, terms
 from tamias2d.scene import Scene
@@ -108,7 +109,15 @@ class Loads:
             }
         return found
 
-    def moved(self, time: float, bodies: Sequence[int], impulses: Array, state: StateOf) -> Array:
+    def moved(
+        self,
+        time: float,
+        bodies: Sequence[int],
+        impulses: Array,
+        state: StateOf,
+        *,
+        in_turns: bool = False,
+    ) -> Array:
         """Return the changes (m, n, 3) of the velocities of whole mechanisms, and of other bodies.
 
         They are by impulses (m, n, 3), N s and N m s, each with what joints answer.
@@ -116,8 +125,25 @@ class Loads:
         changes: Array = impulses * self.inverse[list(bodies)]
         for own, mechanism in self.mechanisms(bodies):
             position, _ = coordinates([state(bodies[k]) for k in own])
-            changes[:, own] = mechanism.moved(time, position, impulses[:, own])
+            changes[:, own] = mechanism.moved(time, position, impulses[:, own], in_turns=in_turns)
         return changes
+
+    def pushed(self, time: float, bodies: Sequence[int], forces: Array, state: StateOf) -> Array:
+        """Return the accelerations (m, n, 3) by forces (m, n, 3) on mechanisms and other bodies.
+
+        They are in N and N m, each with what joints answer as they do now.
+        """
+        changes: Array = forces * self.inverse[list(bodies)]
+        for own, mechanism in self.mechanisms(bodies):
+            position, _ = coordinates([state(bodies[k]) for k in own])
+            changes[:, own] = mechanism.pushed(time, position, forces[:, own])
+        return changes
+
+    def joint_changes(self, bodies: Sequence[int], time: float) -> list[tuple[Mode, int]]:
+        """Return what the joints of some bodies do at a time, s, and how many limits were struck."""
+        found = [mechanism for _, mechanism in self.mechanisms(bodies)]
+        limited = [one for one in found if isinstance(one, LimitedMechanism)]
+        return [(one.mode(time), one.strikes_at(time)) for one in limited]
 
     def joint_notes(self, bodies: Sequence[int]) -> tuple[str, ...]:
         """Return what is to be told of the joints among some bodies at the start (GD19).

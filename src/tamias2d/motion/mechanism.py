@@ -166,7 +166,14 @@ class Mechanism:
         (change,) = self.moved(time, position, impulses[None])
         return np.asarray(change, float)
 
-    def moved(self, time: float, position: Array, impulses: Array) -> Array:
+    def moved(
+        self,
+        time: float,
+        position: Array,
+        impulses: Array,
+        *,
+        in_turns: bool = False,  # noqa: ARG002
+    ) -> Array:
         """Return the changes (m, n, 3) of the velocities by each of m impulses (m, n, 3)."""
         slopes, least = self._factors(time, position)
         changes = np.empty_like(impulses)
@@ -174,6 +181,10 @@ class Mechanism:
             x = least(np.einsum("ijk,jk->i", slopes, self._weights * free))
             change[:] = self._weights * (free - x.reshape(free.shape))
         return changes
+
+    def pushed(self, time: float, position: Array, forces: Array) -> Array:
+        """Return the accelerations (m, n, 3) by each of m forces (m, n, 3), N and N m."""
+        return self.moved(time, position, forces)
 
     def fitted(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array]:
         """Return places and velocities (n, 3), moved by the least way to where the joints hold.
