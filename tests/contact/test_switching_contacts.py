@@ -85,7 +85,7 @@ def test_a_see_saw_stops_with_a_box_on_it() -> None:
 
 
 def pulled(break_force: float) -> t2.Scene:
-    """A box of 3 kg that a growing force pulls, and one of 2 kg behind it on a rod, with rubbing."""
+    """A box of 3 kg that a growing force pulls, and one of 2 kg behind it on a rod; they rub."""
     scene = t2.Scene(gravity=(0.0, -G))
     floor(scene, 0.2)
     box = t2.Box(width=1.0, height=0.2)

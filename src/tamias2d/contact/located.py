@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from itertools import chain
 
 import numpy as np
 
@@ -72,6 +73,8 @@ class Located:
         self._refined: dict[PairOf, tuple[int, int]] = {}
         self._refinements: dict[PairOf, int] = {}  # since the last event
         self._asked_at, self._asked = -1.0, 0
+        bounces = [body.restitution for body in scene.bodies], scene.restitution_of_pairs.values()
+        self._inelastic = not any(chain(*bounces))
         self._queue = EventQueue(len(self.cores))
         self._paths = BodyPaths(self.cores, scene.kept_apart)
         self._active = ActiveContacts(self.cores)
@@ -359,7 +362,8 @@ class Located:
 
     def _instant(self, time: float, bodies: list[int]) -> Instant:
         """Return an instant around some bodies."""
-        moved = partial(self._motion.moved, in_turns=time == self._asked_at)
+        in_turns = self._inelastic or time == self._asked_at
+        moved = partial(self._motion.moved, in_turns=in_turns)
         world = InstantInputs(
             self.cores,
             self._state,

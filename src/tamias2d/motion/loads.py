@@ -140,7 +140,7 @@ class Loads:
         return changes
 
     def joint_changes(self, bodies: Sequence[int], time: float) -> list[tuple[Mode, int]]:
-        """Return what the joints of some bodies do at a time, s, and how many limits were struck."""
+        """Return what joints of some bodies do at a time, s, and how many limits were struck."""
         found = [mechanism for _, mechanism in self.mechanisms(bodies)]
         limited = [one for one in found if isinstance(one, LimitedMechanism)]
         return [(one.mode(time), one.strikes_at(time)) for one in limited]
