@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tests.contact.test_contact_reactions import missing
 from tests.contact.test_jointed_contacts import EXACT, G, floor
 
 STOP = {"restitution": 0.0}
@@ -159,3 +160,43 @@ def test_a_brake_holds_a_cart_on_a_slope_if_it_is_strong_enough(share: float) ->
     run = driven(0.0, share * 6 * G * math.sin(0.1) * 0.3, 0.1)
     wanted = 0.0 if share > 1 else (1 - share) * 6 * G * math.sin(0.1) / 7
     np.testing.assert_allclose(run.velocity[-1, 1], (wanted, 0.0), atol=1e-9)
+
+
+def falling_pair(seed: int) -> t2.Scene:
+    """Two boxes that fall on a rough floor, with a hinge that turns by half a radian at most."""
+    rng = np.random.default_rng(seed)
+    scene = t2.Scene(gravity=(0.0, -G))
+    floor(scene, 0.3)
+    turned = rng.uniform(-0.8, 0.8)
+    c, s = math.cos(turned), math.sin(turned)
+    for k in range(2):
+        scene.add_body(
+            t2.Box(width=0.6, height=0.2),
+            mass=rng.uniform(0.5, 2),
+            position=(k * 0.6 * c, 0.9 + k * 0.6 * s),
+            orientation=turned,
+            friction=0.3,
+            restitution=0.0,
+        )
+    limits = t2.Limits(lower=-rng.uniform(0.1, 0.5), upper=rng.uniform(0.1, 0.5), **STOP)
+    scene.add_joint(t2.Revolute(limits=limits), 1, 2, at=(0.3 * c, 0.9 + 0.3 * s))
+    return scene
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_pair_with_a_stop_that_falls_obeys_newton_and_its_limits(seed: int) -> None:
+    scene = falling_pair(seed)
+    middles = np.linspace(0.3, 1.1, 17)
+    times = np.sort(np.concatenate([middles - 1e-5, middles, middles + 1e-5]))
+    run = t2.simulate(scene, duration=1.2, times=times, method=EXACT)
+    happened = np.concatenate([run.impacts.time, run.joint_events.time])
+    met = np.abs(np.subtract.outer(run.times[1::3], happened)).min(axis=1) < 2e-5
+    assert np.abs(missing(run)[~met]).max() < 1e-4
+    assert np.diff(run.energy).max() < 1e-9
+    limits = scene.joints[0].freedoms[0].limits
+    assert limits is not None
+    assert limits.lower is not None
+    assert limits.upper is not None
+    bent = run.orientation[:, 2] - run.orientation[:, 1]
+    assert limits.lower - 1e-9 < bent.min()
+    assert bent.max() < limits.upper + 1e-9

@@ -40,8 +40,8 @@ class LimitHeldError(JointError):
     def __init__(self, name: str, time: float) -> None:
         super().__init__(
             f"joint '{name}' at {time!r} s: it is at its limit while bodies of its mechanism rub "
-            "or meet together, which is not solved yet (R13). End the run before, or take "
-            "method=Stepped()."
+            "or meet together and something bounces, which is not solved yet (R13). End the run "
+            "before, or take method=Stepped()."
         )
         self.time = time
 
