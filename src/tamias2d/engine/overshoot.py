@@ -7,12 +7,8 @@ of each contact whose bodies turn far, twice.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.continuous.events import (
-    closing_at_points,
-    manifold_at,
-    smaller_radius,
-    turn_shape_to,
-)
+from tamias2d.engine.continuous.events import closing_at_points, manifold_at
+from tamias2d.engine.continuous.passing import smaller_radius, turn_shape_to
 from tamias2d.engine.energy.joined_gains import joints_disagree
 from tamias2d.engine.narrow_phase.manifold import smallest_gap
 from tamias2d.engine.narrow_phase.polygon import held_normal
