@@ -11,7 +11,7 @@ from tamias2d.engine.arrays.store import Store
 from tamias2d.engine.joints.elimination import Elimination, eliminated
 from tamias2d.engine.joints.equal_trees import equal_trees, rows_of, write_blocks_of
 from tamias2d.engine.joints.hinges import HingeTree, by_level, hinge_tree, is_net
-from tamias2d.engine.joints.joint_row import JointRow, LawNumbers
+from tamias2d.engine.joints.joint_row import JointRow, LawNumbers, rubs
 from tamias2d.engine.joints.linearise import TURNED_TOGETHER
 from tamias2d.engine.joints.program_tables import lengths_of_programs, write_programs
 from tamias2d.engine.tables import Joints
@@ -134,6 +134,7 @@ def set_law(store: Store, place: int, kind: str, at: float, numbers: LawNumbers)
     turned = ((law == tb.MOTOR) & (joints.laws[own, tb.LAW_RATE] != 0.0)).any()
     mechanism[tb.M_TURNED_BY_MOTOR] = turned
     mechanism[tb.M_DRIVEN] = mechanism[tb.M_TIMED] or (law == tb.SPRING).any()
+    mechanism[tb.M_FIRM] = not all(map(rubs, law.tolist(), joints.laws[own].tolist()))
     mechanism[tb.M_BOUNCING] = (joints.laws[own, tb.LAW_RESTITUTION] > 0.0).any()
     _forget_written(n, joints)
 
@@ -240,6 +241,7 @@ def _write_joints(
             joints.mechanisms[n, tb.M_TIMED] |= row.timed
             joints.mechanisms[n, tb.M_TURNED_BY_MOTOR] |= row.turned
             joints.mechanisms[n, tb.M_GOVERNED] |= row.governed
+            joints.mechanisms[n, tb.M_FIRM] |= row.firm
             joints.mechanisms[n, tb.M_CHOOSING] |= row.law in CHOOSING or row.bounded
             joints.mechanisms[n, tb.M_BOUNCING] |= row.numbers[tb.LAW_RESTITUTION] > 0.0
             joints.joints[j, [tb.J_LAW, tb.J_STATE]] = row.law, tb.HOLDS
