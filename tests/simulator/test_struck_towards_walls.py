@@ -51,7 +51,7 @@ def disc(sim: t2.Simulator, at: tuple[float, float], speed: float = 0.0) -> int:
 def test_a_struck_body_stays_before_the_wall(
     joined: Callable[[t2.Simulator, int], list[int]], wall: str
 ) -> None:
-    """It goes in by a fifth of its radius at most, at up to five radii a step, and gains nothing."""
+    """It goes in by less than a fifth of its radius, at five radii a step, and gains nothing."""
     random = np.random.default_rng(7)
     for _ in range(12):
         gap, speed = random.uniform(1e-3, 0.05), random.uniform(1.0, 10.0)
