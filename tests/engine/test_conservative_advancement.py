@@ -31,7 +31,9 @@ def swept(
     a: Outline, b: Outline, delta: Any, move: Any, turn_a: float = 0.0, turn_b: float = 0.0
 ) -> float:
     path = RelativePath(*map(float, delta), *map(float, move), turn_a, turn_b)
-    return float(time_of_impact(0, 1, path, (0.0, 0.0), shape_arrays((a, b)), event_arrays()))
+    return float(
+        time_of_impact(0, 1, False, path, (0.0, 0.0), shape_arrays((a, b)), event_arrays())
+    )
 
 
 def gap_at(a: Outline, b: Outline, delta: Any, move: Any, turns: Any, at: float) -> float:
@@ -186,7 +188,9 @@ def sweep_each(sweeps: Sweeps) -> None:
         row = sweeps.paths[p]
         path = RelativePath(row[0], row[1], row[2], row[3], row[4], row[5])
         s, t = sweeps.pairs[p, 0], sweeps.pairs[p, 1]
-        sweeps.found[p] = time_of_impact(s, t, path, (0.0, 0.0), sweeps.shapes, sweeps.events)
+        sweeps.found[p] = time_of_impact(
+            s, t, False, path, (0.0, 0.0), sweeps.shapes, sweeps.events
+        )
 
 
 sweep_each.__module__ = "tamias2d.engine.test"  # as in a module of the package

@@ -435,3 +435,30 @@ def test_events_are_recorded_and_read_back_to_the_bit(tmp_path: Path, suffix: st
     back = t2.Run.load(tmp_path / f"run{suffix}")
     assert list(back.joint_events) == list(run.joint_events)
     assert back.digest() == run.digest()
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        t2.Distance(limits=t2.Limits(upper=1.0, restitution=0.0)),
+        t2.Groove(axis=(1, 0), limits=t2.Limits(upper=1.0, restitution=0.0)),
+        t2.Prismatic(axis=(1, 0), limits=t2.Limits(upper=1.0, restitution=0.0)),
+        t2.Distance(motor=t2.Motor(speed=0.0)),
+        t2.Distance(motor=t2.Motor(speed=0.0, maximum=10.0)),
+    ],
+    ids=["rope", "groove", "slide", "winch", "winch with a maximum"],
+)
+def test_a_joint_that_broke_as_it_held_by_its_limit_or_motor_holds_no_more(
+    kind: t2.Distance | t2.Groove | t2.Prismatic,
+) -> None:
+    """Pulled by 3 t N it bears 1.5 N until 0.5 s; from there on the load has 3 (t^2 - 1/4) / 2."""
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(None, mass=1, inertia=1, position=(1, 0), name="load")
+    scene.add_field(force=("3[N/s]*time", "0[N]"), bodies=["load"])
+    scene.add_joint(kind, (0, 0), "load", break_force=1.5)
+    run = t2.simulate(scene, duration=1.0, times=[0.0, 0.25, 1.0])
+    assert told(run)[-1] == (pytest.approx(0.5, rel=1e-12), "breaks")
+    assert run.velocity[:, 0, 0] == pytest.approx([0.0, 0.0, 1.5 * 0.75], abs=1e-12)
+    assert run.reactions.force[:, 0, 0] == pytest.approx(
+        np.array([(0, 0), (0.75, 0), (0, 0)]), abs=1e-12
+    )

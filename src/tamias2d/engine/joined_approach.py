@@ -1,6 +1,7 @@
 """How fast the contacts of mechanisms meet, or part: they have no impacts in flight (DD102)."""
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joined import is_held
 from tamias2d.engine.tables import Bodies, Control, Integers
 from tamias2d.generated.definitions import coordinate_velocity_later
 from tamias2d.generated.joint_step import impact_rate
@@ -16,7 +17,7 @@ def joined_approach(
 ) -> float:
     """Return the normal velocity with which a point meets that approaches at a speed, m/s."""
     i, j = lane[tb.BODY_A + m], lane[tb.BODY_B + m]
-    if bodies.properties[i, tb.JOINED] + bodies.properties[j, tb.JOINED] == 0.0:
+    if not (is_held(i, bodies) or is_held(j, bodies)):
         return speed
     a, b = bodies.substep_state[i], bodies.substep_state[j]
     driven = row_velocity(
@@ -41,7 +42,7 @@ def judge_blow(
     joints and contacts do not take back by one visit each. It is noted if one closes so fast.
     """
     i, j = lane[tb.BODY_A + m], lane[tb.BODY_B + m]
-    if bodies.properties[i, tb.JOINED] + bodies.properties[j, tb.JOINED] == 0.0:
+    if not (is_held(i, bodies) or is_held(j, bodies)):
         return
     a, b = bodies.substep_state[i], bodies.substep_state[j]
     start = tb.SUBSTEP_START

@@ -7,13 +7,10 @@ of each contact whose bodies turn far, twice.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.continuous.events import (
-    closing_at_points,
-    manifold_at,
-    smaller_radius,
-    turn_shape_to,
-)
+from tamias2d.engine.continuous.events import closing_at_points, manifold_at
+from tamias2d.engine.continuous.passing import smaller_radius, turn_shape_to
 from tamias2d.engine.energy.joined_gains import joints_disagree
+from tamias2d.engine.joints.unforeseen import meets_unforeseen
 from tamias2d.engine.narrow_phase.manifold import smallest_gap
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.parts import OF_ALL
@@ -28,9 +25,10 @@ def overshoots(world: World, contacts: Contacts) -> bool:
     """Return whether contacts get deep in a part that may be taken again in shorter ones."""
     control, bodies, shapes = world.control, world.bodies, world.shapes
     touching, events = world.touching, world.events
-    if control.counts[tb.LEVEL] >= FINEST_LEVEL:
-        return False
     again = False
+    again = meets_unforeseen(again, world, contacts)
+    if again or control.counts[tb.LEVEL] >= FINEST_LEVEL:
+        return again
     again = joints_disagree(again, world)
     if again:
         return True

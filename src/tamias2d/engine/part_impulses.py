@@ -60,7 +60,7 @@ def forget_impulses_since(manifold: Array) -> None:
 def forget_impulses_of_part(first: bool, count: int, contacts: Contacts, islands: Islands) -> None:
     """Let contacts not have touched in a part that is taken again, the first one of a step or not.
 
-    In it a sensor is found again, if it was not met in an earlier one.
+    In it a sensor is found again, if it was not met before.
     """
     for p in range(count):
         manifold, flags, pair = contacts.manifolds[p], contacts.flags[p], contacts.pairs[p]
@@ -69,6 +69,8 @@ def forget_impulses_of_part(first: bool, count: int, contacts: Contacts, islands
         forget_impulses_since(manifold)
         if first:
             flags[tb.TOUCHES] &= tb.WAS_TOUCHING + tb.HAD_MET_IN_FLIGHT
+        elif flags[tb.SENSES] == 1 and flags[tb.LOCATED] > 0:  # passed in the flight of this part
+            flags[tb.TOUCHES] &= tb.WAS_TOUCHING
         elif flags[tb.SENSES] == 0 and manifold[tb.PUSH] == 0.0 and manifold[tb.PUSH + 1] == 0.0:
             flags[tb.TOUCHES] &= tb.WAS_TOUCHING + tb.MET_IN_FLIGHT + tb.HAD_MET_IN_FLIGHT
 

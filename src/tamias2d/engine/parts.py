@@ -10,7 +10,8 @@ length. Cost of choosing: a pass over contacts, and the gap of those that are fa
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.broad_phase.pairs import TOO_CROWDED
-from tamias2d.engine.continuous.events import THIN, allowed_depth, manifold_at, smaller_radius
+from tamias2d.engine.continuous.events import THIN, allowed_depth, manifold_at
+from tamias2d.engine.continuous.passing import smaller_radius
 from tamias2d.engine.energy.joined_gains import noted_if_free
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.part_impulses import add_up_impulses, forget_impulses, forget_impulses_of_part

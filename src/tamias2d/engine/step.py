@@ -22,6 +22,7 @@ from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_continuous
 from tamias2d.engine.continuous.prediction import foresee
+from tamias2d.engine.continuous.sensing import tell_passed
 from tamias2d.engine.early import add_early
 from tamias2d.engine.joined import mark_joined
 from tamias2d.engine.joints.activity import clear_of_joints, note_mechanisms
@@ -234,6 +235,8 @@ def fly(world: World) -> int:
         release_springs(bodies, world.springs)
         retake_part(world, near)
         return tb.AGAIN
+    if flown > 1.0:
+        tell_passed(bodies, shapes, broad_phase, near, world.events)
     control.progress[tb.FLOWN] = flown
     control.counts[tb.STAGE] = tb.OUT_OF_BOUNDS if flown <= 1.0 else tb.ARRIVING
     return tb.DONE

@@ -6,7 +6,8 @@ substep, and the manifolds at the end of those whose bodies move against each ot
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.continuous.events import manifold_at, smaller_radius, turn_shape_to
+from tamias2d.engine.continuous.events import manifold_at
+from tamias2d.engine.continuous.passing import smaller_radius, turn_shape_to
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.solver.blocks import lane_of, points_of
 from tamias2d.engine.tables import Bodies, Contacts, World

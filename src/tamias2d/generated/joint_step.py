@@ -485,7 +485,7 @@ def overlap_removed(separation: Scalar, separation_later: Scalar) -> Scalar:
         separation_later: Distance between two bodies, negative where they overlap; after the
             bodies have moved, m
 
-    Source: DD106, srs/models/joint_step.md:246.
+    Source: DD106, srs/models/joint_step.md:248.
     """
     return least(separation_later, 0.0) - least(separation, 0.0)
 
@@ -500,7 +500,7 @@ def load_size(mass: Scalar, gravity: Vector, force: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         force: Applied force on a body, without its weight, N
 
-    Source: DD106, srs/models/joint_step.md:247.
+    Source: DD106, srs/models/joint_step.md:249.
     """
     gravity_x, gravity_y = gravity
     force_x, force_y = force
@@ -520,7 +520,7 @@ def impulse_way(accumulated_impulse: Scalar, overlap_removed: Scalar) -> Scalar:
         overlap_removed: By how much an overlap is less deep after a step, negative where it is
             deeper, m
 
-    Source: DD106, srs/models/joint_step.md:248.
+    Source: DD106, srs/models/joint_step.md:250.
     """
     return accumulated_impulse * overlap_removed
 
@@ -539,7 +539,7 @@ def overlap_work(
         impulse_way: Impulse of a contact times the way by which its overlap is less deep, N*s*m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD106, srs/models/joint_step.md:249.
+    Source: DD106, srs/models/joint_step.md:251.
     """
     return (
         load_size * largest(impulse_way, 0.0) / largest(accumulated_impulse, load_size * time_step)
@@ -556,7 +556,7 @@ def spring_change(row_impulse: Scalar, row_yield: Scalar) -> Scalar:
         row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
             1/kg
 
-    Source: DD86, srs/models/joint_step.md:285.
+    Source: DD86, srs/models/joint_step.md:287.
     """
     return row_impulse * row_impulse * row_yield / 2
 
@@ -576,7 +576,7 @@ def change_most(
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:286.
+    Source: DD86, srs/models/joint_step.md:288.
     """
     return amplification * amplification * mass * rates_squared / 2 + spring_change
 
@@ -592,7 +592,7 @@ def firmness_most(mass: Scalar, row_arm: Scalar, amplification: Scalar) -> Scala
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:287.
+    Source: DD86, srs/models/joint_step.md:289.
     """
     return amplification * amplification * mass * row_arm * row_arm
 
@@ -606,7 +606,7 @@ def closing_share(row_value: Scalar, closing_way: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         closing_way: Way by which a row that has yielded may close in a substep at most, m
 
-    Source: DD86, srs/models/joint_step.md:288.
+    Source: DD86, srs/models/joint_step.md:290.
     """
     return closing_way / abs(row_value)
 
@@ -630,7 +630,7 @@ def motion_most(
         row_energy: Energy of a spring at a joint, J
         growth_ratio: By which ratio the energy of motion may grow by one solution, 1
 
-    Source: DD98, srs/models/joint_step.md:344.
+    Source: DD98, srs/models/joint_step.md:346.
     """
     return growth_ratio * kinetic_energy + mass * rates_squared / 2 + row_energy
 
@@ -646,7 +646,7 @@ def impact_rate(row_velocity: Scalar, separation: Scalar, time_step: Scalar) -> 
         separation: Distance between two bodies, negative where they overlap, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD107, srs/models/joint_step.md:386.
+    Source: DD107, srs/models/joint_step.md:388.
     """
     return row_velocity + largest(separation, 0.0) / time_step
 
@@ -663,7 +663,7 @@ def lost_velocity(row_velocity: Scalar, row_velocity_before: Scalar, restitution
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: DD96, srs/models/joint_step.md:422.
+    Source: DD96, srs/models/joint_step.md:424.
     """
     return -(row_velocity + restitution * row_velocity_before)
 
@@ -679,7 +679,7 @@ def lost_share(row_mass: Scalar, lost_velocity: Scalar, applied_impulse: Scalar)
             for, m/s
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
 
-    Source: DD96, srs/models/joint_step.md:423.
+    Source: DD96, srs/models/joint_step.md:425.
     """
     return row_mass * lost_velocity / applied_impulse
 
@@ -694,7 +694,7 @@ def row_mass_joined(row_mass: Scalar, lost_share: Scalar) -> Scalar:
         lost_share: Part that joints take of what an impulse changes in the velocity of a
             contact, 1
 
-    Source: DD96, srs/models/joint_step.md:424.
+    Source: DD96, srs/models/joint_step.md:426.
     """
     return row_mass / (1 - lost_share)
 
@@ -709,7 +709,7 @@ def overshot_share(lost_velocity: Scalar, lost_velocity_before: Scalar) -> Scala
             for, m/s
         lost_velocity_before: What joints had taken of it after the turn before, m/s
 
-    Source: DD96, srs/models/joint_step.md:425.
+    Source: DD96, srs/models/joint_step.md:427.
     """
     return least(lost_velocity / lost_velocity_before, 0)
 
@@ -729,7 +729,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:482.
+    Source: IM19, srs/models/joint_step.md:484.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -751,7 +751,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:486.
+    Source: IM19, srs/models/joint_step.md:488.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -786,7 +786,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:488.
+    Source: IM19, srs/models/joint_step.md:490.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -802,7 +802,7 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:489.
+    Source: IM19, srs/models/joint_step.md:491.
     """
     return (1 - implicit_share) / implicit_share * row_given
 
@@ -820,7 +820,7 @@ def row_pull(
         row_damping: Force of a damper for a row's rate, kg/s
         row_rate: Rate of a row's value, or a body's part in it, m/s
 
-    Source: DD105, srs/models/joint_step.md:583.
+    Source: DD105, srs/models/joint_step.md:585.
     """
     return (-row_stiffness) * row_value - row_damping * row_rate
 
@@ -834,7 +834,7 @@ def row_pull_size(row_pull: Scalar, row_pull_across: Scalar) -> Scalar:
         row_pull: Force of a row's spring and damper without their maximum, N
         row_pull_across: The same of the other row of a target, N
 
-    Source: DD105, srs/models/joint_step.md:584.
+    Source: DD105, srs/models/joint_step.md:586.
     """
     return sqrt(row_pull * row_pull + row_pull_across * row_pull_across)
 
@@ -848,7 +848,7 @@ def row_share(row_force_most: Scalar, row_pull_size: Scalar) -> Scalar:
         row_force_most: The most that a motor or a spring exerts, for slopes of length one, N
         row_pull_size: Size of that of both, N
 
-    Source: DD105, srs/models/joint_step.md:585.
+    Source: DD105, srs/models/joint_step.md:587.
     """
     return row_force_most / largest(row_pull_size, row_force_most)
 
@@ -862,7 +862,7 @@ def whole_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: DD105, srs/models/joint_step.md:586.
+    Source: DD105, srs/models/joint_step.md:588.
     """
     return row_given / implicit_share
 
@@ -877,7 +877,7 @@ def impulse_room(row_impulse_most: Scalar, impulse_left: Scalar) -> Scalar:
             length one, N*s
         impulse_left: Size of what a spring at a joint had left of the substep before, N*s
 
-    Source: DD105, srs/models/joint_step.md:587.
+    Source: DD105, srs/models/joint_step.md:589.
     """
     return row_impulse_most - least(impulse_left, row_impulse_most / 2)
 
@@ -891,7 +891,7 @@ def row_energy_bounded(row_share: Scalar, row_energy: Scalar) -> Scalar:
         row_share: Share of its pull that a row's spring with a maximum exerts, 1
         row_energy: Energy of a spring at a joint, J
 
-    Source: DD105, srs/models/joint_step.md:588.
+    Source: DD105, srs/models/joint_step.md:590.
     """
     return row_share * (2 - row_share) * row_energy
 
@@ -905,7 +905,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:625.
+    Source: DD79, srs/models/joint_step.md:627.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -919,7 +919,7 @@ def drive_work(row_impulse: Scalar, drive_rate: Scalar) -> Scalar:
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: DD79, srs/models/joint_step.md:626.
+    Source: DD79, srs/models/joint_step.md:628.
     """
     return row_impulse * drive_rate
 
@@ -944,7 +944,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
             is negative, J
 
-    Source: DD79, srs/models/joint_step.md:627.
+    Source: DD79, srs/models/joint_step.md:629.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -963,7 +963,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:629.
+    Source: DD79, srs/models/joint_step.md:631.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -987,7 +987,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:631.
+    Source: DD79, srs/models/joint_step.md:633.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -1002,7 +1002,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:633.
+    Source: DD79, srs/models/joint_step.md:635.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -1018,6 +1018,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
             is negative, J
 
-    Source: DD79, srs/models/joint_step.md:634.
+    Source: DD79, srs/models/joint_step.md:636.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

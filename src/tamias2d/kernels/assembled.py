@@ -165,9 +165,14 @@ class _Parts:
         self.texts.append("\n".join(lines) + "\n")
 
     def import_of_intrinsics(self) -> str:
-        """Return the line that imports them."""
+        """Return the lines that import them and say by a digest what they are."""
         names = ", ".join(sorted(self.intrinsics))
-        return f"from tamias2d.kernels.lane_code import {names}  # {intrinsics_digest()}"
+        lines = (
+            f"from tamias2d.kernels.lane_code import {names}",
+            "",
+            f"LANE_CODE = {intrinsics_digest()!r}",
+        )
+        return "\n".join(lines)
 
     def _use_group(self, group: type) -> None:
         for part, text in text_of_classes(group):

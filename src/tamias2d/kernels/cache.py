@@ -22,6 +22,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from tamias2d.kernels import kept_files
+from tamias2d.kernels.digest import digest_of
 from tamias2d.kernels.known_calls import known_calls
 from tamias2d.kernels.linking import EntryCompiler, HelperCompiler, SeparateCompiler
 from tamias2d.kernels.widening import compile_once
@@ -60,8 +61,7 @@ class KernelCache(_Cache):
     """The compiled code of one function of a source, for any types of its arguments."""
 
     def __init__(self, function: str, source: str) -> None:
-        self._name = f"{hashlib.sha256(source.encode()).hexdigest()[:16]}.{function}"
-        self._source = source
+        self._name = f"{digest_of(source)}.{function}"
         self._folder = kept_files.folder()
 
     @property
@@ -97,9 +97,9 @@ class KernelCache(_Cache):
         return self._folder / f"{self._name}.{hashlib.sha256(key).hexdigest()[:16]}"
 
     def _key(self, types: Any, codegen: Any) -> bytes:
-        """All that decides whether code can be used here: its source, types, compiler, machine."""
+        """All that decides whether code can be used: its statements, types, compiler, machine."""
         parts = (
-            self._name, self._source, types, codegen.magic_tuple(), numba.__version__,
+            self._name, types, codegen.magic_tuple(), numba.__version__,
             llvmlite.__version__, sys.implementation.cache_tag, getattr(sys, "abiflags", ""),
         )  # fmt: skip
         return "\0".join(map(str, parts)).encode()

@@ -1,11 +1,10 @@
 """Kernels in memory: the module that a source becomes, compiled or as plain Python.
 
 Serves: whoever runs a kernel. Hides: numba, and how a source is run. What is run is the source that
-this process has made; compiled code is found again by all of its text, because numba does not
-notice that a function elsewhere has changed.
+this process has made; compiled code is found again by all of its statements, because numba does
+not notice that a function elsewhere has changed.
 """
 
-import hashlib
 import linecache
 import sys
 from collections.abc import Callable
@@ -15,6 +14,7 @@ from typing import Any
 
 from tamias2d import storage
 from tamias2d.kernels.demand import Demand
+from tamias2d.kernels.digest import digest_of
 from tamias2d.kernels.source import source
 
 _IMPORT = "from numba import njit"
@@ -47,7 +47,7 @@ def plainly(text: str) -> dict[str, Any]:
 def is_kept(text: str) -> bool:
     """Whether a source was compiled before, as far as can be told without the compiler."""
     try:
-        return any((storage.home_path() / "kernels").glob(f"{hash_of(text)}.*"))
+        return any((storage.home_path() / "kernels").glob(f"{digest_of(text)}.*"))
     except OSError:  # a directory that may not be entered, or whose name is too long
         return False
 
@@ -60,7 +60,7 @@ def loaded(text: str) -> ModuleType:
     """
     from tamias2d.kernels.cache import njit
 
-    module = ModuleType(f"tamias2d_kernel_{hash_of(text)}")
+    module = ModuleType(f"tamias2d_kernel_{digest_of(text)}")
     module.__dict__["njit"] = njit(text)
     sys.modules[module.__name__] = module  # numba finds the names of compiled code here
     _run(text, module.__dict__)
@@ -69,11 +69,6 @@ def loaded(text: str) -> ModuleType:
 
 def _run(text: str, names: dict[str, Any]) -> None:
     """Run a source; tracebacks show its lines."""
-    name = f"<tamias2d kernel {hash_of(text)}>"
+    name = f"<tamias2d kernel {digest_of(text)}>"
     linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
     exec(compile(text.replace(_IMPORT, "", 1), name, "exec"), names)  # our `njit` is in `names`
-
-
-def hash_of(text: str) -> str:
-    """Return what a source is known by among what is kept."""
-    return hashlib.sha256(text.encode()).hexdigest()[:16]

@@ -6,7 +6,6 @@ modules are cut out of a text whose layout and comments stay.
 
 import ast
 import inspect
-import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -15,7 +14,6 @@ from typing import Any
 
 Function = Callable[..., Any]
 Edit = tuple[int, int, str]  # from, to (bytes of the source), and what stands there then
-_LINE = re.compile(r":\d+(?=\.$)")  # of a chapter: a sentence more above must not compile all anew
 
 _left_out: ContextVar[frozenset[Function]] = ContextVar("left_out", default=frozenset())
 
@@ -170,7 +168,7 @@ def _docstring(tree: ast.FunctionDef, text: Text) -> Iterator[Edit]:
     says = (ast.get_docstring(tree) or "").splitlines()
     if not says:
         return
-    sources = [_LINE.sub("", line) for line in says if line.startswith("Source: ")]
+    sources = [line for line in says if line.startswith("Source: ")]
     origin = [f"\n\n    {line}\n    " for line in sources]
     yield (*text.span(tree.body[0]), f'"""{says[0]}{"".join(origin)}"""')
 

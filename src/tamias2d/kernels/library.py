@@ -14,8 +14,9 @@ from typing import TypeVar
 from tamias2d.errors import InputError
 from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compile_lock import compile_lock
-from tamias2d.kernels.compiled import hash_of, is_kept, loaded
+from tamias2d.kernels.compiled import is_kept, loaded
 from tamias2d.kernels.copied import Function, leaving_out
+from tamias2d.kernels.digest import digest_of
 from tamias2d.kernels.kept_source import is_of_package, kept_source
 from tamias2d.kernels.progress import progress, time_of_compiling
 
@@ -98,7 +99,7 @@ def _fault_again(make: Callable[[Library], T]) -> Callable[[Library], T]:
 @cache
 def _compiled(library: Library) -> SimpleNamespace:
     text = _text(library)
-    alone = nullcontext() if is_kept(text) else compile_lock(library.name, hash_of(text))
+    alone = nullcontext() if is_kept(text) else compile_lock(library.name, digest_of(text))
     with alone, progress(library.name, text), _seldom_collected():
         module = loaded(text)
     _LOADED.add(library)

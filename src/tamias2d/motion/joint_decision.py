@@ -49,7 +49,7 @@ class Decision:
         self._mechanism = mechanism
         self._now = now
         self._cause = cause
-        self._base = self._with_teeth(replace(mode, broken=mode.broken | cause.breaks))
+        self._base = self._with_teeth(mode.without(cause.breaks))
         self._slopes = mechanism.measures.slopes(now.time, now.position)
         self._values = mechanism.measures.values(now.time, now.position)
         self._rates = mechanism.measures.rates(now.time, now.position, now.velocity)
@@ -128,7 +128,7 @@ class Decision:
             broken = self._mechanism.overloaded(self._now, mode)
             if not broken:
                 return mode
-            self._base = replace(self._base, broken=self._base.broken | broken)
+            self._base = self._base.without(broken)
             self._resting = [side for side in self._resting if side[0][0] not in broken]
         raise JointError(
             f"joints at {self._now.time!r} s: all have broken, and still more should (GD23). End "

@@ -4,7 +4,7 @@ The events of a run tell at each time what holds: each limit, each motor, each j
 """
 
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Generic, NamedTuple, TypeVar
 
@@ -117,8 +117,9 @@ class Mode:
     def after(self, event: JointEvent[int]) -> "Mode":
         """Return what joints do after an event."""
         of = (event.joint, event.freedom)
-        broken, held = set(self.broken), set(self.held)
-        driven, teeth = dict(self.driven), dict(self.teeth)
+        if event.what == BREAKS:
+            return self.without({event.joint})
+        held, driven, teeth = set(self.held), dict(self.driven), dict(self.teeth)
         if event.what in (RESTS, RESTS + 1):
             held.add((of, 2 * (event.what - RESTS) - 1))
         elif event.what in (LEAVES, LEAVES + 1):
@@ -127,9 +128,16 @@ class Mode:
             driven[of] = next(sense for sense, what in _DRIVES.items() if what == event.what)
         elif event.what == CLICKS:
             teeth[of] = event.value
-        elif event.what == BREAKS:
-            broken.add(event.joint)
-        return Mode(frozenset(broken), frozenset(held), tuple(driven.items()), tuple(teeth.items()))
+        return Mode(self.broken, frozenset(held), tuple(driven.items()), tuple(teeth.items()))
+
+    def without(self, joints: Collection[int]) -> "Mode":
+        """Return what joints do once some have broken, whose limits and motors go with them."""
+        return Mode(
+            self.broken.union(joints),
+            frozenset((of, side) for of, side in self.held if of[0] not in joints),
+            tuple((of, sense) for of, sense in self.driven if of[0] not in joints),
+            tuple((of, tooth) for of, tooth in self.teeth if of[0] not in joints),
+        )
 
 
 def changes(time: float, before: Mode, after: Mode) -> Iterator[JointEvent[int]]:

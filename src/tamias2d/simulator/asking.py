@@ -75,8 +75,8 @@ class Asking(Stepping):
     def inside(self, sensor: int | str, *, mask: int | None = None) -> IntArray:
         """Return the bodies (k,) that overlapped a sensor as the last step, or a part of it, began.
 
-        They are what `began` told of and `ended` did not. What was removed since is left out;
-        `mask` is as in `touching`.
+        So are those that passed right through it in flight. They are what `began` told of and
+        `ended` did not. What was removed since is left out; `mask` is as in `touching`.
 
         Raises:
             InputError: the body is not there or no sensor, or a value breaks a rule (R3).

@@ -33,7 +33,7 @@ def contacts_of_body(engine: Engine, told: Contacts, row: int, mask: object) -> 
 
 
 def bodies_inside(engine: Engine, row: int, name: str, mask: object) -> IntArray:
-    """Return the bodies (k,) that overlapped the sensor in a row as the last step began, by rank.
+    """Return the bodies (k,) that the sensor in a row met in the last step, by rank.
 
     Raises:
         InputError: that body is no sensor, or the mask breaks a rule (R3).

@@ -15,7 +15,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.placement import PULLED, UNTIL_BACK
-from tamias2d.engine.joints.rows import mechanism_of, move_anchor, set_law
+from tamias2d.engine.joints.row_changes import mechanism_of, move_anchor, set_law
 from tamias2d.generated.joint_rows import MOST_ROWS
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import Vector

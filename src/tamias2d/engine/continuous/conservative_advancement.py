@@ -34,7 +34,13 @@ WIDER = 1.0 + 2.0**-20  # of a circle, against rounding
 
 
 def time_of_impact(
-    s: int, t: int, path: RelativePath, held: Vector, shapes: Shapes, events: Events
+    s: int,
+    t: int,
+    sensed: bool,
+    path: RelativePath,
+    held: Vector,
+    shapes: Shapes,
+    events: Events,
 ) -> float:
     """Return the fraction of a path at which shapes s and t first come close, or `MISSED`.
 
@@ -43,18 +49,25 @@ def time_of_impact(
 
     At the fraction the gap is positive, and at most `NEAR` of the smaller shape's size: their
     manifold at that pose has the normal and the points. A pair that is as close already at the
-    start meets when it has come as much closer, or close again after it was apart.
+    start meets when it has come as much closer, or close again after it was apart. One that is
+    only sensed meets on both sides of a chain, and at its ends.
     """
     if shapes.kind[t] != tb.HALF_PLANE:
-        return advance(s, t, path, held, shapes, events)
+        return advance(s, t, sensed, path, held, shapes, events)
     if shapes.kind[s] == tb.HALF_PLANE:
         return MISSED
     reverse = RelativePath(-path.x, -path.y, -path.dx, -path.dy, path.turn_b, path.turn_a)
-    return advance(t, s, reverse, held, shapes, events)
+    return advance(t, s, sensed, reverse, held, shapes, events)
 
 
 def advance(
-    s: int, t: int, path: RelativePath, held: Vector, shapes: Shapes, events: Events
+    s: int,
+    t: int,
+    sensed: bool,
+    path: RelativePath,
+    held: Vector,
+    shapes: Shapes,
+    events: Events,
 ) -> float:
     """Return the same where shape t is not a half-plane."""
     p, q, vertices = core_of(s, shapes), core_of(t, shapes), shapes.world_vertices
@@ -71,7 +84,7 @@ def advance(
     least = hair = near
     seen = held
     told = held[0] != 0.0 or held[1] != 0.0
-    piece = is_piece(p) or is_piece(q)
+    piece = not sensed and (is_piece(p) or is_piece(q))
     kept = piece and not has_end(s if is_piece(p) else t, shapes)
     for pose in range(MOST_POSES):
         if at >= last:

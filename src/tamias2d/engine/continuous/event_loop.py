@@ -32,10 +32,11 @@ from tamias2d.engine.continuous.events import (
     goes_little,
     next_event,
     relative_motion,
-    smaller_radius,
     update_events_of,
 )
 from tamias2d.engine.continuous.meetings import is_first_listed
+from tamias2d.engine.continuous.passing import smaller_radius
+from tamias2d.engine.continuous.sensing import note_sensed
 from tamias2d.engine.tables import Bodies, BroadPhase, Contacts, Control, Events, Integers, Shapes
 
 MOST_IMPACTS = 256  # in a step in all
@@ -87,6 +88,11 @@ def solve_continuous(
             hold(i, now, control, bodies, events.together)
         else:
             p, joins = event - body_count, impacts_left <= 0
+            if contacts.flags[p, tb.SENSES] == 1:
+                note_sensed(p, now, bodies, shapes, contacts, events)
+                events.times[event] = MISSED
+                update_event(event, events.times, events.queue)
+                continue
             if joins and pair_may_retake(p, now, control, bodies, shapes, contacts):
                 return TOO_LONG
             i, j = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]

@@ -6,23 +6,23 @@ from tamias2d.engine.continuous.conservative_advancement import (
     NEAR,
     measure_gap,
     measure_gap_of_piece,
-    place_vertices,
     time_of_impact,
 )
 from tamias2d.engine.continuous.event_queue import update_event
 from tamias2d.engine.continuous.impact import normal_line
 from tamias2d.engine.continuous.impulse import path_speed_along
+from tamias2d.engine.continuous.passing import keep_away, smaller_radius, turn_shape_to
+from tamias2d.engine.continuous.sensing import may_be_sensed, time_of_sensing
 from tamias2d.engine.continuous.trajectory import relative_path, relative_place
 from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.approach import opening
 from tamias2d.engine.narrow_phase.chain import is_piece
 from tamias2d.engine.narrow_phase.core import core_of
-from tamias2d.engine.narrow_phase.half_plane import is_above
 from tamias2d.engine.narrow_phase.margins import BULLET
 from tamias2d.engine.narrow_phase.material import BOUNCY, mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.tables import Bodies, BroadPhase, Contacts, Control, Events, Shapes
-from tamias2d.generated.continuous_collision import closing_bound, fraction_closest, motion_bound
+from tamias2d.generated.continuous_collision import closing_bound, motion_bound
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
@@ -65,6 +65,10 @@ def find_events(
         if not (redirected or located) and stay_near(i, j, share, reach, bodies):
             continue
         if contacts.flags[p, tb.SENSES] == 1:
+            if may_be_sensed(contacts.flags[p]):
+                time = time_of_sensing(s, t, now, bodies, shapes, events)
+                events.times[body_count + p] = time
+                found += time <= 1.0
             continue
         looked = redirected or located or may_pass(p, i, j, share, reach, bodies, contacts)
         looked = unless_joined(looked, i, j, bodies)
@@ -83,11 +87,6 @@ def bounces(p: int, shapes: Shapes, contacts: Contacts) -> bool:
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     _, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
     return bool(restitution > BOUNCY)
-
-
-def smaller_radius(s: int, t: int, material: Array) -> float:
-    """Return the smaller bounding radius of two shapes, m."""
-    return min(material[s, tb.SHAPE_RADIUS], material[t, tb.SHAPE_RADIUS])
 
 
 @inlined
@@ -179,7 +178,13 @@ def update_events_of(
         p = events.queue[tb.CONTACT_OF_BODY, k]
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         a, b = contacts.pairs[p, tb.SLOT_A], contacts.pairs[p, tb.SLOT_B]
-        if except_for in (a, b) or contacts.flags[p, tb.SENSES] == 1:
+        if except_for in (a, b):
+            continue
+        if contacts.flags[p, tb.SENSES] == 1:
+            if may_be_sensed(contacts.flags[p]):
+                time = time_of_sensing(s, t, now, bodies, shapes, events)
+                events.times[body_count + p] = time
+                update_event(body_count + p, events.times, events.queue)
             continue
         time = MISSED
         reach = smaller_radius(s, t, shapes.material)
@@ -257,46 +262,8 @@ def event_on_path(
         if closing * rest < -enough:
             return now
     path = relative_path(i, j, now, bodies)
-    ahead = time_of_impact(s, t, path, held, shapes, events)
+    ahead = time_of_impact(s, t, False, path, held, shapes, events)
     return now + ahead * rest if ahead <= 1.0 else MISSED
-
-
-@inlined
-def keep_away(s: int, t: int, now: float, bodies: Bodies, shapes: Shapes) -> bool:
-    """Return whether the circles around two shapes do not come near in the rest of a part."""
-    if shapes.kind[t] == tb.HALF_PLANE:
-        s, t = t, s
-    i, j = shapes.slot[s], shapes.slot[t]
-    near = NEAR * smaller_radius(s, t, shapes.material)
-    if shapes.kind[s] == tb.HALF_PLANE:
-        return bodies.kind[i] == tb.STATIC and stays_above(s, t, now, near, bodies, shapes)
-    reach = shapes.material[s, tb.SHAPE_RADIUS] + shapes.material[t, tb.SHAPE_RADIUS] + near
-    return passes_by(i, j, now, reach, bodies.pose, bodies.motion)
-
-
-@inlined
-def stays_above(
-    plane: int, t: int, now: float, near: float, bodies: Bodies, shapes: Shapes
-) -> bool:
-    """Return whether a shape is farther from a half-plane now, m, and at the end of its path."""
-    i, j, motion = shapes.slot[plane], shapes.slot[t], bodies.motion
-    by = (motion[j, tb.DX] - motion[i, tb.DX], motion[j, tb.DY] - motion[i, tb.DY])
-    x, y = relative_place(i, j, now, bodies.pose, motion)
-    rest = 1.0 - now
-    side, radius = shapes.world_vertices[shapes.first[plane]], shapes.material[t, tb.SHAPE_RADIUS]
-    after = is_above(x + rest * by[0], y + rest * by[1], radius, near, side)
-    return after & is_above(x, y, radius, near, side)
-
-
-@inlined
-def passes_by(i: int, j: int, now: float, reach: float, pose: Array, motion: Array) -> bool:
-    """Return whether the centres of two bodies come no nearer to each other than a reach, m."""
-    by_x, by_y = motion[j, tb.DX] - motion[i, tb.DX], motion[j, tb.DY] - motion[i, tb.DY]
-    x, y = relative_place(i, j, now, pose, motion)
-    if x * by_x + y * by_y < 0.0:  # to where they are nearest, but not beyond the step
-        until = min(fraction_closest((x, y), (by_x, by_y)), 1.0 - now)
-        x, y = x + until * by_x, y + until * by_y
-    return bool(x * x + y * y > reach * reach)
 
 
 def manifold_at(
@@ -317,10 +284,3 @@ def manifold_at(
             s, t, a, b, (x, y), gap, held, manifold, shapes.world_vertices, shapes
         )
     return gap
-
-
-def turn_shape_to(s: int, i: int, now: float, bodies: Bodies, shapes: Shapes) -> None:
-    """Turn the vertices of a shape to where they are at a fraction of the step."""
-    core = core_of(s, shapes)
-    turn = bodies.pose[i, tb.ANGLE] + now * bodies.motion[i, tb.DANGLE]
-    place_vertices(core, turn, shapes.local_vertices, core.first, shapes.world_vertices)

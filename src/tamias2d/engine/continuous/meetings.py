@@ -2,7 +2,8 @@
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.conservative_advancement import NEAR
-from tamias2d.engine.continuous.events import manifold_at, relative_motion, smaller_radius
+from tamias2d.engine.continuous.events import manifold_at, relative_motion
+from tamias2d.engine.continuous.passing import smaller_radius
 from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.tables import Bodies, Contacts, Events, Integers, Shapes

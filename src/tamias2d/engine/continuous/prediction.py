@@ -8,7 +8,8 @@ until then, and treats them together with the contacts that touch.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.conservative_advancement import place_vertices, time_of_impact
-from tamias2d.engine.continuous.events import bounces, smaller_radius
+from tamias2d.engine.continuous.events import bounces
+from tamias2d.engine.continuous.passing import smaller_radius
 from tamias2d.engine.continuous.secondary_contacts import add_secondary_contacts
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.joined import unless_joined
@@ -164,7 +165,7 @@ def foresee_contact(
     path = path_ahead(i, j, time, bodies)
     manifold, flags = contacts.manifolds[p], contacts.flags[p]
     held = held_normal(manifold, flags)
-    at = time_of_impact(s, t, path, held, shapes, events)
+    at = time_of_impact(s, t, False, path, held, shapes, events)
     margin = CLOSE * min(shapes.material[s, tb.SHAPE_RADIUS], shapes.material[t, tb.SHAPE_RADIUS])
     if at > 1.0:
         near = smallest_gap(manifold, flags[tb.POINT_COUNT]) < margin

@@ -8,7 +8,8 @@ body approaches another one faster than gravity lets it.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.continuous.events import bounces, smaller_radius
+from tamias2d.engine.continuous.events import bounces
+from tamias2d.engine.continuous.passing import smaller_radius
 from tamias2d.engine.islands import both_sleep
 from tamias2d.engine.narrow_phase.approach import opening_speed
 from tamias2d.engine.narrow_phase.boxes import stays_far

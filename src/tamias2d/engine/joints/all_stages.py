@@ -32,6 +32,7 @@ from tamias2d.engine.joints.stages import (
 )
 from tamias2d.engine.joints.step_impulses import keep_joint_impulses
 from tamias2d.engine.joints.summed_energy import look_at_touched, past_untouched
+from tamias2d.engine.joints.unforeseen import meets_unforeseen
 
 JOINT_STAGES = (
     activate_joined,
@@ -40,6 +41,7 @@ JOINT_STAGES = (
     answer_rebounds,
     begin_joints,
     look_at_touched,
+    meets_unforeseen,
     clear_of_joints,
     end_joints,
     fit_rebound,

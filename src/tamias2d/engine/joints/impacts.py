@@ -255,7 +255,7 @@ def push_point(
         each = i if end == 0 else j
         now, state = bodies.motion[each], bodies.substep_state[each]
         x, y, spin = now[tb.VX], now[tb.VY], now[tb.SPIN]
-        member = int(bodies.properties[each, tb.JOINED])
+        member = max(int(bodies.properties[each, tb.JOINED]), 0)
         held = world.joints.places[member, tb.HELD_INVERSE_INERTIA]
         if end == 0:
             now[tb.VX], now[tb.VY] = velocity_a_after((x, y), impulse, line, row[tb.R_MASS_A + m])

@@ -1,6 +1,7 @@
 """A joint as the engine is told of it."""
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 
 from tamias2d.engine.tables import KEPT, MOTOR, SPRING
@@ -10,6 +11,12 @@ from tamias2d.spec.row_program import RowProgram
 
 LawNumbers: TypeAlias = tuple[float, float, float, float, float]
 """Rate, maximum, stiffness, damping and restitution."""
+
+
+def rubs(law: int, numbers: Sequence[float]) -> bool:
+    """Return whether a law only rubs, with these numbers: gives at most a maximum, for a rate."""
+    _, most, stiffness, *_ = numbers
+    return law in (MOTOR, SPRING) and stiffness == 0.0 and most < math.inf
 
 
 class JointRow(NamedTuple):
@@ -84,6 +91,11 @@ class JointRow(NamedTuple):
     def bounded(self) -> bool:
         """Whether it is a spring with a maximum."""
         return self.law == SPRING and self.numbers[1] < math.inf
+
+    @property
+    def firm(self) -> bool:
+        """Whether it does more than rub."""
+        return not rubs(self.law, self.numbers)
 
     @property
     def governed(self) -> bool:

@@ -4,6 +4,7 @@ Cost: of each turn of restitution a solution of all mechanisms that contacts tou
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.joined import is_held
 from tamias2d.engine.joints.acceptance import motion_of_mechanism
 from tamias2d.engine.joints.moments import note_after_joints, note_before_joints
 from tamias2d.engine.joints.stages import fit_velocities
@@ -60,7 +61,7 @@ def find_mass_of_one(bodies: Bodies, constraints: Constraints) -> None:
         row, lane = constraints.blocks[b], constraints.lanes[b]
         for m in range(LANES):
             i, j = lane[tb.BODY_A + m], lane[tb.BODY_B + m]
-            if bodies.properties[i, tb.JOINED] + bodies.properties[j, tb.JOINED] > 0.0:
+            if is_held(i, bodies) or is_held(j, bodies):
                 for n in range(2):
                     if row[tb.FIRST_RESTITUTION + n * LANES + m] > 0.0:
                         found, place = found + 1, 2 * (LANES * b + m) + n

@@ -1,39 +1,39 @@
-"""Joints as rows of the engine's arrays: which bodies they hold, and how these form mechanisms."""
+"""Joints as rows of the engine's arrays: which bodies they hold, and what governs them."""
 
-from collections.abc import Iterable, Iterator, Sequence
-from functools import cache
+from collections.abc import Iterator, Sequence
 from itertools import chain, combinations
 
 import numpy as np
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.arrays.store import Store
-from tamias2d.engine.joints.elimination import Elimination, eliminated
+from tamias2d.engine.joints.elimination import Elimination
 from tamias2d.engine.joints.equal_trees import equal_trees, rows_of, write_blocks_of
+from tamias2d.engine.joints.grouping import (
+    mechanisms_of,
+    moving_bodies,
+    pairs_of,
+    plan_of,
+    still_bodies,
+    unconnected,
+)
 from tamias2d.engine.joints.hinges import HingeTree, by_level, hinge_tree, is_net
-from tamias2d.engine.joints.joint_row import JointRow, LawNumbers
+from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.linearise import TURNED_TOGETHER
 from tamias2d.engine.joints.program_tables import lengths_of_programs, write_programs
-from tamias2d.engine.tables import Joints
-from tamias2d.generated.constraints import CONSTRAINTS
-from tamias2d.generated.symbols import SYMBOLS
-from tamias2d.kernels.lanes import LANES
-from tamias2d.scene.freedoms import VALUE_OF
 from tamias2d.spec.constraint import ENDS
-from tamias2d.state import Vector
 
 CHOOSING = (
     tb.LOWER_LIMIT,
     tb.UPPER_LIMIT,
     tb.MOTOR,
 )  # laws of which it is chosen whether they hold
-LOOPED, FEW = 24, 1000  # entries of the fill list, for each joint and besides: more is a mesh
 
 
 def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     """Let joints hold, and no others; return of each its place in the arrays."""
-    mechanisms = _mechanisms(store, rows)
-    nodes = [_moving(store, [rows[k] for k in mechanism]) for mechanism in mechanisms]
+    mechanisms = mechanisms_of(store, rows)
+    nodes = [moving_bodies(store, [rows[k] for k in mechanism]) for mechanism in mechanisms]
     trees = [
         hinge_tree(own, {k: rows[k] for k in mechanism})
         for own, mechanism in zip(nodes, mechanisms, strict=True)
@@ -41,18 +41,17 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     for n, tree in enumerate(trees):
         if tree:
             nodes[n], mechanisms[n] = tree.bodies, tree.joints
-    still = _still(store, rows)
+    still = still_bodies(store, rows)
     member = {body: 1 + k for k, body in enumerate([*chain(*nodes), *still])}
+    numbered = [[member[body] - 1 for body in own] for own in nodes]
     plans = [
-        _unconnected([member[body] - 1 for body in own])
-        if tree
-        else _plan(store, [member[body] - 1 for body in own], [rows[k] for k in mechanism], member)
-        for own, mechanism, tree in zip(nodes, mechanisms, trees, strict=True)
+        unconnected(own) if tree else plan_of(store, own, [rows[k] for k in mechanism], member)
+        for own, mechanism, tree in zip(numbered, mechanisms, trees, strict=True)
     ]
     blocks = equal_trees(trees, rows)
     edges = sum(len(plan.edges) for plan in plans)
     fill = sum(map(len, (own for plan in plans for own in plan.fill)))
-    apart = sorted({pair for row in rows if row.apart for pair in _pairs_of(row)})
+    apart = sorted({pair for row in rows if row.apart for pair in pairs_of(row)})
     store.resize(
         joints=len(rows),
         joined=len(member) + 1 if rows else 0,
@@ -100,85 +99,6 @@ def _targets(rows: Sequence[JointRow]) -> Iterator[tuple[int, int]]:
             (across if row.across else along).append(k)
     for along, across in found.values():
         yield from zip(along, across, strict=True)
-
-
-def move_anchor(store: Store, place: int, kind: str, end: str, point: Vector) -> None:
-    """Let a joint hold the plane at another point, m; what was made of the old one is made anew."""
-    joints = store.world.joints
-    column = 2 * ENDS.index(end)  # an equation of its own is no kind, and has all anchors
-    if kind in CONSTRAINTS:
-        if f"anchor_{end}" not in CONSTRAINTS[kind].parameters:
-            return
-        column = parameter_column(kind, f"anchor_{end}")
-    joints.given[place, column], joints.given[place, column + 1] = point
-    n = mechanism_of(store, place)
-    _forget_written(n, joints)
-    m = joints.sparse[n, tb.I_NODE] + 1
-    if joints.mechanisms[n, tb.M_HINGED] == 0 or joints.members[m, tb.JOINED_HINGE] != place:
-        return
-    joints.hinges[m, tb.H_FAR_ANCHOR : tb.H_FAR_ANCHOR + 2] = point
-    if joints.mechanisms[n, tb.M_IN_BLOCK]:
-        block, lane = _lane_of(n, joints)
-        row = joints.tree_lanes[joints.tree_blocks[block, tb.T_FIRST] + 1]
-        row[tb.T_FAR_ANCHOR_X + lane], row[tb.T_FAR_ANCHOR_Y + lane] = point
-
-
-def set_law(store: Store, place: int, kind: str, at: float, numbers: LawNumbers) -> None:
-    """Let a row of a freedom, of a kind, be measured at another value, m or rad, by its law."""
-    joints = store.world.joints
-    joints.given[place, parameter_column(kind, VALUE_OF[kind])] = at
-    joints.laws[place] = numbers
-    n = mechanism_of(store, place)
-    own = slice(*joints.mechanisms[n : n + 2, tb.M_JOINT])
-    law, mechanism = joints.joints[own, tb.J_LAW], joints.mechanisms[n]
-    turned = ((law == tb.MOTOR) & (joints.laws[own, tb.LAW_RATE] != 0.0)).any()
-    mechanism[tb.M_TURNED_BY_MOTOR] = turned
-    mechanism[tb.M_DRIVEN] = mechanism[tb.M_TIMED] or (law == tb.SPRING).any()
-    mechanism[tb.M_BOUNCING] = (joints.laws[own, tb.LAW_RESTITUTION] > 0.0).any()
-    _forget_written(n, joints)
-
-
-def _forget_written(n: int, joints: Joints) -> None:
-    """Write the rows of a mechanism anew before they are next solved, and its block if any."""
-    joints.mechanisms[n, tb.M_WRITTEN] = 0
-    if joints.mechanisms[n, tb.M_IN_BLOCK]:
-        joints.tree_blocks[_lane_of(n, joints)[0], tb.T_WRITTEN] = 0
-
-
-def _lane_of(n: int, joints: Joints) -> tuple[int, int]:
-    """Return the block of a tree, and its lane there."""
-    trees = joints.tree_blocks[:, tb.T_MECHANISM : tb.T_MECHANISM + LANES]
-    block, lane = np.argwhere(trees == n)[0].tolist()
-    return block, lane
-
-
-def mechanism_of(store: Store, place: int) -> int:
-    """Return the mechanism of a joint."""
-    joints = store.world.joints
-    starts = joints.mechanisms[: joints.counts[tb.MECHANISMS], tb.M_JOINT]
-    return int(np.searchsorted(starts, place, side="right")) - 1
-
-
-@cache
-def parameter_column(kind: str, name: str) -> int:
-    """Return where among the numbers that a kind of joint is given a parameter begins."""
-    parameters = CONSTRAINTS[kind].parameters
-    before = parameters[: parameters.index(name)]
-    symbols = [SYMBOLS.get(name) or SYMBOLS[name.rpartition("_")[0]] for name in before]
-    return sum(2 if symbol.shape == "vector" else 1 for symbol in symbols)
-
-
-def _plan(
-    store: Store, nodes: list[int], rows: Sequence[JointRow], member: dict[int, int]
-) -> Elimination:
-    """Return how a mechanism is eliminated; a mesh is not, and its plan has no edges."""
-    found = eliminated(nodes, _pairs(store, rows, member), LOOPED * len(rows) + FEW)
-    return found or _unconnected(nodes)
-
-
-def _unconnected(nodes: list[int]) -> Elimination:
-    """Return nodes in their order, without edges."""
-    return Elimination(nodes, {}, [[] for _ in nodes], [0] * len(nodes))
 
 
 def kept_apart(store: Store) -> set[tuple[int, int]]:
@@ -240,6 +160,7 @@ def _write_joints(
             joints.mechanisms[n, tb.M_TIMED] |= row.timed
             joints.mechanisms[n, tb.M_TURNED_BY_MOTOR] |= row.turned
             joints.mechanisms[n, tb.M_GOVERNED] |= row.governed
+            joints.mechanisms[n, tb.M_FIRM] |= row.firm
             joints.mechanisms[n, tb.M_CHOOSING] |= row.law in CHOOSING or row.bounded
             joints.mechanisms[n, tb.M_BOUNCING] |= row.numbers[tb.LAW_RESTITUTION] > 0.0
             joints.joints[j, [tb.J_LAW, tb.J_STATE]] = row.law, tb.HOLDS
@@ -286,47 +207,3 @@ def _edge(plan: Elimination, one: int, other: int, first: int) -> int:
     """Return the number of the edge between two nodes, or -1."""
     found = plan.edges.get((one, other), plan.edges.get((other, one), -1))
     return found if found < 0 else first + found
-
-
-def _mechanisms(store: Store, rows: Sequence[JointRow]) -> list[list[int]]:
-    """Return the joints of each mechanism by their places, in the order of their first ones."""
-    kind = store.world.state.kind
-    of_body: dict[int, list[int]] = {}
-    for k, row in enumerate(rows):
-        moving = [body for body in row.ends if body is not None and kind[body] == tb.DYNAMIC]
-        joined = {id(own): own for body in moving if (own := of_body.get(body)) is not None}
-        first, *others = joined.values() or [[]]
-        for other in others:
-            first += other
-            of_body.update((body, first) for body, own in of_body.items() if own is other)
-        first.append(k)
-        of_body.update((body, first) for body in moving)
-    found = {id(own): sorted(own) for own in of_body.values()}
-    return sorted(found.values())
-
-
-def _moving(store: Store, rows: Iterable[JointRow]) -> list[int]:
-    """Return the bodies that move, in the order in which joints name them."""
-    bodies = (body for row in rows for body in row.ends if body is not None)
-    return [body for body in dict.fromkeys(bodies) if store.world.state.kind[body] == tb.DYNAMIC]
-
-
-def _still(store: Store, rows: Iterable[JointRow]) -> list[int]:
-    """Return the bodies that joints hold, and that nothing pushes: static ones, then kinematic."""
-    bodies = dict.fromkeys(body for row in rows for body in row.ends if body is not None)
-    kind = store.world.state.kind
-    return [body for own in (tb.STATIC, tb.KINEMATIC) for body in bodies if kind[body] == own]
-
-
-def _pairs(
-    store: Store, rows: Iterable[JointRow], member: dict[int, int]
-) -> Iterable[tuple[int, int]]:
-    """Yield the pairs of nodes that joints connect."""
-    for row in rows:
-        moving = [b for b in row.ends if b is not None and store.world.state.kind[b] == tb.DYNAMIC]
-        yield from combinations([member[body] - 1 for body in moving], 2)
-
-
-def _pairs_of(row: JointRow) -> Iterable[tuple[int, int]]:
-    """Return the pairs of bodies of a joint, the lower row first."""
-    return combinations(sorted(body for body in row.ends if body is not None), 2)

@@ -157,16 +157,21 @@ def _codes(bodies: IntArray, size: int) -> IntArray:
 def _with_unpushed(pairs: Pairs, now: NDArray[np.bool_]) -> Points:
     """Return the points of pairs, of one that touched without a push, as a sensor does, the first.
 
-    Where that is and along which normal, is written to the pairs.
+    Where that is and along which normal, is written to the pairs; of one without points, which met
+    in flight, it stands there.
     """
     pushed = pairs.pushed()
     unpushed = now.copy()
     unpushed[pushed.pair] = False
     sensed = np.flatnonzero(unpushed)
     found = pairs.manifold
-    pairs.normal[sensed] = found[sensed, tb.NX : tb.NY + 1]
-    found[sensed, tb.WORLD_POINT : tb.WORLD_POINT + 2] = (
-        found[sensed, tb.LOG_PLACE_A : tb.LOG_PLACE_A + 2] + found[sensed, tb.PX : tb.PY + 1]
+    met = sensed[pairs.points[sensed] == 0]
+    pairs.normal[met] = found[met, tb.IMPACT_NORMAL : tb.IMPACT_NORMAL + 2]
+    overlapped = sensed[pairs.points[sensed] > 0]
+    pairs.normal[overlapped] = found[overlapped, tb.NX : tb.NY + 1]
+    found[overlapped, tb.WORLD_POINT : tb.WORLD_POINT + 2] = (
+        found[overlapped, tb.LOG_PLACE_A : tb.LOG_PLACE_A + 2]
+        + found[overlapped, tb.PX : tb.PY + 1]
     )
     return Points(
         np.concatenate((pushed.pair, sensed)),

@@ -14,7 +14,7 @@ equations, twice.
 from math import sqrt
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.joined import or_joined
 from tamias2d.engine.springs.held import turned
 from tamias2d.engine.springs.network import (
     pull_ends,
@@ -268,15 +268,15 @@ def end_springs(bodies: Bodies, springs: Springs) -> None:
 
 def is_unchanged(n: int, bodies: Bodies, springs: Springs) -> bool:
     """Return whether nothing but its springs changed a velocity in a network in the substeps."""
-    same = True
+    changed = False
     for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
         i = springs.slot[k]
         state, now = bodies.substep_state[i], bodies.motion[i]
         for c in range(3 if bodies.kind[i] == tb.DYNAMIC else 0):
-            same = same and state[tb.CONTACT_CHANGE + c] == 0.0
-            same = same and now[c] == state[tb.SUBSTEP_START + c]
-        same = unless_joined(same, i, i, bodies)
-    return bool(same)
+            changed = changed or state[tb.CONTACT_CHANGE + c] != 0.0
+            changed = changed or now[c] != state[tb.SUBSTEP_START + c]
+        changed = or_joined(changed, i, bodies)
+    return not changed
 
 
 def begin_again(i: int, bodies: Bodies) -> None:

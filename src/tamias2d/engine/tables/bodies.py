@@ -30,7 +30,8 @@ BOUNDING_RADIUS = _properties()  # m, of the circle around the body
 MIN_EXTENT = _properties()  # m, half of its least width
 CORE_RADIUS = _properties()  # m, distance of its farthest vertex from its centre
 PROPAGATOR = _properties()  # row of its propagator
-JOINED = _properties()  # its place among the members of joints; 0 where no joint holds it
+JOINED = _properties()  # its place among the members of joints, 0 where it has none; negative
+# where these only rub
 
 # propagators (DD41): v' = DECAY v + GAIN a, x' = x + GAIN v + LIFT a
 DECAY, GAIN, LIFT = range(3)  # 1, s, s^2

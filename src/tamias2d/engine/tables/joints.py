@@ -38,6 +38,7 @@ M_TIMED = _mechanisms()  # 1 if an equation that changes with time drives it
 M_CARRIED = _mechanisms()  # 1 if that, or some of it, moves as it is told
 M_DRIVEN = _mechanisms()  # 1 if a spring, or what changes with time, may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
+M_FIRM = _mechanisms()  # 1 unless all its joints only rub: give at most a maximum, for a rate
 M_CHOOSING = _mechanisms()  # 1 if it has limits, motors, or springs with a maximum
 M_BOUNCING = _mechanisms()  # 1 if it has limits that bounce
 M_TOUCHED = _mechanisms()  # 1 if contacts touch it
