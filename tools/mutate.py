@@ -35,6 +35,7 @@ from tamias2d.spec.expression import (
     Number,
     Power,
     Relation,
+    parse,
     parts,
     rebuilt,
 )
@@ -72,15 +73,9 @@ def mutants(specification: Specification) -> Iterator[Mutant]:
             seen = {plain(function.expression)}
             for tree in changes(function.expression):
                 text = plain(tree)
-                if text not in seen and not _same(function.expression, tree, specification):
+                if text not in seen:
                     seen.add(text)
                     yield Mutant(function, text)
-
-
-def _same(old: Node, new: Node, specification: Specification) -> bool:
-    """Whether an expression gives the same numbers as another."""
-    conditions = isinstance(old, Relation | Both)
-    return not conditions and same(old, new, specification.table)
 
 
 def changes(node: Node) -> Iterator[Node]:
@@ -125,6 +120,13 @@ def killed_by_reader(mutant: Mutant, specification: Specification) -> bool:
     return bool(check_item(changed, specification.items, specification.table))
 
 
+def is_equal(mutant: Mutant, specification: Specification) -> bool:
+    """Whether a mutant that the reader accepts gives the same numbers as what it replaces."""
+    old, new = mutant.function.expression, parse(mutant.text)
+    conditions = isinstance(old, Relation | Both)
+    return not conditions and same(old, new, specification.table)
+
+
 def _mutated(mutant: Mutant, specification: Specification) -> Item:
     item = deepcopy(specification.items[mutant.function.item.id])
     item.data[mutant.function.key][mutant.function.name] = mutant.text
@@ -163,9 +165,11 @@ def main() -> int:
         print(error, file=sys.stderr)
         return 2
     tried = [m for m in mutants(specification) if wanted in (None, m.function.name)]
-    left = [m for m in tried if not killed_by_reader(m, specification)]
+    accepted = [m for m in tried if not killed_by_reader(m, specification)]
+    left = [m for m in accepted if not is_equal(m, specification)]
     console = Console()
-    console.print(f"{len(tried)} mutants, {len(tried) - len(left)} killed by the reader")
+    killed, equal = len(tried) - len(accepted), len(accepted) - len(left)
+    console.print(f"{len(tried)} mutants, {killed} killed by the reader, {equal} equal")
     with tempfile.TemporaryDirectory() as folder:
         for name in _COPIED:
             source = ROOT / name
