@@ -66,6 +66,12 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     return plain[close[0]] if close else None
 
 
+def meant_by(names: Iterable[str]) -> dict[str, str]:
+    """Return what other engines and textbooks call names that are known here, with these."""
+    plain = {_plain(name): name for name in names}
+    return {word: plain[here] for word, here in _SYNONYMS.items() if here in plain}
+
+
 def _plain(name: str) -> str:
     return name.lower().replace("_", "").replace("-", "")
 

@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import sys
 from collections.abc import Callable
 
 import pytest
@@ -135,9 +136,8 @@ def test_the_frame_loop_is_left_alone() -> None:
 
 SIM = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)), compiled=False)
 MISSING: list[tuple[object, str, str | None]] = [
-    (SIM, "raycast", "ray_cast"),
     (SIM, "angle", "orientation"),
-    (SIM, "positions", "position"),
+    (SIM, "vel", "velocity"),
     (SIM, "inertia", "body(k).inertia"),
     (SIM, "shape", "body(k).shape"),
     (EMPTY, "add_box", "add_body(Box(...), ...)"),
@@ -189,3 +189,17 @@ def test_objects_that_suggest_can_be_copied() -> None:
     one.add_body(DISC, **BODY)
     assert copy.deepcopy(one).bodies == pickle.loads(pickle.dumps(one)).bodies == one.bodies
     assert len(copy.copy(SIM)) == 0
+
+
+def test_a_simulator_leaves_misspelt_attributes_to_python(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """A hook for them would make each look at an attribute, and so each step, dearer."""
+    assert not hasattr(t2.Simulator, "__getattr__")
+    assert "mass" in dir(SIM)
+    assert not {"inertia", "angle"} & set(dir(SIM))
+    try:
+        _ = SIM.positon  # type: ignore[attr-defined]
+    except AttributeError as told:
+        sys.__excepthook__(type(told), told, None)
+    assert "Did you mean: 'position'?" in capsys.readouterr().err

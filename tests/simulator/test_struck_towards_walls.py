@@ -51,7 +51,7 @@ def disc(sim: t2.Simulator, at: tuple[float, float], speed: float = 0.0) -> int:
 def test_a_struck_body_stays_before_the_wall(
     joined: Callable[[t2.Simulator, int], list[int]], wall: str
 ) -> None:
-    """It goes in by less than a fifth of its radius, at five radii a step, and gains nothing."""
+    """It goes in by less than a quarter of its radius, at five radii a step, and gains nothing."""
     random = np.random.default_rng(7)
     for _ in range(12):
         gap, speed = random.uniform(1e-3, 0.05), random.uniform(1.0, 10.0)
@@ -62,7 +62,7 @@ def test_a_struck_body_stays_before_the_wall(
         bodies = [ball, *joined(sim, ball), disc(sim, (-3 * R - gap - 0.03, 0.0), speed)]
         for _ in range(8):
             sim.step()
-            assert sim.position[bodies, 0].max() < -0.8 * R
+            assert sim.position[bodies, 0].max() < -0.75 * R
             motion = (sim.velocity[bodies] ** 2).sum()
             motion += 0.5 * R**2 * (sim.angular_velocity[bodies] ** 2).sum()
             assert motion <= speed**2 * (1 + 1e-9)

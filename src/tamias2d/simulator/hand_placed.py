@@ -6,8 +6,6 @@ it would have to lift it.
 
 from collections.abc import Iterable, Iterator
 
-import numpy as np
-
 from tamias2d.engine import tables as tb
 from tamias2d.engine.engine import Engine
 from tamias2d.scene.joint_checks import values_of_freedoms
@@ -25,7 +23,7 @@ def put_elsewhere(joints: Iterable[Joint], left: Array, engine: Engine) -> list[
     Bodies that came since may have been put anywhere.
     """
     pose, known = engine.pose, min(len(left), engine.size)
-    if known == len(left) == len(pose) and np.array_equal(pose, left):
+    if known == len(left) == len(pose) and (pose == left).all():
         return []
     moved = engine.kind == tb.DYNAMIC
     moved[:known] &= (pose[:known] != left[:known]).any(axis=1)

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.attribute_suggestions import suggests_attributes
+from tamias2d.attribute_suggestions import names_elsewhere
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.saving.saved_checks import UnfitError
 from tamias2d.engine.saving.saved_state import restored_engine, rewind, saved_arrays
@@ -59,7 +59,7 @@ _SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
 _LONGEST_WAIT = 2**31 - 1  # steps
 
 
-@suggests_attributes({field.name: f"body(k).{field.name}" for field in fields(Body)})
+@names_elsewhere({field.name: f"body(k).{field.name}" for field in fields(Body)})
 @suggests
 @refuses_assignment
 class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):

@@ -159,8 +159,10 @@ class Stepping(Views):
 
     def _advance(self, count: int) -> None:
         """Take some steps, or raise `RuleError`."""
-        before = self._engine.steps
-        placed = self._placed_by_hand() if self._jointed else ()
+        before = 0  # which only joints ask for, as for what was placed
+        placed: Collection[str] = ()
+        if self._jointed:
+            before, placed = self._engine.steps, self._placed_by_hand()
         untouched = self._sleeps and self._untouched
         invalid = self._engine.step(count, untouched=untouched, events=self._events)
         self._take_note(invalid, before, placed)

@@ -11,9 +11,10 @@ from tamias2d.engine.continuous.event_loop import may_retake
 from tamias2d.engine.continuous.events import THIN, allowed_depth, event_on_path, relative_motion
 from tamias2d.engine.continuous.passing import keep_away, smaller_radius
 from tamias2d.engine.joined import is_held
+from tamias2d.engine.parts import LIMIT
 from tamias2d.engine.tables import Contacts, World
 
-SHALLOWER = 0.25  # of the depth from which bodies are pushed back: how far one may go in unforeseen
+SHALLOWER = 0.2  # of that depth: how far one may go into a wall
 
 
 def meets_unforeseen(again: bool, world: World, contacts: Contacts) -> bool:
@@ -35,7 +36,9 @@ def goes_in(p: int, world: World, contacts: Contacts) -> bool:
     if not (is_held(i, bodies) or is_held(j, bodies)):
         return False
     reach = smaller_radius(s, t, shapes.material)
-    deep = SHALLOWER * max(allowed_depth(i, j, reach, bodies.properties), THIN * reach)
+    deep = max(LIMIT * allowed_depth(i, j, reach, bodies.properties), THIN * reach)
+    if bodies.kind[i] != tb.DYNAMIC or bodies.kind[j] != tb.DYNAMIC:
+        deep *= SHALLOWER
     way = path_length(i, bodies.motion, bodies.properties)
     way += path_length(j, bodies.motion, bodies.properties)
     if way <= deep or keep_away(s, t, 0.0, bodies, shapes):
