@@ -3,11 +3,9 @@
 import re
 import textwrap
 from collections import defaultdict
-from pathlib import PurePosixPath
 
-from tamias2d.spec.chapter import Item
 from tamias2d.spec.check import infer
-from tamias2d.spec.equations import Function, functions
+from tamias2d.spec.equations import Function, functions, module_of
 from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.python import PythonPrinter
 from tamias2d.spec.specification import Specification
@@ -23,12 +21,6 @@ by `python -m tools.generate`. Edit the chapter, not this file.
 
 from tamias2d.spec.functions import {imports}
 '''
-
-
-def module_of(item: Item) -> str:
-    """The generated module that holds an item's functions."""
-    default = PurePosixPath(item.file).stem if item.kind == "model" else "definitions"
-    return str(item.data.get("module", default))
 
 
 def functions_by_module(specification: Specification) -> dict[str, list[Function]]:

@@ -8,8 +8,8 @@ from collections.abc import Iterable
 
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.constraint import COORDINATES, ENDS
+from tamias2d.spec.equations import module_of
 from tamias2d.spec.specification import Specification
-from tools.emit_functions import module_of
 from tools.quoting import docstring
 
 HEADER = '''"""{title}

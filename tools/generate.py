@@ -20,6 +20,7 @@ from tamias2d.errors import SpecError
 from tamias2d.spec.reader import read
 from tamias2d.spec.specification import Specification
 from tools import (
+    case_scenes,
     emit_constraints,
     emit_data,
     emit_functions,
@@ -32,6 +33,14 @@ ROOT = Path(__file__).resolve().parent.parent
 CODE = "src/tamias2d/generated"
 TESTS = "tests/generated"
 PACKAGE = '"""Where equations become code: printed from srs/ by `python -m tools.generate`."""\n'
+
+
+def checked(folder: Path) -> Specification:
+    """The specification, whose cases name scenes and bodies that exist. Raises: SpecError."""
+    specification = read(folder)
+    if faults := case_scenes.faults(specification.of_kind("case")):
+        raise SpecError("\n".join(str(fault) for fault in sorted(faults)))
+    return specification
 
 
 def outputs(specification: Specification) -> dict[str, str]:
@@ -129,7 +138,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _generate(*, check: bool) -> int:
-    files = outputs(read(ROOT / "srs"))
+    files = outputs(checked(ROOT / "srs"))
     found = differences(files)
     for path, what in found.items():
         if check:

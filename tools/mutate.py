@@ -3,7 +3,8 @@
 Each executable equation is changed in each small way that a slip could take: a sign, an
 operator, a dropped term, body A for body B, a wrong factor. A mutant is killed by the reader
 (units, shapes, derivations, closed forms) or by the cases; one that survives shows a test that
-is missing. Exits with 1 if one survives. It takes minutes and is no part of CI.
+is missing. One that gives the same numbers is none, such as a square of the opposite. Exits with
+1 if one survives. It takes hours and is no part of CI.
 """
 
 import argparse
@@ -26,16 +27,20 @@ from tamias2d.spec.chapter import Item
 from tamias2d.spec.equations import Function
 from tamias2d.spec.expression import (
     Binary,
+    Both,
     Call,
     Name,
     Negative,
     Node,
     Number,
     Power,
+    Relation,
+    parse,
     parts,
     rebuilt,
 )
 from tamias2d.spec.formulas import check_item
+from tamias2d.spec.implication import same
 from tamias2d.spec.reader import read
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.tex import plain
@@ -115,6 +120,13 @@ def killed_by_reader(mutant: Mutant, specification: Specification) -> bool:
     return bool(check_item(changed, specification.items, specification.table))
 
 
+def is_equal(mutant: Mutant, specification: Specification) -> bool:
+    """Whether a mutant that the reader accepts gives the same numbers as what it replaces."""
+    old, new = mutant.function.expression, parse(mutant.text)
+    conditions = isinstance(old, Relation | Both)
+    return not conditions and same(old, new, specification.table)
+
+
 def _mutated(mutant: Mutant, specification: Specification) -> Item:
     item = deepcopy(specification.items[mutant.function.item.id])
     item.data[mutant.function.key][mutant.function.name] = mutant.text
@@ -153,9 +165,11 @@ def main() -> int:
         print(error, file=sys.stderr)
         return 2
     tried = [m for m in mutants(specification) if wanted in (None, m.function.name)]
-    left = [m for m in tried if not killed_by_reader(m, specification)]
+    accepted = [m for m in tried if not killed_by_reader(m, specification)]
+    left = [m for m in accepted if not is_equal(m, specification)]
     console = Console()
-    console.print(f"{len(tried)} mutants, {len(tried) - len(left)} killed by the reader")
+    killed, equal = len(tried) - len(accepted), len(accepted) - len(left)
+    console.print(f"{len(tried)} mutants, {killed} killed by the reader, {equal} equal")
     with tempfile.TemporaryDirectory() as folder:
         for name in _COPIED:
             source = ROOT / name

@@ -91,7 +91,7 @@ def test_all_faults_are_reported_together(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("chapter", "first"), [("duplicate_symbol", "srs/0_symbols.md:4"), ("duplicate_index", ":17")]
+    ("chapter", "first"), [("duplicate_symbol", "srs/0_symbols.md:4"), ("duplicate_index", ":19")]
 )
 def test_a_second_declaration_names_the_first(chapter: str, first: str, tmp_path: Path) -> None:
     found = faults(HERE / "bad" / f"{chapter}.md", tmp_path)

@@ -69,7 +69,7 @@ def _inside(lines: list[str], place: Place, offset: int) -> Place:
 
 @dataclass(frozen=True)
 class Role:
-    """A link to an item in the prose."""
+    """A link to an item in the prose, or in the words of an item."""
 
     id: str
     file: str
@@ -100,19 +100,20 @@ def read_chapter(path: Path, file: str) -> Chapter:
         reason = f"'{path.name}' is no name of a chapter: must be like 'friction.md'. Rename it"
         chapter.faults.append(Diagnostic(file, 1, 1, Code.BAD_NAME.code, reason))
     lines = text.splitlines()
-    fenced: set[int] = set()
+    code: set[int] = set()
     tokens = MarkdownIt("commonmark").parse(f"{text}\n")  # a last line without end is one, too
     for token in tokens:
         if token.type == "heading_open" and token.tag == "h1" and token.map and not chapter.title:
             chapter.title = lines[token.map[0]].lstrip("# ").strip()
         if token.type == "fence" and token.map:
-            fenced.update(range(*token.map))
+            if not HEADING.fullmatch(token.info.strip()):
+                code.update(range(*token.map))
             _read_fence(chapter, token, lines)
     if not chapter.title:
         reason = f"found {'no title' if text.strip() else 'nothing'}: {_TITLE}"
         chapter.faults.append(Diagnostic(file, 1, 1, Code.BAD_HEADING.code, reason))
     chapter.faults += lost(file, lines, tokens)
-    chapter.roles = list(_roles(file, lines, fenced))
+    chapter.roles = list(_roles(file, lines, code))
     return chapter
 
 
@@ -177,8 +178,8 @@ def _heading_fault(kind: str, name: str, title: str) -> tuple[Code, str] | None:
     return None
 
 
-def _roles(file: str, lines: list[str], fenced: set[int]) -> Iterator[Role]:
+def _roles(file: str, lines: list[str], code: set[int]) -> Iterator[Role]:
     for number, line in enumerate(lines):
-        if number not in fenced:
+        if number not in code:
             for match in _ROLE.finditer(line):
                 yield Role(match.group(1), file, number + 1, match.start(1) + 1)

@@ -6,12 +6,26 @@ reason for it, and where the exact answer comes from.
 
 from typing import Any
 
-from tamias2d.spec.schema import TEXT, WHOLE, mapping
+from tamias2d.spec.schema import COUNT, TEXT, WHOLE, each, listed, mapping, set_of
 
-_LIST: dict[str, Any] = {"type": "array"}
-_MAPPING: dict[str, Any] = {"type": "object"}
-_NUMBER = {"type": "string", "pattern": r"^[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]+)?$"}
+_NUMBER = {"type": "string", "pattern": r"^[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]{1,2})?\Z"}
+_SIGNED = {"type": "string", "pattern": r"^-?[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]{1,2})?\Z"}
 _TREND = {"enum": ["constant", "falls"]}
+_BODIES = each(each(TEXT))  # body, quantity, expression
+_PAIR = {**listed(TEXT), "minItems": 2, "maxItems": 2}
+_VALUE = {"anyOf": [TEXT, listed(TEXT), listed(_PAIR)]}
+_SCENE = {"type": ["string", "object"], "minLength": 1, "minProperties": 1}
+_RUNS = each(mapping(("scene", "says"), scene=_SCENE, says=TEXT, scheme=TEXT, time_step=TEXT))
+_MISPRINT = mapping(
+    ("body", "quantity", "sample", "reads"),
+    body=TEXT,
+    quantity=TEXT,
+    sample=COUNT,
+    component={"enum": ["x", "y"]},
+    reads=_SIGNED,
+    says=TEXT,
+)
+_PRINTED = {"anyOf": [_SIGNED, {**listed(_SIGNED), "minItems": 2, "maxItems": 2}]}
 _GROUNDS = {"tolerance": _NUMBER, "because": TEXT, "source": TEXT}
 
 
@@ -20,60 +34,73 @@ def _comparison(*required: str, **keys: Any) -> dict[str, Any]:
 
 
 COMPARISONS = {
-    "exact": _comparison("bodies", bodies=_MAPPING, reference=_NUMBER),
-    "final": _comparison("bodies", bodies=_MAPPING),
-    "impacts": _comparison(count=WHOLE, times=_LIST, impulses=_LIST),
-    "moments": _comparison("states", states=_LIST),
+    "exact": _comparison("bodies", bodies=_BODIES, reference=_NUMBER),
+    "final": _comparison("bodies", bodies=_BODIES),
+    "impacts": _comparison(count=WHOLE, times=listed(TEXT), impulses=listed(TEXT)),
+    "moments": _comparison(
+        "states", states=listed(mapping(("at", "bodies"), at=TEXT, bodies=_BODIES))
+    ),
     "schemes": _comparison(
         "steps",
-        steps={"anyOf": [WHOLE, _MAPPING]},
-        durations=_MAPPING,
-        of=_MAPPING,
-        orders=_LIST,
-        shows=_MAPPING,
-        constants=_MAPPING,
+        steps={"anyOf": [COUNT, each(COUNT)]},
+        durations=each(TEXT),
+        of=each(set_of(TEXT)),
+        orders=set_of(TEXT),
+        shows=each(COUNT),
+        constants=each(_BODIES),
     ),
-    "certified": _comparison("tolerances", tolerances=_LIST),
+    "certified": _comparison("tolerances", tolerances=listed(_NUMBER)),
     "published": _comparison(
         "time_step",
         "steps",
         "tables",
         time_step=TEXT,
-        steps=_LIST,
-        tables=_MAPPING,
-        misprints=_LIST,
+        steps=set_of(WHOLE),
+        tables=each(each(listed(_PRINTED))),
+        misprints=set_of(_MISPRINT),
     ),
     "conserves": _comparison(
-        momentum=_TREND, angular_momentum=_TREND, energy=_TREND, schemes=_MAPPING
+        momentum=_TREND, angular_momentum=_TREND, energy=_TREND, schemes=each(COUNT)
     ),
     "stepped": _comparison(
         "time_step",
         time_step=TEXT,
-        bodies=_MAPPING,
+        bodies=_BODIES,
         momentum=_TREND,
         angular_momentum=_TREND,
         energy=_TREND,
         centre_of_mass={"enum": ["uniform"]},
     ),
-    "reference": _comparison("scenes", scenes=_MAPPING),
+    "reference": _comparison("scenes", scenes=each(TEXT)),
     "worlds": _comparison(
         "vary",
         "worlds",
         "within",
         "bodies",
-        vary=_MAPPING,
-        worlds=WHOLE,
+        vary=each(_PAIR),
+        worlds=COUNT,
         within=_NUMBER,
-        bodies=_MAPPING,
+        bodies=_BODIES,
         scheme=TEXT,
         time_step=TEXT,
     ),
-    "values": _comparison("module", "calls", module=TEXT, calls=_LIST),
-    "refuses": _comparison("scenes", scenes=_MAPPING),
-    "notes": _comparison("scenes", scenes=_MAPPING),
+    "values": _comparison(
+        "module",
+        "calls",
+        module=TEXT,
+        calls=listed(
+            mapping(
+                ("given", "expect"),
+                given={"type": "object", "additionalProperties": _VALUE},
+                expect=each(_VALUE),
+            )
+        ),
+    ),
+    "refuses": _comparison("scenes", scenes=_RUNS),
+    "notes": _comparison("scenes", scenes=_RUNS),
     "pace": _comparison(),
     "survey": mapping(
-        ("questions", "answers"), task=TEXT, questions=_LIST, answers=WHOLE, limit=TEXT
+        ("questions", "answers"), task=TEXT, questions=listed(TEXT), answers=WHOLE, limit=TEXT
     ),
 }
 WITHOUT_RUN = ("reference", "values", "refuses", "notes", "survey")

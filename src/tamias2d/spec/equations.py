@@ -6,13 +6,14 @@ function and which become named intermediate quantities inside it.
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from pathlib import PurePosixPath
 
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.check import TRUTH, Type, expect, infer
 from tamias2d.spec.circles import rings
 from tamias2d.spec.expression import Node, Relation, names, parse
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
-from tamias2d.spec.symbols import SymbolTable
+from tamias2d.spec.symbols import Symbol, SymbolTable
 
 Report = Callable[[Diagnostic], None]
 
@@ -27,6 +28,12 @@ class Function:
     expression: Node
     item: Item
     key: str
+
+
+def module_of(item: Item) -> str:
+    """The generated module that holds an item's functions."""
+    default = PurePosixPath(item.file).stem if item.kind == "model" else "definitions"
+    return str(item.data.get("module", default))
 
 
 def parsed(item: Item, text: str, report: Report, *path: str | int) -> Node | None:
@@ -51,6 +58,17 @@ def typed(
         return infer(node, table)
     except SpecFault as fault:
         report(placed(item, fault, *path))
+        return None
+
+
+def symbol_of(
+    item: Item, name: str, table: SymbolTable, report: Report, *path: str | int
+) -> Symbol | None:
+    """The symbol that a name in an item stands for; a fault is reported at its place."""
+    try:
+        return table.resolve(name).symbol
+    except SpecFault as fault:
+        report(item.diagnostic(fault.code, fault.message, *path))
         return None
 
 

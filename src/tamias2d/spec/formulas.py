@@ -11,8 +11,8 @@ from tamias2d.spec.chapter import Item
 from tamias2d.spec.check import Type
 from tamias2d.spec.constraint_items import check_constraint
 from tamias2d.spec.derivation import check_closed_form, check_derivation
-from tamias2d.spec.equations import Report, functions, parsed, relation, typed
-from tamias2d.spec.messages import Code, Diagnostic, SpecFault
+from tamias2d.spec.equations import Report, functions, parsed, relation, symbol_of, typed
+from tamias2d.spec.messages import Code, Diagnostic
 from tamias2d.spec.model import check_model
 from tamias2d.spec.order import check_orders
 from tamias2d.spec.stability import check_stability
@@ -28,7 +28,7 @@ def check_item(item: Item, items: Mapping[str, Item], table: SymbolTable) -> lis
         check_orders(item, report)
         check_stability(item, report)
     elif item.kind == "case":
-        check_case(item, table, report)
+        check_case(item, items, table, report)
     elif item.kind == "constraint":
         check_constraint(item, table, report)
     elif item.kind in ("theory", "definition", "model", "property"):
@@ -47,23 +47,13 @@ def _check_statement(item: Item, table: SymbolTable, report: Report) -> None:
     functions(item, table, report)
     for key in ("input", "output"):
         for number, name in enumerate(item.data.get(key, [])):
-            _symbol(item, name, table, report, key, number)
+            symbol_of(item, name, table, report, key, number)
     for name, text in item.data.get("states", {}).items():
         node = parsed(item, text, report, "states", name)
         rate = typed(item, node, table, report, "states", name) if node else None
-        symbol = _symbol(item, name, table, report, "states", name, "key")
+        symbol = symbol_of(item, name, table, report, "states", name, "key")
         if rate and symbol:
             _check_rate(item, symbol, rate, report, name)
-
-
-def _symbol(
-    item: Item, name: str, table: SymbolTable, report: Report, *path: str | int
-) -> Symbol | None:
-    try:
-        return table.resolve(name).symbol
-    except SpecFault as fault:
-        report(item.diagnostic(fault.code, fault.message, *path))
-        return None
 
 
 def _check_rate(item: Item, symbol: Symbol, rate: Type, report: Report, name: str) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from tamias2d.spec.comparisons import COMPARISONS
-from tamias2d.spec.schema import NAME, TEXT, WHOLE, mapping
+from tamias2d.spec.schema import COUNT, NAME, TEXT, WHOLE, each, listed, mapping, set_of
 
 
 def _table(schema: dict[str, Any]) -> dict[str, Any]:
@@ -17,23 +17,25 @@ def _table(schema: dict[str, Any]) -> dict[str, Any]:
 
 
 _ID = {"type": "string", "pattern": r"^[A-Z]{1,3}[0-9]+[a-z]?(-[a-z]+)?\Z|" + NAME}
-_IDS = {"type": "array", "items": _ID}
-_NAMES = {"type": "array", "items": {"type": "string", "pattern": NAME}}
-_TEXTS = {"type": "array", "items": TEXT}
+_IDS = set_of(_ID)
+_NAMES = set_of({"type": "string", "pattern": NAME})
+_SOURCES = {**set_of(TEXT), "minItems": 0}
 _EXPRESSIONS = _table(TEXT)
 _REPLACED = {"type": "object", "additionalProperties": TEXT}  # a key may be an expression
-_NUMBERS = {"type": "array", "items": {"type": "string"}}
-
-
-_DERIVATION = {
+_NUMBERS = listed(TEXT)
+_ROWS = {
     "type": "array",
-    "items": mapping(("equation", "by"), equation=TEXT, by=TEXT, where=_REPLACED),
-}
+    "items": {"type": "array", "items": TEXT},
+}  # that of the first stage is empty
+_LIMIT = {"type": "string", "pattern": r"^[0-9]+(\.[0-9]+)?\Z"}
+
+
+_DERIVATION = listed(mapping(("equation", "by"), equation=TEXT, by=TEXT, where=_REPLACED))
 _STATEMENT = {
     "says": TEXT,
     "label_2018": TEXT,
     "uses": _IDS,
-    "source": _TEXTS,
+    "source": _SOURCES,
     "equation": TEXT,
     "unchecked": TEXT,
     "condition": TEXT,
@@ -49,11 +51,11 @@ _SYMBOL = mapping(
     says=TEXT,
     shape={"enum": ["scalar", "vector"]},
     range=TEXT,
-    typical={},
+    typical={"anyOf": [TEXT, listed(TEXT)]},
     uncertainty=TEXT,
 )
 _INDEX = mapping(("tex", "says"), tex=TEXT, says=TEXT, place={"enum": ["sub", "super"]})
-_WEIGHTS = {"type": "object", "additionalProperties": TEXT}
+_WEIGHTS = each(TEXT)
 
 
 @dataclass(frozen=True)
@@ -102,15 +104,15 @@ KINDS = {
                 says=TEXT,
                 family={"enum": ["runge_kutta", "splitting", "exponential", "two_level"]},
                 order=WHOLE,
-                source=_TEXTS,
+                source=_SOURCES,
                 uses=_IDS,
                 error_constant=TEXT,
-                stability=mapping(("oscillation", "decay"), oscillation=TEXT, decay=TEXT),
-                a={"type": "array", "items": _NUMBERS},
+                stability=mapping(("oscillation", "decay"), oscillation=_LIMIT, decay=_LIMIT),
+                a=_ROWS,
                 b=_NUMBERS,
-                error={"type": "array", "items": _NUMBERS},
-                error_orders={"type": "array", "items": WHOLE},
-                dense={"type": "array", "items": _NUMBERS},
+                error=listed(_NUMBERS),
+                error_orders=listed(COUNT),
+                dense=listed(_NUMBERS),
                 dense_order=WHOLE,
                 c=_NUMBERS,
                 kick=_NUMBERS,
@@ -126,11 +128,11 @@ KINDS = {
                 ("says", "parameters", "constraint"),
                 says=TEXT,
                 uses=_IDS,
-                source=_TEXTS,
+                source=_SOURCES,
                 condition=TEXT,
-                parameters=_NAMES,
+                parameters={**_NAMES, "minItems": 0},
                 equations=_EXPRESSIONS,
-                constraint=_TEXTS,
+                constraint=set_of(TEXT),
             ),
         ),
         Kind(
@@ -164,7 +166,7 @@ KINDS = {
                 label_2018=TEXT,
                 crowd=mapping(
                     ("within",),
-                    within=TEXT,
+                    within={"type": "string", "pattern": r"^[1-9](\.[0-9]+)?e-[0-9]+\Z"},
                     bodies={"enum": ["steady"]},
                     relation={"enum": ["at most"]},
                 ),
@@ -187,7 +189,7 @@ KINDS = {
             mapping(
                 ("verifies", "uses"),
                 verifies=_IDS,
-                uses=_IDS,
+                uses={**_IDS, "minItems": 0},
                 says=TEXT,
                 scene={"type": ["string", "object"]},
                 duration=TEXT,

@@ -23,6 +23,7 @@ class Code(Enum):
     BAD_VALUE = "bad-value", "a value has not the form that its key asks for"
     DUPLICATE_ID = "duplicate-id", "an id or a symbol is declared twice"
     UNKNOWN_ID = "unknown-id", "a link leads to no item"
+    WRONG_LINK = "wrong-link", "a link leads to an item of a kind that the key cannot name"
     UNKNOWN_NAME = "unknown-name", "a name is neither a symbol nor a symbol with indices"
     SYNTAX = "syntax", "the expression cannot be read"
     NOT_ALLOWED = "not-allowed", "the language has no such construct"

@@ -6,7 +6,7 @@ in the first stage with any are reported together, each as `file:line:column: co
 
 import keyword
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +18,10 @@ from tamias2d.spec.circles import rings
 from tamias2d.spec.formulas import check_item
 from tamias2d.spec.kinds import KINDS
 from tamias2d.spec.letters import check_letters
+from tamias2d.spec.links import check_links
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
+from tamias2d.spec.modules import check_modules
+from tamias2d.spec.schema_fault import schema_fault
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.symbols import Index, Range, Symbol, SymbolTable, parse_range
 from tamias2d.spec.tex import has_balanced_braces
@@ -66,6 +69,7 @@ class _Reader:
         self.check_links(specification)
         self.check_circles(specification.items)
         self.check_sources(specification)
+        check_modules(specification.items.values(), self.report)
         for item in specification.items.values():
             self.faults += check_item(item, specification.items, specification.table)
         self.stop_at_faults()
@@ -87,7 +91,7 @@ class _Reader:
         validator = jsonschema.Draft202012Validator(KINDS[item.kind].schema)
         errors = list(validator.iter_errors(item.data))
         for error in errors:
-            self.report(_schema_fault(item, error))
+            self.report(schema_fault(item, error))
         return not errors
 
     def assemble(self, items: Iterable[Item], chapters: list[Chapter]) -> Specification:
@@ -161,14 +165,10 @@ class _Reader:
             self.report(item.diagnostic(Code.BAD_VALUE, text, name, "tex"))
 
     def check_links(self, specification: Specification) -> None:
-        """Report each id, in a fence or in the prose, that leads to no item."""
+        """Report each id, in a fence or in the prose, that leads to no item that it may name."""
         known = specification.items
         for item in known.values():
-            for key, ids in specification.links(item).items():
-                for number, id in enumerate(ids):
-                    if id not in known and not (key == "corrects" and id == "none"):
-                        text = f"'{id}' in '{key}' is no item. Correct the id or write the item"
-                        self.report(item.diagnostic(Code.UNKNOWN_ID, text, key, number))
+            check_links(item, known, self.report)
         for role in specification.roles:
             if role.id not in known and role.id not in specification.table.symbols:
                 text = f"'{role.id}' is no item. Correct the id or write the item"
@@ -195,27 +195,3 @@ class _Reader:
                         f"source '{key}' is not in references.bib. Add the entry or correct the key"
                     )
                     self.report(item.diagnostic(Code.UNKNOWN_ID, text, "source", number))
-
-
-def _schema_fault(item: Item, error: jsonschema.ValidationError) -> Diagnostic:
-    path: tuple[str | int, ...] = tuple(error.absolute_path)
-    schema: dict[str, Any] = error.schema  # type: ignore[assignment] # ours are mappings
-    if error.validator in ("required", "additionalProperties"):
-        named = next(_unknown_keys(error, schema), None)
-        where = (*path, named, "key") if named else path
-        reason = f"'{named}' is no key here" if named else error.message
-        allowed = ", ".join(schema.get("properties", {})) or "a lower-case word"
-        return item.diagnostic(Code.BAD_KEY, f"{reason}: must be of {allowed}. Correct it", *where)
-    found = error.instance if isinstance(error.instance, str) else type(error.instance).__name__
-    rule = f"{error.validator} {error.validator_value}"
-    text = f"'{found}' is not what '{path[-1] if path else ''}' takes: {rule}. Correct it"
-    return item.diagnostic(Code.BAD_VALUE, text, *path)
-
-
-def _unknown_keys(error: jsonschema.ValidationError, schema: dict[str, Any]) -> Iterator[str]:
-    if error.validator != "additionalProperties":
-        return
-    patterns = schema.get("patternProperties", {})
-    for key in dict(error.instance):  # type: ignore[arg-type] # only mappings have keys
-        if key not in schema.get("properties", {}) and not any(re.search(p, key) for p in patterns):
-            yield key

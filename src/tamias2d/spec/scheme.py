@@ -71,7 +71,7 @@ def scheme_of(item: Item, report: Report) -> Scheme | None:
             return None
     try:
         scheme = _coefficients(item)
-    except (ValueError, ZeroDivisionError):
+    except (ValueError, ZeroDivisionError, OverflowError):
         text = "a coefficient is no number like 1/2 or 0.5. Correct it"
         report(item.diagnostic(Code.BAD_VALUE, text, keys[0]))
         return None
@@ -86,16 +86,16 @@ def _coefficients(item: Item) -> Scheme:
     data = item.data
 
     def row(key: str) -> Row:
-        return tuple(Fraction(text) for text in data.get(key, []))
+        return tuple(_number(text) for text in data.get(key, []))
 
     def rows(key: str) -> tuple[Row, ...]:
-        return tuple(tuple(Fraction(text) for text in line) for line in data.get(key, []))
+        return tuple(tuple(_number(text) for text in line) for line in data.get(key, []))
 
     def levels(key: str) -> Row:
         weights = data.get(key, {})
         if set(weights) - set(_LEVELS[key]):
             raise ValueError(key)
-        return tuple(Fraction(weights.get(name, "0")) for name in _LEVELS[key])
+        return tuple(_number(weights.get(name, "0")) for name in _LEVELS[key])
 
     return Scheme(
         item.id,
@@ -113,6 +113,13 @@ def _coefficients(item: Item) -> Scheme:
         position=levels("position"),
         velocity=levels("velocity"),
     )
+
+
+def _number(text: str) -> Fraction:
+    """A coefficient, exactly. Raises: ArithmeticError or ValueError, if float64 holds none such."""
+    number = Fraction(text)
+    float(number)
+    return number
 
 
 def _shapes_fit(scheme: Scheme) -> bool:

@@ -33,7 +33,7 @@ class Limits(NamedTuple):
 
 def check_stability(item: Item, report: Report) -> None:
     """Report a scheme whose coefficients do not have the limits that are claimed."""
-    scheme = scheme_of(item, print)
+    scheme = scheme_of(item, lambda _fault: None)  # the check of the order reports it
     claimed = item.data.get("stability", {})
     if scheme is None or not claimed:
         return

@@ -15,7 +15,7 @@ from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.units import Dimension, parse_unit
 
 Shape = Literal["scalar", "vector"]
-_HALF_LINE = re.compile(r"(>=|>|<=|<)\s*(-?[0-9.]+(?:e-?[0-9]+)?)")
+_HALF_LINE = re.compile(r"(>=|>|<=|<)\s*(-?[0-9]+(?:\.[0-9]*)?(?:e-?[0-9]+)?)")
 _INTERVAL = re.compile(r"([\[(])\s*(-?[^,]+?)\s*,\s*(-?[^,]+?)\s*([\])])")
 _BOUND = re.compile(r"(-)?(?:([0-9]+\.?[0-9]*)\s*\*?\s*)?(pi)?")
 
@@ -49,8 +49,16 @@ def parse_range(text: str) -> Range:
     """Read `> 0`, `[0, 1]` or `[0, 2*pi)`.
 
     Raises:
-        SpecFault: the text has neither form.
+        SpecFault: the text has neither form, or hardly a number lies inside.
     """
+    limits = _range(text)
+    if not limits.low < limits.high or math.inf in (limits.low, -limits.high):
+        rule = "the first bound must be below the second, and finite. Correct them"
+        raise SpecFault(Code.BAD_RANGE, f"no range of numbers is '{text}': {rule}")
+    return limits
+
+
+def _range(text: str) -> Range:
     if match := _HALF_LINE.fullmatch(text.strip()):
         sign, bound = match.group(1), float(match.group(2))
         if sign.startswith(">"):

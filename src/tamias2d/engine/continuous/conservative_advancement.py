@@ -34,13 +34,7 @@ WIDER = 1.0 + 2.0**-20  # of a circle, against rounding
 
 
 def time_of_impact(
-    s: int,
-    t: int,
-    sensed: bool,
-    path: RelativePath,
-    held: Vector,
-    shapes: Shapes,
-    events: Events,
+    s: int, t: int, sensed: bool, path: RelativePath, held: Vector, shapes: Shapes, events: Events
 ) -> float:
     """Return the fraction of a path at which shapes s and t first come close, or `MISSED`.
 
@@ -61,13 +55,7 @@ def time_of_impact(
 
 
 def advance(
-    s: int,
-    t: int,
-    sensed: bool,
-    path: RelativePath,
-    held: Vector,
-    shapes: Shapes,
-    events: Events,
+    s: int, t: int, sensed: bool, path: RelativePath, held: Vector, shapes: Shapes, events: Events
 ) -> float:
     """Return the same where shape t is not a half-plane."""
     p, q, vertices = core_of(s, shapes), core_of(t, shapes), shapes.world_vertices

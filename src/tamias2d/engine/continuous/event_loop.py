@@ -18,9 +18,8 @@ from tamias2d.engine.continuous.collision_response import resolve_impact
 from tamias2d.engine.continuous.conservative_advancement import MISSED
 from tamias2d.engine.continuous.event_queue import (
     NO_EVENT,
-    build_queue,
+    begin_queue,
     first_event,
-    list_contacts_by_body,
     update_event,
 )
 from tamias2d.engine.continuous.events import (
@@ -68,8 +67,7 @@ def solve_continuous(
     found = find_all_events(since, control, bodies, shapes, broad_phase, contacts, events)
     if found == 0:
         return MISSED
-    list_contacts_by_body(broad_phase, contacts, events, body_count)
-    build_queue(body_count + broad_phase.counts[tb.CONTACTS], events.times, events.queue)
+    begin_queue(broad_phase, contacts, events, body_count)
     impacts_left = most_impacts(found, control.counts[tb.LEVEL])
     last = -MOST_JOINS * body_count
     while impacts_left > last:
@@ -90,8 +88,6 @@ def solve_continuous(
             p, joins = event - body_count, impacts_left <= 0
             if contacts.flags[p, tb.SENSES] == 1:
                 note_sensed(p, now, bodies, shapes, contacts, events)
-                events.times[event] = MISSED
-                update_event(event, events.times, events.queue)
                 continue
             if joins and pair_may_retake(p, now, control, bodies, shapes, contacts):
                 return TOO_LONG

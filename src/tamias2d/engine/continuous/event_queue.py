@@ -14,6 +14,14 @@ from tamias2d.state import Array
 NO_EVENT = -1
 
 
+def begin_queue(
+    broad_phase: BroadPhase, contacts: Contacts, events: Events, body_count: int
+) -> None:
+    """List the contacts of each body, and let the events wait that come in this step."""
+    list_contacts_by_body(broad_phase, contacts, events, body_count)
+    build_queue(body_count + broad_phase.counts[tb.CONTACTS], events.times, events.queue)
+
+
 def list_contacts_by_body(
     broad_phase: BroadPhase, contacts: Contacts, events: Events, body_count: int
 ) -> None:

@@ -11,6 +11,7 @@ from tamias2d.engine.continuous.conservative_advancement import (
     measure_gap,
     time_of_impact,
 )
+from tamias2d.engine.continuous.event_queue import update_event
 from tamias2d.engine.continuous.impact import contact_point, place_on_path
 from tamias2d.engine.continuous.passing import keep_away, smaller_radius, turn_shape_to
 from tamias2d.engine.continuous.trajectory import relative_path, relative_place
@@ -43,7 +44,7 @@ def time_of_sensing(
 def note_sensed(
     p: int, now: float, bodies: Bodies, shapes: Shapes, contacts: Contacts, events: Events
 ) -> None:
-    """Note where a sensor meets another shape at a fraction of the step."""
+    """Note where a sensor meets another shape at a fraction of the step: once in a part of it."""
     manifold, flags = contacts.manifolds[p], contacts.flags[p]
     first = 1 if shapes.kind[contacts.pairs[p, 1]] == tb.HALF_PLANE else 0
     s, t = contacts.pairs[p, first], contacts.pairs[p, 1 - first]
@@ -54,6 +55,9 @@ def note_sensed(
     manifold[tb.IMPACT_NORMAL] = sense * found[tb.NX]
     manifold[tb.IMPACT_NORMAL + 1] = sense * found[tb.NY]
     flags[tb.POINT_COUNT], flags[tb.LOCATED] = 0, tb.SPENT
+    event = len(bodies.kind) + p
+    events.times[event] = MISSED
+    update_event(event, events.times, events.queue)
 
 
 def tell_passed(
