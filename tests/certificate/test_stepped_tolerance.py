@@ -6,6 +6,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.motion import Stepped
 from tamias2d.scene import catalogue
+from tamias2d.scene.joint_kinds import JointKind
 from tamias2d.study.engines.overlap import worst
 from tamias2d.study.error import distance
 from tamias2d.study.refined import refined, refinements, step_alone, stepped, work_of
@@ -164,6 +165,41 @@ def test_a_located_run_has_a_quality_too() -> None:
     assert run.certificate is not None
     assert run.certificate.bound is not None
     assert run.certificate.bound <= 1e-6
+
+
+def hung(kind: JointKind) -> t2.Scene:
+    """A load that turns backwards and falls, held somehow to the origin."""
+    scene = t2.Scene(gravity=G)
+    scene.add_body(
+        None, mass=1.0, inertia=0.1, position=(0.0, -0.5), orientation=0.05, angular_velocity=-2.0,
+        name="load",
+    )  # fmt: skip
+    scene.add_joint(kind, (0.0, 0.0), "load", name="held")
+    return scene
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        t2.Distance(limits=t2.Limits(upper=1.0, restitution=0.5)),
+        t2.Distance(spring=t2.JointSpring(stiffness=20.0, damping=5.0)),
+        t2.Rotary(motor=t2.Motor(speed=0.0, maximum=0.3)),
+        t2.Ratchet(pitch=0.1, restitution=0.0),
+    ],
+)
+def test_what_joints_take_is_no_fault_of_the_energy(kind: JointKind) -> None:
+    """It was refused, with the advice to take shorter steps."""
+    run = t2.simulate(hung(kind), duration=0.5, quality=0.01)
+    assert run.energy[-1] < run.energy.max() - 0.05
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
+    assert run.certificate.bound < 1e-9
+
+
+def test_energy_that_a_motor_gives_has_no_quality() -> None:
+    scene = hung(t2.Rotary(motor=t2.Motor(speed=9.0, maximum=0.3)))
+    with pytest.raises(t2.InputError, match="something gives energy"):
+        t2.simulate(scene, duration=0.5, quality=0.01)
 
 
 @pytest.mark.parametrize("quality", [0.0, -1.0, 1.0, float("nan"), "0.1", True])

@@ -220,6 +220,14 @@ def test_several_motions_are_refused():
         t2.simulate(scene, duration=1.0, method=t2.ClosedForm())
 
 
+def test_what_coulombs_law_leaves_open_is_stepped_where_no_method_is_asked_for():
+    """R12: the first note says when, and why."""
+    run = t2.simulate(rod(2.0, 3.0), duration=0.2)
+    assert isinstance(run.method, t2.Stepped)
+    assert "impacts could be located up to 0 s. 'floor' and 'rod' at 0 s: Coulomb" in run.notes[0]
+    assert run.energy.max() <= run.energy[0] * (1 + 1e-9)
+
+
 @settings(
     max_examples=1000, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
 )

@@ -11,6 +11,7 @@ from scipy import integrate, stats
 
 import tamias2d as t2
 from tamias2d.ensemble.mean import Estimate
+from tamias2d.ensemble.sensitivity import _intervals, _shares
 from tests.ensemble.scenes import bouncing
 
 
@@ -228,6 +229,40 @@ def test_sensitivities_of_a_sum_are_the_shares_of_its_parts() -> None:
             assert low <= value <= high
             assert low - 0.02 <= wanted <= high + 0.02
     assert found["place"].values.tolist()[0] == "bodies.puck.velocity.x"
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_interval_of_a_rare_event_is_wide(seed: int) -> None:
+    """It happens in a tenth of all worlds, for x alone: some of the resamples have none of it."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, position=(0.0, 0.0), name="puck")
+    found = t2.sensitivities(
+        scene,
+        lambda run: float(run.position[-1, 0, 0] > 0.9),
+        duration=0.1,
+        vary={f"bodies.puck.position.{axis}": stats.uniform(0.0, 1.0) for axis in "xy"},
+        worlds=16,
+        seed=seed,
+        times=(0.1,),
+        workers=1,
+    )
+    for name in ("first_order", "total_order"):
+        low, known, high = (found[name + suffix].values for suffix in ("_low", "", "_high"))
+        assert (low <= np.minimum(known, [1.0, 0.0])).all()
+        assert (high >= np.maximum(known, [1.0, 0.2])).all()
+
+
+def test_an_interval_holds_something_that_a_share_can_be() -> None:
+    """By worlds that are spread evenly, the share of all is estimated beyond 1 in all resamples."""
+    f_a = np.zeros((1, 64))
+    f_b = np.zeros((1, 64))
+    f_a[0, 5:12] = f_b[0, 40:48] = 1.0
+    samples = (f_a, f_b, np.stack([f_b, f_a]))
+    seeds = np.random.default_rng(1)
+    low, high = _intervals(np.concatenate(_shares(*samples)), samples, 0.95, seeds)
+    assert low[1, 0] == 1.0 < high[1, 0]
+    assert low[:, 1].tolist() == [0.0, 0.0]
+    assert high[:, 1] == pytest.approx((1 - 0.05 ** (1 / 64)) / 2 / np.var([f_a, f_b]))
 
 
 def test_sensitivities_follow_from_the_seed_alone_and_take_either_kind_of_distribution() -> None:

@@ -379,6 +379,51 @@ def test_a_rod_breaks_at_the_angle_at_which_statics_says_so() -> None:
     assert not run.reactions.force[-1].any()
 
 
+def test_parts_of_a_step_that_go_back_in_time_know_that_a_rod_has_broken() -> None:
+    """Those of Yoshida do; its order is two where joints hold, and was one once they did not."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, inertia=0.1, position=(1, 0), name="bob")
+    scene.add_joint(t2.Distance(), (0, 0), "bob", break_force=2 * G)
+    true = t2.simulate(scene, duration=0.6, times=[0.6]).position
+    off = []
+    for count in (32, 64, 128):
+        run = t2.simulate(
+            scene, duration=0.6, times=[0.6], method=t2.Yoshida4(), time_step=0.6 / count
+        )
+        off.append(np.abs(run.position - true).max())
+    assert off[0] < 2e-3
+    assert off[1] < off[0] / 3
+    assert off[2] < off[1] / 3
+
+
+@pytest.mark.parametrize("ratio", [3.0, -0.5])
+@pytest.mark.parametrize("order", [1, -1])
+def test_a_gear_breaks_by_the_larger_of_its_torques(ratio: float, order: int) -> None:
+    """Torque 2 t on A, B of inertia 2: B takes 2 r times the acceleration 2 t/(1 + 2 r²)."""
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(None, mass=1, inertia=1, position=(0, 0), torque="2[N*m/s]*time", name="a")
+    scene.add_body(None, mass=1, inertia=2, position=(3, 0), name="b")
+    ends = ("a", "b")[::order]
+    scene.add_joint(t2.Gear(ratio=ratio**order), *ends, break_torque=0.4, name="gear")
+    run = t2.simulate(scene, duration=3.0)
+    largest = 2 * abs(ratio) * max(1, abs(ratio)) * 2 / (1 + 2 * ratio**2)  # for each s
+    (event,) = run.joint_events
+    assert event.time == pytest.approx(0.4 / largest, rel=1e-12)
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_a_pulley_breaks_by_the_larger_of_its_pulls(order: int) -> None:
+    """At rest under growing loads: the pull on A is t, that on B thrice it."""
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(None, mass=1, inertia=1, position=(0, 0), force=(0, "-1[N/s]*time"), name="a")
+    scene.add_body(None, mass=1, inertia=1, position=(1, 0), force=(0, "-3[N/s]*time"), name="b")
+    ends, posts = ("a", "b")[::order], ((0, 5), (1, 5))[::order]
+    pulley = t2.Pulley(posts=posts, ratio=3.0**order)
+    scene.add_joint(pulley, *ends, break_force=2.0, name="rope")
+    (event,) = t2.simulate(scene, duration=1.0).joint_events
+    assert event.time == pytest.approx(2 / 3, rel=1e-12)
+
+
 def test_a_ratchet_clicks_forwards_and_holds_backwards() -> None:
     """Thrown at 2 rad/s against 1 N m: 2 rad at 2 s, and back to the last tooth, at 1.8 rad."""
     scene = Scene(gravity=(0, 0))

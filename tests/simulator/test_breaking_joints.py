@@ -231,8 +231,23 @@ def test_joints_of_sleepers_are_left_alone(monkeypatch: pytest.MonkeyPatch) -> N
     assert event.time == pytest.approx(before + sim.time_step, rel=1e-12)
 
 
+@pytest.mark.parametrize("order", [1, -1])
+def test_the_larger_of_the_loads_breaks_a_gear_and_a_pulley(order: int) -> None:
+    """All is at rest: the rope pulls thrice as much at one body, the gear turns the other so."""
+    scene = t2.Scene(gravity=(0.0, -G))
+    for k, (mass, torque) in enumerate(((1.0, 3.0), (3.0, -1.0))):
+        scene.add_body(None, mass=mass, inertia=1.0, position=(k, 0.0), torque=torque, name="ab"[k])
+    ends, posts = ("a", "b")[::order], ((0.0, 5.0), (1.0, 5.0))[::order]
+    pulley = t2.Pulley(posts=posts, ratio=3.0**order)
+    scene.add_joint(pulley, *ends, break_force=2.0 * G, name="rope")
+    scene.add_joint(t2.Gear(ratio=3.0**order), *ends, break_torque=2.0, name="gear")
+    sim = plain(scene)
+    sim.step()
+    assert sim.joints == ()
+
+
 def test_forces_and_torques_that_break_are_those_that_are_told() -> None:
-    """On A of several joints at once, of one row and of more, which bear a hair less, or more."""
+    """On A or B of several joints, of one row and of more, which bear a hair less, or more."""
     scene = t2.Scene(gravity=(0.0, -G))
     upper: Any = (0.0, 0.0)
     for k, kind in enumerate((t2.Weld(), t2.Revolute(), t2.Distance(length=0.5))):
@@ -244,7 +259,8 @@ def test_forces_and_torques_that_break_are_those_that_are_told() -> None:
         upper = f"box{k}"
     sim = plain(scene)
     sim.step(7)
-    force, torque = np.hypot(*sim.reactions.force[:, 0].T), np.abs(sim.reactions.torque[:, 0])
+    force = np.hypot(*sim.reactions.force[:, :2].T).max(axis=0)
+    torque = np.abs(sim.reactions.torque[:, :2]).max(axis=1)
     assert force.min() > 1.0
     assert (torque > 1.0).tolist() == [True, False, False]
     watch = sim._joints._watch

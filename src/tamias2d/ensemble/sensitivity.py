@@ -55,7 +55,12 @@ def sensitivities(
 
     `first_order` is the share of the quantity's variance that a place alone makes, `total_order`
     its share with all that it does together with others; `_low` and `_high` are the ends of
-    intervals that hold each with a `confidence`, found by bootstrap. `vary` has a distribution for
+    intervals that hold each with a `confidence`, found by bootstrap. This takes worlds for drawn
+    one by one, though Sobol's sequence spreads them evenly: for smooth quantities the intervals are
+    wider than need be. Where so few worlds differ that some resample has no variance, the interval
+    is from 0 to 1: nothing is known. Where a place changed the quantity in no world, it says how
+    much it may do in worlds that were not seen, by no more than what all worlds differ by. `vary`
+    has a distribution for
     each place; the base sample has `worlds` worlds, a power of 2, and (places + 2) times as many
     are simulated, as by `ensemble`. The run that `quantity` gets has its samples at `times`, s, and
     without these all that `simulate` gives; for a quantity that looks at the end alone,
@@ -98,19 +103,49 @@ def sensitivities(
             "sensitivities: the quantity is the same in all worlds: there is no variance to share "
             "(R8). Take another quantity."
         )
-    ends = _bootstrapped(samples[0], confidence, seeds)
+    ends = _intervals(known, samples[0], confidence, seeds)
     shares: Dataset = _dataset(known, ends, list(vary), confidence)
     return shares
 
 
+def _intervals(
+    known: Array, samples: tuple[Array, ...], confidence: float, seeds: np.random.Generator
+) -> tuple[Array, Array]:
+    """Return the lower and upper ends (2, places) of intervals of the known shares.
+
+    Each holds something from 0 to 1: no share lies beyond, though what is known of it may.
+    """
+    f_a, _, f_ab = samples
+    ends = _bootstrapped(samples, confidence, seeds)
+    unknown = np.isnan(ends.low) | np.isnan(ends.high)
+    low = np.where(unknown, np.minimum(known, 0.0), np.minimum(ends.low, 1.0))
+    high = np.where(unknown, np.maximum(known, 1.0), np.maximum(ends.high, 0.0))
+    idle = (f_ab == f_a).all(axis=(-2, -1))
+    return np.where(idle, 0.0, low), np.where(idle, _unseen_share(samples, confidence), high)
+
+
+def _unseen_share(samples: tuple[Array, ...], confidence: float) -> float:
+    """Return the share that a place may have, with a confidence, if it changed no world.
+
+    It then changes fewer than a share of all worlds, and none by more than all that were seen.
+    """
+    f_a, f_b, _ = samples
+    changed = -np.expm1(np.log1p(-confidence) / f_a.size)
+    largest = np.ptp(np.concatenate([sample.ravel() for sample in samples]))
+    return min(1.0, float(0.5 * changed * largest**2 / np.var([f_a, f_b])))
+
+
 def _bootstrapped(samples: tuple[Array, ...], confidence: float, seeds: np.random.Generator) -> Any:
-    """Return the ends of intervals of the shares, `low` and `high`, each (2, places)."""
+    """Return the ends of intervals of the shares, `low` and `high`, each (2, places).
+
+    They are no numbers where a resample has no variance, or all resamples are the same.
+    """
     from scipy.stats import bootstrap
 
     def again(rows: Array) -> Array:
         return np.concatenate(_shares(*(sample[..., rows] for sample in samples)))
 
-    with warnings.catch_warnings():  # a place without any effect has no spread
+    with warnings.catch_warnings():  # of what has no spread
         warnings.simplefilter("ignore")
         return bootstrap(
             [np.arange(samples[0].shape[-1])],
@@ -183,7 +218,7 @@ def _quantities(scene: Scene, paths: Sequence[str], values: Array, **arguments: 
     return numbers[None]
 
 
-def _dataset(known: Array, ends: Any, paths: list[str], confidence: float) -> Any:
+def _dataset(known: Array, ends: tuple[Array, Array], paths: list[str], confidence: float) -> Any:
     """Return the dataset of shares (2, places), by their order, with the ends of intervals."""
     with extra():
         from xarray import Dataset
@@ -191,7 +226,6 @@ def _dataset(known: Array, ends: Any, paths: list[str], confidence: float) -> An
     variables = {}
     for order, name in enumerate(("first_order", "total_order")):
         variables[name] = ((_PLACES,), known[order], {"units": "1"})
-        for suffix, end in (("_low", ends.low[order]), ("_high", ends.high[order])):
-            values = np.where(np.isnan(end), known[order], end)  # in all resamples the same
-            variables[name + suffix] = ((_PLACES,), values, {"units": "1"})
+        for suffix, end in zip(("_low", "_high"), ends, strict=True):
+            variables[name + suffix] = ((_PLACES,), end[order], {"units": "1"})
     return Dataset(variables, {_PLACES: paths}, {"confidence": confidence})

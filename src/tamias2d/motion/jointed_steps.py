@@ -1,6 +1,7 @@
 """Steps of jointed bodies: they end where joints hold, and at what these do in an instant."""
 
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from functools import cached_property
 
 import numpy as np
@@ -90,10 +91,22 @@ class JointedSteps:
 
     def _step(self, start: float, end: float, position: Array, velocity: Array) -> DenseStep:
         """Return a step that ends where the joints hold."""
-        step = self._integrator.step(self._field, start, end, position, velocity)
+        with self._stepped_from(start):
+            step = self._integrator.step(self._field, start, end, position, velocity)
         if not self.mechanisms:
             return step
         return moved_end(step, *fitted(self.mechanisms, step.end, *step.last))
+
+    @contextmanager
+    def _stepped_from(self, start: float) -> Iterator[None]:
+        """Let joints do what they do from a time in s on, whatever time they are asked for."""
+        try:
+            for _, one in self._limited:
+                one.stepped_from = start
+            yield
+        finally:
+            for _, one in self._limited:
+                one.stepped_from = -np.inf
 
     def _begun(self, start: float, position: Array, velocity: Array) -> Array:
         """Return the velocities with which joints begin what they do from here on."""

@@ -66,6 +66,9 @@ class LimitedMechanism:
         self._own = frozenset(self._joint)
         self._modes = timeline.modes(self._own)
         self._cause: Cause | None = None
+        self.stepped_from = -np.inf
+        """The start of the step that is taken, s: what joints did before is over for all its parts,
+        also for those of Yoshida's that go back in time."""
         self.freedoms: dict[Of, Freedom] = {
             (number, k): each
             for number, joint in self._joint.items()
@@ -227,7 +230,8 @@ class LimitedMechanism:
         Raises:
             JointError: no reactions keep the joints.
         """
-        return self.accelerated(Now(time, position, velocity, free), self.mode(time))
+        mode = self.mode(max(time, self.stepped_from))
+        return self.accelerated(Now(time, position, velocity, free), mode)
 
     def accelerated(self, now: Now, mode: Mode) -> Array:
         """Return the accelerations (n, 3) in a mode."""
@@ -412,7 +416,10 @@ class LimitedMechanism:
         return frozenset(number for number, spare in self.spare(now, mode).items() if spare < 0)
 
     def spare(self, now: Now, mode: Mode) -> dict[int, float]:
-        """Return what each joint that may break could still bear, as a share of what it bears."""
+        """Return what each joint that may break could still bear, as a share of what it bears.
+
+        The larger of what it exerts on A and on B counts: a gear turns each by another torque.
+        """
         chosen = self.breaking(mode)
         if not chosen:
             return {}
@@ -423,8 +430,12 @@ class LimitedMechanism:
             force, torque = exerted.get(number, still)
             force_most, torque_most = joint.break_force, joint.break_torque
             found[number] = min(
-                1 - float(np.hypot(*force[0])) / (np.inf if force_most is None else force_most),
-                1 - abs(float(torque[0])) / (np.inf if torque_most is None else torque_most),
+                1
+                - float(np.hypot(*force[:2].T).max())
+                / (np.inf if force_most is None else force_most),
+                1
+                - float(np.abs(torque[:2]).max())
+                / (np.inf if torque_most is None else torque_most),
             )
         return found
 

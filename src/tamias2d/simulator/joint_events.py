@@ -29,7 +29,7 @@ from tamias2d.state import Array
 _End: TypeAlias = tuple[str, int, bool]
 """A joint, which of its freedoms, and whether the end is the upper one."""
 
-_IMPULSES = slice(tb.J_STEP_TOTAL, tb.J_STEP_TOTAL + 3)  # on A
+_IMPULSES = slice(tb.J_STEP_TOTAL, tb.J_STEP_TOTAL + 6)  # on A and B
 
 
 class JointWatch:
@@ -47,8 +47,8 @@ class JointWatch:
         self._force_most = _most([joint.break_force for joint in self._breaking])
         self._torque_most = _most([joint.break_torque for joint in self._breaking])
         self._twisted = np.flatnonzero(np.isfinite(self._torque_most))
-        held = Held.by(self._breaking)  # its torque is that on A
-        self._held = Held(held.bodies[self._twisted, :1], held.anchors[self._twisted, :1])
+        held = Held.by(self._breaking)
+        self._held = Held(held.bodies[self._twisted, :2], held.anchors[self._twisted, :2])
         self._ratchets = [joint for joint in layout.joints if joint.pitch]
         self._teeth = {joint.name: tooth_of(joint) for joint in self._ratchets}
 
@@ -72,13 +72,15 @@ class JointWatch:
         """Return the joints that bore more in a step of so many s than they can."""
         if not self._breaking:
             return []
-        impulses = np.zeros((len(self._breaking), 1, 3))
-        np.add.at(impulses[:, 0], self._owner, self._layout.numbers[self._places, _IMPULSES])
-        over = np.hypot(*(impulses[:, 0, :2] / time_step).T) > self._force_most
+        impulses = np.zeros((len(self._breaking), 2, 3))
+        of_rows = self._layout.numbers[self._places, _IMPULSES].reshape(-1, 2, 3)
+        np.add.at(impulses, self._owner, of_rows)
+        forces = np.hypot(impulses[..., 0], impulses[..., 1]) / time_step
+        over = forces.max(axis=1) > self._force_most
         if len(self._twisted):
             twisting = impulses[self._twisted]
             _, torque = forces_and_torques(self._held, twisting, with_plane(pose), time_step)
-            over[self._twisted] |= np.abs(torque[:, 0]) > self._torque_most[self._twisted]
+            over[self._twisted] |= np.abs(torque).max(axis=1) > self._torque_most[self._twisted]
         return [joint for joint, too_much in zip(self._breaking, over, strict=True) if too_much]
 
 

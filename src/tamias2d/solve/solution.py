@@ -8,6 +8,7 @@ import numpy as np
 from tamias2d.balance import balance
 from tamias2d.contact import (
     MEANT_TO_TOUCH,
+    FrictionError,
     JointedContactError,
     LastingContactError,
     Located,
@@ -45,6 +46,7 @@ _UNDECIDED = (
     LastingContactError,
     JointedContactError,
     UndecidedContactError,
+    FrictionError,
     LimitHeldError,
 )
 

@@ -40,7 +40,7 @@ class ContactErrors:
     overlap: float
     """The deepest of the whole run, relative to the radius of the smaller body."""
     energy: float | None
-    """Change of the energy that neither impacts nor friction account for, relative."""
+    """Change of the energy that no impact, friction or joint accounts for, relative."""
     momentum: float | None
     """Change of the momentum less that by weight, relative; where nothing stands in the way."""
     hang: float

@@ -8,7 +8,7 @@ from tamias2d.balance import kinetic_energy, uniform_potential_energy
 from tamias2d.float64 import EPSILON
 from tamias2d.generated import definitions
 from tamias2d.run import Run
-from tamias2d.scene import Scene
+from tamias2d.scene import Freedom, Scene
 from tamias2d.state import Array
 from tamias2d.study.error import radii
 
@@ -17,8 +17,8 @@ _ROUNDINGS = 4.0  # of the largest terms of the energy, in their sum
 
 def energy_drift(run: Run) -> float | None:
     """Return how far the energy strays from what impacts leave of it, relative to the largest
-    kinetic energy; None if something else in the scene gives or takes energy, or nobody knows what
-    impacts did.
+    kinetic energy; None if something else in the scene may give or take energy, or nobody knows
+    what impacts did.
     """
     impacts = run.impacts
     if not _conserves_energy(run.scene) or np.isnan(impacts.impulse).any():
@@ -49,7 +49,7 @@ def rise(scene: Scene, energy: Array, kinetic: Array) -> float | None:
 
 
 def energy_error(scene: Scene, energy: Array, kinetic: Array) -> float | None:
-    """Return the change of energies (k,), J, that neither impacts nor friction account for.
+    """Return the change of energies (k,), J, that no impact, friction or joint accounts for.
 
     It is the rise, and where nothing can take energy, the fall, too; relative as `rise` is.
     """
@@ -82,11 +82,15 @@ def energy_rounding(run: Run) -> float:
 
 
 def _conserves_energy(scene: Scene) -> bool:
-    """Whether all forces but those of smooth impacts are gravity, attraction and springs."""
+    """Whether all forces but those of smooth impacts are gravity, attraction and springs.
+
+    Reactions of joints do no work, unless a freedom takes some.
+    """
     slowed = any(b.linear_drag or b.quadratic_drag or b.angular_drag for b in scene.bodies)
     rough = any(body.friction for body in scene.bodies) or any(scene.friction_of_pairs.values())
     damped = any(spring.damping for spring in scene.springs)
-    return not (slowed or rough or damped or _gives_energy(scene))
+    braked = any(_takes_energy(each) for joint in scene.joints for each in joint.freedoms)
+    return not (slowed or rough or damped or braked or _gives_energy(scene))
 
 
 def _gives_energy(scene: Scene) -> bool:
@@ -94,7 +98,15 @@ def _gives_energy(scene: Scene) -> bool:
     pushed = any(law != 0 for body in scene.bodies for law in (*body.force, body.torque))
     driven = any(body.kinematic for body in scene.bodies)
     driven = driven or any(joint.driven for joint in scene.joints)
+    motors = (each.motor for joint in scene.joints for each in joint.freedoms)
+    driven = driven or any(motor and motor.speed and motor.maximum != 0.0 for motor in motors)
     return bool(pushed or driven or scene.fields)
+
+
+def _takes_energy(freedom: Freedom) -> bool:
+    """Whether a damper, a motor or brake, or what strikes a limit or a tooth may take some."""
+    damped = freedom.spring and freedom.spring.damping
+    return bool(freedom.motor or damped or (freedom.limits and freedom.limits.restitution < 1.0))
 
 
 def _kinetic(run: Run) -> Array:

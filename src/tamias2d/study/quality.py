@@ -28,9 +28,9 @@ from tamias2d.study.refusal import ToleranceError, rounded_up
 from tamias2d.study.stepped_plan import WORK, first_step, ladder
 
 _MEASURE = (
-    "deepest overlap relative to the radius of the smaller body, and change of the energy that "
-    "neither impacts nor friction account for, relative to the largest kinetic one or to what "
-    "lifts bodies by their radius"
+    "deepest overlap relative to the radius of the smaller body, and change of the energy that no "
+    "impact, friction or joint accounts for, relative to the largest kinetic one or to what lifts "
+    "bodies by their radius"
 )
 _LOOKS = 30  # at a pilot run
 _STALE = 16  # times shorter steps must halve what is wrong, or no steps will do
