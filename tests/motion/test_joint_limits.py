@@ -362,6 +362,7 @@ def test_a_rod_breaks_at_the_angle_at_which_statics_says_so() -> None:
     scene.add_joint(t2.Distance(length=1), "bob", (0, 0), break_force=1.5 * G)
     run = t2.simulate(scene, duration=1.0, times=[0.0, 1.0])
     assert run.joint_events.words == ("breaks",)
+    assert run.joint_events.value.tolist() == [1.0]  # of what it bears
 
     def fall(_: float, y: np.ndarray) -> tuple[float, float]:
         return y[1], G * math.cos(y[0])
@@ -422,6 +423,16 @@ def test_a_pulley_breaks_by_the_larger_of_its_pulls(order: int) -> None:
     scene.add_joint(pulley, *ends, break_force=2.0, name="rope")
     (event,) = t2.simulate(scene, duration=1.0).joint_events
     assert event.time == pytest.approx(2 / 3, rel=1e-12)
+
+
+def test_what_breaks_at_once_tells_by_how_much_it_was_too_much() -> None:
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=3, inertia=1, position=(0.5, 0), name="sign")
+    weld = t2.Weld()
+    scene.add_joint(weld, "sign", (0, 0), at=(0, 0), break_force=1.5 * G, break_torque=0.5 * G)
+    (event,) = t2.simulate(scene, duration=0.1).joint_events
+    assert event.words == "breaks"
+    assert event.value == pytest.approx(3.0, rel=1e-12)  # by its torque, 1.5 N m a unit of G
 
 
 def test_a_ratchet_clicks_forwards_and_holds_backwards() -> None:

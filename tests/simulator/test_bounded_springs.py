@@ -10,7 +10,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.engine import tables as tb
-from tamias2d.engine.joints import rows
+from tamias2d.engine.joints import grouping
 from tamias2d.scene import Scene
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array
@@ -313,9 +313,9 @@ def test_net_of_rods_is_pulled_alike_by_iteration(
 ) -> None:
     """A mesh, which is solved by iteration, gives way to springs as one solved directly does."""
     found = []
-    for few in (rows.FEW, 0):
-        monkeypatch.setattr(rows, "FEW", few)
-        monkeypatch.setattr(rows, "LOOPED", rows.LOOPED if few else 0)
+    for few in (grouping.FEW, 0):
+        monkeypatch.setattr(grouping, "FEW", few)
+        monkeypatch.setattr(grouping, "LOOPED", grouping.LOOPED if few else 0)
         sim = plain(Scene(gravity=(0.0, -G)), time_step=1 / 60)
         for x, y in np.ndindex(4, 4):
             sim.add(t2.Disc(radius=0.1), mass=1.0, position=(x, y), restitution=0.0, group=-1)

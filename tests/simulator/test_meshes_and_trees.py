@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.joints import hinge_net, net_gradients, rows as engine_rows
+from tamias2d.engine.joints import grouping, hinge_net, net_gradients
 from tamias2d.engine.joints.yielding import REMOVED_BY_JOINTS
 from tamias2d.scene import JointSpring, Limits, Motor, Revolute, Scene
 from tamias2d.simulator import Simulator
@@ -30,8 +30,8 @@ def test_meshes_hold() -> None:
         if x:
             scene.add_joint(Revolute(), k - 4, k, anchor=(0.5, 0.0), other_anchor=(-0.5, 0.0))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(engine_rows, "LOOPED", 0)
-        patch.setattr(engine_rows, "FEW", 0)
+        patch.setattr(grouping, "LOOPED", 0)
+        patch.setattr(grouping, "FEW", 0)
         sim = plain(scene)
         sim.step(20)
     assert sim.reactions.separation.max() < 1e-3
@@ -58,10 +58,10 @@ def test_net_of_hinges_moves_as_any_mesh_does(monkeypatch: pytest.MonkeyPatch) -
     found = []
     for own in (True, False):
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(engine_rows, "LOOPED", 0)
-            patch.setattr(engine_rows, "FEW", 0)
+            patch.setattr(grouping, "LOOPED", 0)
+            patch.setattr(grouping, "FEW", 0)
             if not own:
-                patch.setattr(engine_rows, "is_net", lambda _: False)
+                patch.setattr(grouping, "is_net", lambda _: False)
             sim = plain(net(4))
             sim.step(20)
         found.append(sim.position.copy())
@@ -71,8 +71,8 @@ def test_net_of_hinges_moves_as_any_mesh_does(monkeypatch: pytest.MonkeyPatch) -
 def test_net_at_rest_asks_for_no_iterations(monkeypatch: pytest.MonkeyPatch) -> None:
     """It starts from the impulses of as long a time: half of it as a step begins and ends."""
     asked, own = [], hinge_net.iterate_net
-    monkeypatch.setattr(engine_rows, "LOOPED", 0)
-    monkeypatch.setattr(engine_rows, "FEW", 0)
+    monkeypatch.setattr(grouping, "LOOPED", 0)
+    monkeypatch.setattr(grouping, "FEW", 0)
     monkeypatch.setattr(hinge_net, "iterate_net", lambda *of: asked.append(own(*of)))
     sim = plain(net(4))
     sim.step(20)
@@ -125,7 +125,7 @@ def test_trees_of_hinges_move_as_any_mechanism_does(law: str, tied: str) -> None
     for tree in (True, False):
         with pytest.MonkeyPatch.context() as patch:
             if not tree:
-                patch.setattr(engine_rows, "hinge_tree", lambda *_: None)
+                patch.setattr(grouping, "hinge_tree", lambda *_: None)
             sim = plain(scene)
             sim.step(20)
         found.append((sim.position.copy(), sim.reactions.force.copy()))

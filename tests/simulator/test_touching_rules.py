@@ -44,7 +44,52 @@ def test_what_may_touch_no_longer_falls_through_from_the_next_step_on() -> None:
         sim.step()
         assert sim.velocity[1:, 1].mean() == pytest.approx(-G * k / 60, abs=1e-9)
         assert not (sim.contacts.bodies == 0).any()
-        assert not (sim.ended == 0).any()
+        assert [pair for pair in map(sorted, sim.ended.tolist()) if 0 in pair] == (
+            [[0, 1]] if k == 1 else []
+        )
+
+
+def counted(sim: t2.Simulator, pair: set[int], before: int) -> int:
+    """Return by what a step tells whether a pair touches: 1 or 0, from what it was before."""
+    sim.step()
+    began = sum(set(each) == pair for each in sim.began.bodies.tolist())
+    return before + began - sum(set(each) == pair for each in sim.ended.tolist())
+
+
+def test_what_began_ends_once_also_where_a_joint_or_filters_keep_it_apart() -> None:
+    sim = stack(2)
+    told = 0
+    for held in (False, True, False):
+        if held:
+            sim.add_joint(t2.Weld(), 1, 2, at=(0.0, 1.0), name="grip")
+        elif sim.joints:
+            sim.remove_joint("grip")
+        for _ in range(3):
+            told = counted(sim, {1, 2}, told)
+        assert told == (0 if held else 1)
+    sim.set_filters(2, mask=0)
+    near = sim.in_box((-1.0, 0.0), (1.0, 3.0))  # which lets the contact leave between two steps
+    assert near.tolist() == [0, 1, 2]
+    kept, other = sim.copy_state(), copy.copy(sim)
+    assert counted(sim, {1, 2}, 1) == counted(other, {1, 2}, 1) == 0
+    sim.restore_state(kept)
+    assert counted(sim, {1, 2}, 1) == 0
+    sim.restore_state(kept)
+    sim.remove(2)
+    sim.step()
+    assert sim.ended.tolist() == []
+
+
+def test_filters_that_are_put_back_before_a_step_end_nothing() -> None:
+    sim = stack(2)
+    sim.step(5)
+    sim.set_filters(2, mask=0)
+    sim.set_filters(2, mask=ALL)
+    sim.step(3)
+    assert (len(sim.began), len(sim.ended)) == (0, 0)
+    sim.set_filters(2, mask=0)
+    sim.step(3)
+    assert [sorted(pair) for pair in sim.ended.tolist()] == [[1, 2]]
 
 
 def test_what_may_touch_from_now_on_meets() -> None:

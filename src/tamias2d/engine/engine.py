@@ -254,6 +254,10 @@ class Engine(StepCalls):
         """Give what was added its place, and free what was removed; before a step or query."""
         self._pool.settle()
 
+    def take_parted(self) -> list[tuple[int, int]]:
+        """Return the pairs of bodies that touched and may no longer, since this was asked last."""
+        return self._pool.take_parted()
+
     def sleep_after(self, steps: int) -> None:
         """Let islands fall asleep that have been slow for so many steps; 0 for never."""
         self.world.islands.counts[tb.SLEEP_STEPS] = steps

@@ -41,7 +41,7 @@ def begin(mechanism: LimitedMechanism, now: Now, *, anew: bool = False) -> Array
         return now.velocity
     velocity, strikes = decision.impacts()
     mode = decision.mode()
-    mechanism.enter(now.time, mode, strikes)
+    mechanism.enter(now.time, mode, strikes, decision.borne)
     return mechanism.within(mode).paced(now.time, now.position, velocity)
 
 
@@ -58,6 +58,8 @@ class Decision:
         self._values = mechanism.measures.values(now.time, now.position)
         self._rates = mechanism.measures.rates(now.time, now.position, now.velocity)
         self._noise = self._noises()
+        self.borne: dict[int, float] = {}
+        """By joints that break at more than they bear, at which share of it."""
 
     def disturbed(self) -> bool:
         """Whether something beside the joints has ended what they do, such as an impact.
@@ -132,6 +134,7 @@ class Decision:
             broken = self._mechanism.overloaded(self._now, mode)
             if not broken:
                 return mode
+            self.borne |= broken
             self._base = self._base.without(broken)
             self._resting = [side for side in self._resting if side[0][0] not in broken]
         raise JointError(

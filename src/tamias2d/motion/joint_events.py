@@ -4,7 +4,7 @@ The events of a run tell at each time what holds: each limit, each motor, each j
 """
 
 from bisect import bisect_right
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Generic, NamedTuple, TypeVar
 
@@ -49,7 +49,12 @@ class JointEvent(NamedTuple, Generic[Called]):
     what: int
     """The number of its word."""
     value: float = 0.0
-    """The impulse of a limit that is struck, N s or N m s; the angle of a tooth, rad."""
+    """The impulse of a limit that is struck, N s or N m s; the angle of a tooth, rad.
+
+    Of a joint that breaks, its reaction as a share of what it bears: 1 in a run, in which that is
+    located, and more where the reaction jumps there, or a step of the frame loop ends. The force
+    over `break_force`, or the torque over `break_torque` if that is more.
+    """
 
     @property
     def words(self) -> str:
@@ -70,7 +75,8 @@ class JointEvents:
     what: NDArray[np.int64]
     """(m,), index of what `words` says"""
     value: Array
-    """(m,), impulse of a limit that is struck, N s or N m s; angle of a tooth, rad"""
+    """(m,), impulse of a limit that is struck, N s or N m s; angle of a tooth, rad; of a joint
+    that breaks, its reaction as a share of what it bears"""
 
     def __len__(self) -> int:
         return len(self.time)
@@ -140,10 +146,15 @@ class Mode:
         )
 
 
-def changes(time: float, before: Mode, after: Mode) -> Iterator[JointEvent[int]]:
-    """Yield the events that lead from one mode to another."""
+def changes(
+    time: float, before: Mode, after: Mode, borne: Mapping[int, float]
+) -> Iterator[JointEvent[int]]:
+    """Yield the events that lead from one mode to another.
+
+    Of joints that break at more than they bear it is told at which share of it.
+    """
     for joint in sorted(after.broken - before.broken):
-        yield JointEvent(time, joint, 0, BREAKS)
+        yield JointEvent(time, joint, 0, BREAKS, borne.get(joint, 1.0))
     for (joint, freedom), tooth in after.teeth:
         if dict(before.teeth).get((joint, freedom)) != tooth:
             yield JointEvent(time, joint, freedom, CLICKS, tooth)

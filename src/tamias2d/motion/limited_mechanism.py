@@ -16,6 +16,7 @@ from tamias2d.motion.bounded_least import bounded_sum
 from tamias2d.motion.constraint_rows import ConstraintRows
 from tamias2d.motion.joint_code import JointCodes, Pushes
 from tamias2d.motion.joint_events import (
+    BREAKS,
     STRIKES,
     JointEvent,
     Mode,
@@ -333,17 +334,27 @@ class LimitedMechanism:
             self._cause = None
         return self._cause
 
-    def enter(self, time: float, mode: Mode, strikes: Sequence[JointEvent[int]]) -> None:
-        """Do what a mode says from a time in s on, after limits were struck."""
+    def enter(
+        self,
+        time: float,
+        mode: Mode,
+        strikes: Sequence[JointEvent[int]],
+        borne: Mapping[int, float],
+    ) -> None:
+        """Do what a mode says from a time in s on, after limits were struck.
+
+        Of joints that broke, `borne` has the shares of what they bear that were beyond it.
+        """
         events = list(strikes)
         if self._modes and self._modes[-1][0] == time:  # it has begun here before
             struck = (STRIKES, STRIKES + 1)
-            known = (e for e in self._timeline.events if e.time == time and e.joint in self._own)
+            known = [e for e in self._timeline.events if e.time == time and e.joint in self._own]
             events = [*(e for e in known if e.what in struck), *events]
+            borne = {e.joint: e.value for e in known if e.what == BREAKS} | dict(borne)
             self._modes.pop()
         before = self._modes[-1][1] if self._modes else Mode()
         self._modes.append((time, mode))
-        self._timeline.replace(self._own, time, [*events, *changes(time, before, mode)])
+        self._timeline.replace(self._own, time, [*events, *changes(time, before, mode, borne)])
 
     # --- what it exerts --------------------------------------------------------------------------
 
@@ -411,9 +422,9 @@ class LimitedMechanism:
         add_exerted(found, self.measures, owners, self._joint, pushes, *places)
         return found
 
-    def overloaded(self, now: Now, mode: Mode) -> frozenset[int]:
-        """Return the joints whose reaction is beyond what they bear."""
-        return frozenset(number for number, spare in self.spare(now, mode).items() if spare < 0)
+    def overloaded(self, now: Now, mode: Mode) -> dict[int, float]:
+        """Return the joints whose reaction is beyond what they bear, and at which share of it."""
+        return {number: 1 - spare for number, spare in self.spare(now, mode).items() if spare < 0}
 
     def spare(self, now: Now, mode: Mode) -> dict[int, float]:
         """Return what each joint that may break could still bear, as a share of what it bears.

@@ -108,6 +108,6 @@ def _generated(name: str) -> str:
 
 def joint_line(joint: str, event: JointEvent[Any]) -> str:
     """One event of a joint with a name in one line."""
-    value = f", {event.value:.4g}" if event.value else ""
+    value = f", {event.value:.4g}" if event.value and event.words != "breaks" else ""
     unit = "" if not value else " rad" if event.words == "clicks" else " N s or N m s"
     return f"{event.time:.6g} s: joint {joint} {event.words}{value}{unit}"

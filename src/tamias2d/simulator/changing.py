@@ -126,6 +126,7 @@ class Changing(Stepping):
         gone = set(rows.tolist())
         self._engine.wake(np.array(self._joints.drop_bodies(gone), dtype=np.int64))
         self._engine.remove(rows)
+        self._parted = [pair for pair in self._parted if gone.isdisjoint(pair)]
         if self._pushed is not None:
             self._pushed[rows[rows < len(self._pushed)]] = 0.0
         self._names.forget(gone)

@@ -60,28 +60,29 @@ class JointWatch:
 
     def events(self, pose: Array, time: float, time_step: float) -> Iterator[JointEvent[str]]:
         """Yield what the step, s, did that ended at a time, s, with bodies at poses (n, 3)."""
-        for joint in self._overloaded(pose, time_step):
-            yield JointEvent(time, joint.name, 0, BREAKS)
+        for joint, share in self._overloaded(pose, time_step):
+            yield JointEvent(time, joint.name, 0, BREAKS, share)
         for joint in self._ratchets:
             tooth = tooth_reached(joint, pose)
             if tooth > self._teeth[joint.name]:
                 self._teeth[joint.name] = tooth
                 yield JointEvent(time, joint.name, 0, CLICKS, tooth)
 
-    def _overloaded(self, pose: Array, time_step: float) -> list[Joint]:
-        """Return the joints that bore more in a step of so many s than they can."""
+    def _overloaded(self, pose: Array, time_step: float) -> list[tuple[Joint, float]]:
+        """Return the joints that bore more in a step of so many s than they can, and the share."""
         if not self._breaking:
             return []
         impulses = np.zeros((len(self._breaking), 2, 3))
         of_rows = self._layout.numbers[self._places, _IMPULSES].reshape(-1, 2, 3)
         np.add.at(impulses, self._owner, of_rows)
         forces = np.hypot(impulses[..., 0], impulses[..., 1]) / time_step
-        over = forces.max(axis=1) > self._force_most
+        share = forces.max(axis=1) / self._force_most
         if len(self._twisted):
             twisting = impulses[self._twisted]
             _, torque = forces_and_torques(self._held, twisting, with_plane(pose), time_step)
-            over[self._twisted] |= np.abs(torque).max(axis=1) > self._torque_most[self._twisted]
-        return [joint for joint, too_much in zip(self._breaking, over, strict=True) if too_much]
+            twisted = np.abs(torque).max(axis=1) / self._torque_most[self._twisted]
+            share[self._twisted] = np.maximum(share[self._twisted], twisted)
+        return [each for each in zip(self._breaking, share.tolist(), strict=True) if each[1] > 1.0]
 
 
 class LimitEvents:

@@ -25,6 +25,7 @@ PARTS: Mapping[str, Callable[[Any], Any]] = {
     "_limit_changes": _same,
     "_limits": _same,
     "_names": BodyNames.copied,
+    "_parted": copy,
     "_pushed": copy,
     "_scene": _same,
     "_staying": copy,

@@ -204,6 +204,17 @@ def touching_of(arrays: Arrays, size: int) -> TouchReport:
     )
 
 
+def parted_of(arrays: Arrays, size: int) -> list[tuple[int, int]]:
+    """Return the pairs of bodies, of `size`, of which the next step tells that they ended.
+
+    Raises:
+        UnfitError: they are none.
+    """
+    if "parted" not in arrays:
+        return []
+    return [(one, other) for one, other in _report_array(arrays, "parted", size, 2).tolist()]
+
+
 _WIDTH = {
     "bodies": 2,
     "point": 2,
@@ -218,7 +229,7 @@ assert tuple(_WIDTH) == tuple(Contacts.__dataclass_fields__)
 
 def _report_array(arrays: Arrays, name: str, size: int, width: int) -> NDArray[Any]:
     values = arrays.get(name, np.zeros(()))
-    rows = name.endswith(("bodies", "ended"))
+    rows = name.endswith(("bodies", "ended", "parted"))
     fits = values.shape[1:] == ((width,) if width else ()) and values.ndim == 1 + bool(width)
     require(fits, name, "is missing, or of another shape")
     require(values.dtype == (np.int64 if rows else np.float64), name, "is of another type")

@@ -220,6 +220,8 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         found = {f"{part}.{key}": a for part, arrays in parts.items() for key, a in arrays.items()}
         if self._pushed is not None:
             found["pushed"] = self._pushed
+        if self._parted:
+            found["parted"] = np.array(self._parted, dtype=np.int64)
         if len(self._joints):
             found["joints"] = self._joints.kept(self._engine, self._left)
             found["left"] = self._left
@@ -242,6 +244,7 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
         self._warned.texts = about.warnings
         self._joints = JointSet(*restored_joints(about.joints, arrays.get("joints"), engine.kind))
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
+        self._parted = saving.parted_of(arrays, engine.size)
         self._happened = restored_events(about.joint_events)
         self._pushed = saving.rows_of(arrays, "pushed", engine.size)
         left = saving.rows_of(arrays, "left", engine.size)

@@ -56,6 +56,7 @@ class Stepping(Views):
         "_limit_changes",
         "_limits",
         "_names",
+        "_parted",
         "_pushed",
         "_scene",
         "_sleeps",
@@ -94,6 +95,7 @@ class Stepping(Views):
         self._left = self._engine.pose.copy()  # where the last step left bodies
         self._pushed: Array | None = None  # loads for the next step only
         self._touching: TouchReport | None = None
+        self._parted: list[tuple[int, int]] = []  # pairs that touched and may no longer
         self._begin_call()
         self._unsettled = True
 
@@ -124,6 +126,7 @@ class Stepping(Views):
                 if self._unsettled:
                     self._settle()
                 self._touching = None
+                self._tell_parted()
                 loaded = self._varying is not None or self._pushed is not None
                 watched = self._jointed and self._joints.watched
                 if not loaded and (nothing_happens or not watched):
@@ -156,6 +159,12 @@ class Stepping(Views):
         """Tell what happened to joints: until the next call of `step`, and to who records."""
         for told in (self._happened, *self._heard):
             told += events
+
+    def _tell_parted(self) -> None:
+        """Tell that what touched and may no longer has ended, in the step that follows."""
+        if self._parted:
+            self._events.tell_parted(self._parted)
+            self._parted = []
 
     def _advance(self, count: int) -> None:
         """Take some steps, or raise `RuleError`."""
@@ -210,6 +219,7 @@ class Stepping(Views):
         """Begin steps that the engine takes together with those of other worlds."""
         self._begin_call()
         self._touching = None
+        self._tell_parted()
         self._engine.begin_together(self._events if count > 1 else None)
 
     def _end_steps(self, count: int, status: int) -> None:
@@ -243,6 +253,7 @@ class Stepping(Views):
             varying = VaryingLoads(scene, bodies, self._names.described, self._warned)
             self._varying = None if varying.empty else varying
             self._engine.put_loads_right(varying.put_right)
+        self._parted += self._engine.take_parted()
         self._warned.tell(too_long_for_gravity(self._engine, self._time_step))
         self._warned.tell(too_thin_for_corners(self._engine, self._name_of))
 

@@ -43,9 +43,10 @@ class TouchingRules(Stepping):
         """Change which others bodies may touch, from the next step on; what is left out stays (R3).
 
         Each is a whole number for all of k bodies, or an array (k,); a mask of 2**63 - 1 meets all.
-        What touched and may no longer leaves `contacts`, and is not told as `ended`; what overlaps
-        and may touch now is pushed apart as bodies are that were moved by hand. What sleeps wakes
-        where something changes. It takes some 100 microseconds, and the next step looks for pairs.
+        What touched and may no longer leaves `contacts`, and is told in `ended` by the next step;
+        what overlaps and may touch now is pushed apart as bodies are that were moved by hand. What
+        sleeps wakes where something changes. It takes some 100 microseconds, and the next step
+        looks for pairs.
 
         Raises:
             InputError: a body is not there, or a value breaks a rule (R4).

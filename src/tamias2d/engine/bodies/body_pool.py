@@ -242,6 +242,10 @@ class BodyPool:
         """Take pairs of bodies, the lower row first, out of the list of contacts; wake them."""
         self._contacts.drop_pairs(pairs)
 
+    def take_parted(self) -> list[tuple[int, int]]:
+        """Return the pairs of bodies that touched and may no longer, since this was asked last."""
+        return self._contacts.take_parted()
+
     # -- rows
 
     def _take(self, count: int) -> list[int]:

@@ -13,19 +13,29 @@ class ListedContacts:
 
     def __init__(self, store: Store) -> None:
         self._store = store
+        self._parted: list[tuple[int, int]] = []
+
+    def take_parted(self) -> list[tuple[int, int]]:
+        """Return the pairs that left the list since this was asked last, though they touched.
+
+        Those of bodies that left are not among them.
+        """
+        parted, self._parted = self._parted, []
+        return parted
 
     def drop_pairs(self, pairs: set[tuple[int, int]]) -> None:
         """Take pairs of bodies, the lower row first, out of the list; wake them."""
         if pairs:
             owner = np.sort(self.owners(), axis=1)
-            self._drop(np.array([tuple(pair) in pairs for pair in owner.tolist()], dtype=bool))
+            self._part(np.array([tuple(pair) in pairs for pair in owner.tolist()], dtype=bool))
 
     def drop_filtered(self) -> None:
         """Take pairs out of the list that filters let touch no longer; wake them."""
-        self._drop(~self._may_touch())
+        self._part(~self._may_touch())
 
     def drop_bodies(self, leaves: NDArray[np.bool_]) -> None:
         """Take the pairs of bodies that leave (slots,) out of the list; wake others."""
+        self._parted = [pair for pair in self._parted if not leaves[[*pair]].any()]
         slots = self._slots()
         leave = leaves[self._store.world.state.body_of_slot]
         self._drop(leave[slots[:, 0]] | leave[slots[:, 1]])
@@ -51,6 +61,18 @@ class ListedContacts:
             (group == b[:, tb.GROUP]) & (group != 0), group > 0, meet
         )
         return found
+
+    def _part(self, left: NDArray[np.bool_]) -> None:
+        """Take contacts (k,) out of the list whose bodies stay; note the pairs that touched."""
+        if not left.any():
+            return
+        world = self._store.world
+        side, size = world.broad_phase.counts[[tb.BUFFER, tb.CONTACTS]]
+        touched = world.buffers.flags[side, :size, tb.TOUCHES] & tb.IS_TOUCHING != 0
+        found = self.owners()[left & touched]
+        first = np.unique(np.sort(found, axis=1), axis=0, return_index=True)[1]
+        self._parted += map(tuple, found[np.sort(first)].tolist())
+        self._drop(left)
 
     def _drop(self, left: NDArray[np.bool_]) -> None:
         """Take contacts (k,) out of the list, and wake their bodies."""

@@ -4,6 +4,7 @@ Serves: the simulator, which takes many steps in a call. Hides: that the engine 
 step alone, and logs those of the steps before; and that a log is read once somebody asks.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -81,6 +82,12 @@ class ContactEvents:
         if counts[tb.LOG_FULL]:
             self._look(store)
         counts[tb.LOGGED] = counts[tb.LOG_FULL] = store.world.control.counts[tb.EVENTS_TOLD] = 0
+
+    def tell_parted(self, pairs: Sequence[tuple[int, int]]) -> None:
+        """Tell pairs that touched and may no longer as ended in the step that follows."""
+        self._tell()
+        self._ended = (*self._ended, np.array(pairs, dtype=np.int64).reshape(-1, 2))
+        self._base += 1
 
     def note(self, store: Store, steps: int) -> None:
         """Note the events of the last of so many steps, unless they are known."""
