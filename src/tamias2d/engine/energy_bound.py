@@ -22,6 +22,7 @@ from tamias2d.engine.energy.island_damping import (
 )
 from tamias2d.engine.energy.joined_gains import note_gains
 from tamias2d.engine.energy.lifting import dissipate_rising
+from tamias2d.engine.energy.load_seen import load_seen
 from tamias2d.engine.energy.step_energy import GRACE, mass_and_inertia
 from tamias2d.engine.energy.support import (
     SUPPORTED_BY_MORE,
@@ -131,14 +132,11 @@ def work_seen(i: int, velocity: Vector, spin: float, control: Control, bodies: B
     """Return the work of forces on a body as seen from the reference, J."""
     gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
     time_step = control.progress[tb.PART_TIME]
-    motion, load, mass = (
-        bodies.motion[i],
-        bodies.load[i],
-        1.0 / bodies.properties[i, tb.INVERSE_MASS],
-    )
+    motion, mass = bodies.motion[i], 1.0 / bodies.properties[i, tb.INVERSE_MASS]
+    force, torque = load_seen(i, velocity, spin, bodies)
     shift = shift_seen((motion[tb.DX], motion[tb.DY]), velocity, time_step)
     turn = turn_seen(motion[tb.DANGLE], spin, time_step)
-    return work(mass, gravity, (load[0], load[1]), load[2], shift, turn)
+    return work(mass, gravity, force, torque, shift, turn)
 
 
 def sum_body_energy(

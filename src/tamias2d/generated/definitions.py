@@ -385,6 +385,21 @@ def coordinate_displacement(
     return propagator_gain * coordinate_velocity + propagator_lift * coordinate_acceleration
 
 
+def slowed_share(propagator_gain: Scalar, time_step: Scalar) -> Scalar:
+    """Part that drag leaves of a change of velocity by an impulse that acts evenly through a step
+    (1).
+
+    slowed_share = propagator_gain/time_step
+
+    Args:
+        propagator_gain: Velocity after a step for one unit of acceleration, s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD41, srs/definitions.md:292.
+    """
+    return propagator_gain / time_step
+
+
 def momentum(mass: Scalar, velocity: Vector) -> Vector:
     """Mass times velocity (kg*m/s).
 
@@ -394,7 +409,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:372.
+    Source: DD21, srs/definitions.md:375.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -409,7 +424,7 @@ def angular_momentum_own(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:373.
+    Source: DD21, srs/definitions.md:376.
     """
     return inertia * angular_velocity
 
@@ -429,7 +444,7 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:374.
+    Source: DD21, srs/definitions.md:377.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
@@ -448,7 +463,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:471.
+    Source: DD17, srs/definitions.md:474.
     """
     return least(restitution_a, restitution_b)
 
@@ -464,7 +479,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:504.
+    Source: GD11, srs/definitions.md:507.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -490,7 +505,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:530.
+    Source: DD22, srs/definitions.md:533.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -507,7 +522,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:543.
+    Source: DD23, srs/definitions.md:546.
     """
     return sqrt(friction_a * friction_b)
 
@@ -525,7 +540,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:561.
+    Source: DD15, srs/definitions.md:564.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -544,7 +559,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:594.
+    Source: DD16, srs/definitions.md:597.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -563,7 +578,7 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:611.
+    Source: DD60, srs/definitions.md:614.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
 

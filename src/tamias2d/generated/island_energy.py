@@ -1,7 +1,7 @@
-"""Island energy: Work in a step; Motion seen from a support; Body that nothing turns; Motion of an
-island as one body; Share of a bounce; Bound on the energy of an island; Dissipation of excess
-energy; Energy for a lift; Lift beyond motion; Work of a support; Angular momentum that contacts
-give; Angular momentum of a free island.
+"""Island energy: Work in a step; Motion seen from a support; Drag seen from a support; Body that
+nothing turns; Motion of an island as one body; Share of a bounce; Bound on the energy of an
+island; Dissipation of excess energy; Energy for a lift; Lift beyond motion; Work of a support;
+Angular momentum that contacts give; Angular momentum of a free island.
 
 Generated from srs/models/island_energy.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -130,6 +130,63 @@ def turn_seen(turn: Scalar, angular_velocity_support: Scalar, time_step: Scalar)
     return turn - time_step * angular_velocity_support
 
 
+def drag_rate(propagator_decay: Scalar, propagator_gain: Scalar) -> Scalar:
+    """Share of its velocity that a body loses to linear drag per unit of time (1/s).
+
+    drag_rate = (1 - propagator_decay)/propagator_gain
+
+    Args:
+        propagator_decay: Part of a velocity that drag leaves after a step, 1
+        propagator_gain: Velocity after a step for one unit of acceleration, s
+
+    Source: DD109, srs/models/island_energy.md:75.
+    """
+    return (1 - propagator_decay) / propagator_gain
+
+
+def force_seen(force: Vector, mass: Scalar, drag_rate: Scalar, velocity_support: Vector) -> Vector:
+    """Applied force on a body, without its weight; seen from what an island leans on (N).
+
+    force_seen = force - mass*drag_rate*velocity_support
+
+    Args:
+        force: Applied force on a body, without its weight, N
+        mass: Mass of a body, kg
+        drag_rate: Share of its velocity that a body loses to linear drag per unit of time, 1/s
+        velocity_support: Velocity of the centre of mass; of what an island leans on, at the
+            body, m/s
+
+    Source: DD109, srs/models/island_energy.md:76.
+    """
+    force_x, force_y = force
+    velocity_support_x, velocity_support_y = velocity_support
+    return (
+        force_x - mass * drag_rate * velocity_support_x,
+        force_y - mass * drag_rate * velocity_support_y,
+    )
+
+
+def torque_seen(
+    torque: Scalar, inertia: Scalar, angular_drag_rate: Scalar, angular_velocity_support: Scalar
+) -> Scalar:
+    """Applied torque about the centre of mass, positive counter-clockwise; seen from what an
+    island leans on (N*m).
+
+    torque_seen = torque - inertia*angular_drag_rate*angular_velocity_support
+
+    Args:
+        torque: Applied torque about the centre of mass, positive counter-clockwise, N*m
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        angular_drag_rate: Share of its angular velocity that a body loses to angular drag per
+            unit of time, 1/s
+        angular_velocity_support: Rate of turning, positive counter-clockwise; of what an island
+            leans on, at the body, rad/s
+
+    Source: DD109, srs/models/island_energy.md:77.
+    """
+    return torque - inertia * angular_drag_rate * angular_velocity_support
+
+
 def contact_arm(bend: Scalar, turning_arm: Scalar, normal: Vector, tangent: Vector) -> Vector:
     """Lever arm from the centre of mass of a body to a contact (m).
 
@@ -142,7 +199,7 @@ def contact_arm(bend: Scalar, turning_arm: Scalar, normal: Vector, tangent: Vect
         normal: Unit normal of a contact, from body A to body B, 1
         tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
 
-    Source: DD108, srs/models/island_energy.md:79.
+    Source: DD108, srs/models/island_energy.md:113.
     """
     normal_x, normal_y = normal
     tangent_x, tangent_y = tangent
@@ -159,7 +216,7 @@ def pressed_arm(pressed_moment: Vector, total_impulse: Scalar) -> Vector:
             the normal, N*s*m
         total_impulse: Impulse that a contact has given in a step along its normal, N*s
 
-    Source: DD108, srs/models/island_energy.md:80.
+    Source: DD108, srs/models/island_energy.md:114.
     """
     pressed_moment_x, pressed_moment_y = pressed_moment
     return (pressed_moment_x / total_impulse, pressed_moment_y / total_impulse)
@@ -185,7 +242,7 @@ def holding_work(
         pressed_arm: Lever arm to where the contacts of a body press it in the mean, m
         impulse_vector: Integral of a force over the time in which it acts, N*s
 
-    Source: DD108, srs/models/island_energy.md:81.
+    Source: DD108, srs/models/island_energy.md:115.
     """
     pressed_arm_x, pressed_arm_y = pressed_arm
     impulse_vector_x, impulse_vector_y = impulse_vector
@@ -203,7 +260,7 @@ def mass_moment(mass: Scalar, position: Vector) -> Vector:
         mass: Mass of a body, kg
         position: Position of the centre of mass, m
 
-    Source: DD38, srs/models/island_energy.md:133.
+    Source: DD38, srs/models/island_energy.md:167.
     """
     position_x, position_y = position
     return (mass * position_x, mass * position_y)
@@ -219,7 +276,7 @@ def inertia_origin(mass: Scalar, position: Vector, inertia: Scalar) -> Scalar:
         position: Position of the centre of mass, m
         inertia: Moment of inertia about the centre of mass, kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:134.
+    Source: DD38, srs/models/island_energy.md:168.
     """
     position_x, position_y = position
     return inertia + mass * (position_x * position_x + position_y * position_y)
@@ -234,7 +291,7 @@ def position_island(mass_moment: Vector, mass: Scalar) -> Vector:
         mass_moment: Mass times position, kg*m
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:135.
+    Source: DD38, srs/models/island_energy.md:169.
     """
     mass_moment_x, mass_moment_y = mass_moment
     return (mass_moment_x / mass, mass_moment_y / mass)
@@ -249,7 +306,7 @@ def velocity_island(momentum: Vector, mass: Scalar) -> Vector:
         momentum: Mass times velocity, kg*m/s
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:136.
+    Source: DD38, srs/models/island_energy.md:170.
     """
     momentum_x, momentum_y = momentum
     return (momentum_x / mass, momentum_y / mass)
@@ -265,7 +322,7 @@ def inertia_island(inertia_origin: Scalar, mass: Scalar, position_island: Vector
         mass: Mass of a body, kg
         position_island: Position of the centre of mass; of an island as one body, m
 
-    Source: DD38, srs/models/island_energy.md:137.
+    Source: DD38, srs/models/island_energy.md:171.
     """
     position_island_x, position_island_y = position_island
     return inertia_origin - mass * (
@@ -293,7 +350,7 @@ def angular_velocity_island(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:138.
+    Source: DD38, srs/models/island_energy.md:172.
     """
     position_island_x, position_island_y = position_island
     velocity_island_x, velocity_island_y = velocity_island
@@ -321,7 +378,7 @@ def kinetic_energy_kept(
             J
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:193.
+    Source: GD13, srs/models/island_energy.md:227.
     """
     return (
         (1 - kept_share) * kinetic_energy_before
@@ -340,7 +397,7 @@ def velocity_kept(velocity_before: Vector, velocity_after: Vector, kept_share: S
         velocity_after: Velocity of the centre of mass; just after the impact, m/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:196.
+    Source: GD13, srs/models/island_energy.md:230.
     """
     velocity_before_x, velocity_before_y = velocity_before
     velocity_after_x, velocity_after_y = velocity_after
@@ -366,7 +423,7 @@ def angular_velocity_kept(
             impact, rad/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:197.
+    Source: GD13, srs/models/island_energy.md:231.
     """
     return angular_velocity_before + kept_share * (angular_velocity_after - angular_velocity_before)
 
@@ -384,7 +441,7 @@ def accumulated_impulse_kept(
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:200.
+    Source: GD13, srs/models/island_energy.md:234.
     """
     return accumulated_impulse - (1 - kept_share) * applied_impulse
 
@@ -402,7 +459,7 @@ def kept_share_rising(energy_room: Scalar, energy_rise: Scalar, change_energy: S
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:204.
+    Source: GD13, srs/models/island_energy.md:238.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -422,7 +479,7 @@ def kept_share_falling(energy_room: Scalar, energy_rise: Scalar, change_energy: 
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:205.
+    Source: GD13, srs/models/island_energy.md:239.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -438,7 +495,7 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM11, srs/models/island_energy.md:298.
+    Source: IM11, srs/models/island_energy.md:332.
     """
     return largest(kinetic_energy_start + work, 0.0)
 
@@ -456,7 +513,7 @@ def damped_share(
         kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
         kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
 
-    Source: IM11, srs/models/island_energy.md:299.
+    Source: IM11, srs/models/island_energy.md:333.
     """
     return least(
         sqrt(
@@ -477,7 +534,7 @@ def velocity_damped(velocity: Vector, velocity_island: Vector, damped_share: Sca
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:302.
+    Source: IM11, srs/models/island_energy.md:336.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -502,7 +559,7 @@ def angular_velocity_damped(
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:303.
+    Source: IM11, srs/models/island_energy.md:337.
     """
     return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)
 
@@ -531,7 +588,7 @@ def given_product(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD88, srs/models/island_energy.md:385.
+    Source: DD88, srs/models/island_energy.md:419.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -552,7 +609,7 @@ def energy_along_given(given_product: Scalar, change_energy: Scalar) -> Scalar:
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:388.
+    Source: DD88, srs/models/island_energy.md:422.
     """
     return given_product * given_product / (4 * change_energy)
 
@@ -577,7 +634,7 @@ def energy_along_given_left(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD88, srs/models/island_energy.md:389.
+    Source: DD88, srs/models/island_energy.md:423.
     """
     return largest(energy_along_given - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -605,7 +662,7 @@ def velocity_reduced(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:391.
+    Source: DD88, srs/models/island_energy.md:425.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -638,7 +695,7 @@ def angular_velocity_reduced(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:393.
+    Source: DD88, srs/models/island_energy.md:427.
     """
     return (
         angular_velocity
@@ -656,7 +713,7 @@ def energy_given(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Sca
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD87, srs/models/island_energy.md:442.
+    Source: DD87, srs/models/island_energy.md:476.
     """
     return kinetic_energy - kinetic_energy_start - work
 
@@ -671,7 +728,7 @@ def rising_energy(mass: Scalar, velocity: Vector, acceleration: Vector) -> Scala
         velocity: Velocity of the centre of mass, m/s
         acceleration: Acceleration of the centre of mass, m/s^2
 
-    Source: DD87, srs/models/island_energy.md:443.
+    Source: DD87, srs/models/island_energy.md:477.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -700,7 +757,7 @@ def rising_energy_left(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD87, srs/models/island_energy.md:445.
+    Source: DD87, srs/models/island_energy.md:479.
     """
     return largest(rising_energy - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -717,7 +774,7 @@ def velocity_rising_reduced(velocity: Vector, acceleration: Vector, damped_share
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: DD87, srs/models/island_energy.md:447.
+    Source: DD87, srs/models/island_energy.md:481.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -745,7 +802,7 @@ def lift_beyond_motion(energy_given: Scalar, kinetic_energy: Scalar) -> Scalar:
             it, J
         kinetic_energy: Energy of motion, turning included, J
 
-    Source: DD89, srs/models/island_energy.md:478.
+    Source: DD89, srs/models/island_energy.md:512.
     """
     return largest(energy_given - kinetic_energy, 0.0)
 
@@ -764,7 +821,7 @@ def support_work(
         support_rate: Normal velocity of a contact by the motion of its support alone, m/s
         support_slip: Tangential velocity of a contact by the motion of its support alone, m/s
 
-    Source: DD90, srs/models/island_energy.md:508.
+    Source: DD90, srs/models/island_energy.md:542.
     """
     return total_impulse * (largest(-support_rate, 0.0) + friction * abs(support_slip))
 
@@ -784,7 +841,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:565.
+    Source: DD66, srs/models/island_energy.md:599.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -805,7 +862,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:566.
+    Source: DD66, srs/models/island_energy.md:600.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -836,7 +893,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:567.
+    Source: DD66, srs/models/island_energy.md:601.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -863,7 +920,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:634.
+    Source: IM17, srs/models/island_energy.md:668.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -887,7 +944,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:636.
+    Source: IM17, srs/models/island_energy.md:670.
     """
     return least(
         sqrt(
@@ -916,7 +973,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:639.
+    Source: IM17, srs/models/island_energy.md:673.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -948,7 +1005,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:641.
+    Source: IM17, srs/models/island_energy.md:675.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

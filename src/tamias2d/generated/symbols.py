@@ -1545,6 +1545,15 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=961,
     ),
+    "slowed_share": Symbol(
+        "slowed_share",
+        "1",
+        "part that drag leaves of a change of velocity by an impulse that acts evenly through a step",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\bar\\epsilon",
+        file="srs/symbols.md",
+        line=966,
+    ),
     "propagator_lift": Symbol(
         "propagator_lift",
         "s^2",
@@ -1552,7 +1561,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=966,
+        line=973,
     ),
     "shift": Symbol(
         "shift",
@@ -1561,7 +1570,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=971,
+        line=978,
     ),
     "turn": Symbol(
         "turn",
@@ -1569,7 +1578,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\Theta",
         file="srs/symbols.md",
-        line=976,
+        line=983,
     ),
     "early_share": Symbol(
         "early_share",
@@ -1578,7 +1587,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon_h",
         file="srs/symbols.md",
-        line=980,
+        line=987,
     ),
     "step_share": Symbol(
         "step_share",
@@ -1586,7 +1595,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of a step that is over",
         tex="\\sigma_h",
         file="srs/symbols.md",
-        line=987,
+        line=994,
     ),
     "impulse_late": Symbol(
         "impulse_late",
@@ -1594,7 +1603,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sum of the impulses of a contact in a step, each times the share of the step that was over",
         tex="j_{\\mathrm{late}}",
         file="srs/symbols.md",
-        line=991,
+        line=998,
     ),
     "impulse_turned": Symbol(
         "impulse_turned",
@@ -1603,7 +1612,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{j}",
         file="srs/symbols.md",
-        line=997,
+        line=1004,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1612,7 +1621,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=1002,
+        line=1009,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1621,7 +1630,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1009,
+        line=1016,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1630,7 +1639,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1014,
+        line=1021,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1639,7 +1648,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1021,
+        line=1028,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1648,7 +1657,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1028,
+        line=1035,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1657,7 +1666,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=1034,
+        line=1041,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1665,7 +1674,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=1041,
+        line=1048,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1674,7 +1683,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=1054,
+        line=1061,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1682,7 +1691,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=1059,
+        line=1066,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1690,7 +1699,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=1063,
+        line=1070,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1699,7 +1708,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=1069,
+        line=1076,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1707,7 +1716,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=1074,
+        line=1081,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1716,7 +1725,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=1078,
+        line=1085,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1724,7 +1733,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=1083,
+        line=1090,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1733,7 +1742,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=1087,
+        line=1094,
     ),
     "advance": Symbol(
         "advance",
@@ -1742,7 +1751,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=1092,
+        line=1099,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1750,7 +1759,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=1097,
+        line=1104,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1759,7 +1768,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=1101,
+        line=1108,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1767,7 +1776,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=1106,
+        line=1113,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1775,7 +1784,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=1110,
+        line=1117,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1784,7 +1793,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=1114,
+        line=1121,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1792,7 +1801,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=1119,
+        line=1126,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1800,7 +1809,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=1123,
+        line=1130,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1808,7 +1817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1128,
+        line=1135,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1816,7 +1825,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1134,
+        line=1141,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1825,7 +1834,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_c",
         file="srs/symbols.md",
-        line=1138,
+        line=1145,
     ),
     "slip": Symbol(
         "slip",
@@ -1833,7 +1842,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1145,
+        line=1152,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1841,7 +1850,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="\\mathcal{D}",
         file="srs/symbols.md",
-        line=1151,
+        line=1158,
     ),
     "circling": Symbol(
         "circling",
@@ -1850,7 +1859,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\chi_\\omega",
         file="srs/symbols.md",
-        line=1155,
+        line=1162,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1858,7 +1867,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1162,
+        line=1169,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1867,7 +1876,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1166,
+        line=1173,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1876,7 +1885,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1171,
+        line=1178,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1885,7 +1894,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1176,
+        line=1183,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1893,7 +1902,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1181,
+        line=1188,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1902,7 +1911,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1185,
+        line=1192,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1910,7 +1919,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1190,
+        line=1197,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1918,7 +1927,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1194,
+        line=1201,
     ),
     "arc": Symbol(
         "arc",
@@ -1927,7 +1936,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Theta_{\\max}",
         file="srs/symbols.md",
-        line=1200,
+        line=1207,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1936,7 +1945,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1205,
+        line=1212,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1944,7 +1953,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1215,
+        line=1222,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1952,7 +1961,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1219,
+        line=1226,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1961,7 +1970,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1223,
+        line=1230,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1970,7 +1979,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1228,
+        line=1235,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1979,7 +1988,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1233,
+        line=1240,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1988,7 +1997,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1238,
+        line=1245,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1997,7 +2006,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1243,
+        line=1250,
     ),
     "quiet": Symbol(
         "quiet",
@@ -2005,7 +2014,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1248,
+        line=1255,
     ),
     "momentum": Symbol(
         "momentum",
@@ -2014,7 +2023,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1257,
+        line=1264,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -2022,7 +2031,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1262,
+        line=1269,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -2031,7 +2040,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1266,
+        line=1273,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -2039,7 +2048,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1271,
+        line=1278,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -2047,7 +2056,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1275,
+        line=1282,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -2056,7 +2065,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1279,
+        line=1286,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -2065,7 +2074,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1284,
+        line=1291,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -2074,7 +2083,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1289,
+        line=1296,
     ),
     "work": Symbol(
         "work",
@@ -2082,7 +2091,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1294,
+        line=1301,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -2091,7 +2100,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1298,
+        line=1305,
     ),
     "impact_rate": Symbol(
         "impact_rate",
@@ -2099,7 +2108,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of a contact in a substep beyond that which closes its gap, negative in an impact",
         tex="w_{\\text{impact}}",
         file="srs/symbols.md",
-        line=1303,
+        line=1310,
     ),
     "overlap_removed": Symbol(
         "overlap_removed",
@@ -2107,7 +2116,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much an overlap is less deep after a step, negative where it is deeper",
         tex="\\Delta_o",
         file="srs/symbols.md",
-        line=1307,
+        line=1314,
     ),
     "load_size": Symbol(
         "load_size",
@@ -2116,7 +2125,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="F_{\\text{load}}",
         file="srs/symbols.md",
-        line=1311,
+        line=1318,
     ),
     "impulse_way": Symbol(
         "impulse_way",
@@ -2124,7 +2133,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact times the way by which its overlap is less deep",
         tex="q_o",
         file="srs/symbols.md",
-        line=1316,
+        line=1323,
     ),
     "overlap_work": Symbol(
         "overlap_work",
@@ -2133,7 +2142,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{overlap}}",
         file="srs/symbols.md",
-        line=1320,
+        line=1327,
     ),
     "support_work": Symbol(
         "support_work",
@@ -2142,7 +2151,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1325,
+        line=1332,
     ),
     "holding_work": Symbol(
         "holding_work",
@@ -2150,7 +2159,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the torque which keeps a body from turning has given it in a step, seen from its support",
         tex="W_{\\text{hold}}",
         file="srs/symbols.md",
-        line=1330,
+        line=1337,
     ),
     "angular_impulse": Symbol(
         "angular_impulse",
@@ -2158,7 +2167,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment that the impulses of all contacts of a body have about its centre of mass",
         tex="L_{\\Sigma}",
         file="srs/symbols.md",
-        line=1336,
+        line=1343,
     ),
     "contact_arm": Symbol(
         "contact_arm",
@@ -2167,7 +2176,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_c",
         file="srs/symbols.md",
-        line=1341,
+        line=1348,
     ),
     "pressed_moment": Symbol(
         "pressed_moment",
@@ -2176,7 +2185,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}_{\\Sigma}",
         file="srs/symbols.md",
-        line=1346,
+        line=1353,
     ),
     "pressed_arm": Symbol(
         "pressed_arm",
@@ -2185,7 +2194,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_{\\Sigma}",
         file="srs/symbols.md",
-        line=1352,
+        line=1359,
     ),
     "velocity_met": Symbol(
         "velocity_met",
@@ -2194,7 +2203,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_{\\text{met}}",
         file="srs/symbols.md",
-        line=1357,
+        line=1364,
     ),
     "support_energy": Symbol(
         "support_energy",
@@ -2202,7 +2211,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a support gives by the impulses of a contact",
         tex="E_{\\text{support}}",
         file="srs/symbols.md",
-        line=1362,
+        line=1369,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -2211,7 +2220,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1366,
+        line=1373,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2219,7 +2228,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1371,
+        line=1378,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2227,7 +2236,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_{\\mathrm{sup}}",
         file="srs/symbols.md",
-        line=1375,
+        line=1382,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2236,7 +2245,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1379,
+        line=1386,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2244,7 +2253,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1385,
+        line=1392,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2253,7 +2262,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1389,
+        line=1396,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2262,7 +2271,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1394,
+        line=1401,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2271,7 +2280,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1399,
+        line=1406,
     ),
     "rising_energy_left": Symbol(
         "rising_energy_left",
@@ -2280,7 +2289,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1404,
+        line=1411,
     ),
     "velocity_rising_reduced": Symbol(
         "velocity_rising_reduced",
@@ -2289,7 +2298,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1409,
+        line=1416,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2297,7 +2306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1414,
+        line=1421,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2306,7 +2315,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1420,
+        line=1427,
     ),
     "energy_along_given_left": Symbol(
         "energy_along_given_left",
@@ -2315,7 +2324,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1425,
+        line=1432,
     ),
     "velocity_reduced": Symbol(
         "velocity_reduced",
@@ -2324,7 +2333,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1430,
+        line=1437,
     ),
     "angular_velocity_reduced": Symbol(
         "angular_velocity_reduced",
@@ -2332,7 +2341,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1435,
+        line=1442,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2341,7 +2350,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1439,
+        line=1446,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2349,7 +2358,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1444,
+        line=1451,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2358,7 +2367,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1448,
+        line=1455,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2366,7 +2375,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1453,
+        line=1460,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2375,7 +2384,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1458,
+        line=1465,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2384,7 +2393,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1463,
+        line=1470,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2393,7 +2402,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1468,
+        line=1475,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2401,7 +2410,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1473,
+        line=1480,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2409,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1477,
+        line=1484,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2417,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1481,
+        line=1488,
     ),
     "energy_defect": Symbol(
         "energy_defect",
@@ -2425,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1485,
+        line=1492,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2434,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1491,
+        line=1498,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2443,7 +2452,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1496,
+        line=1503,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2452,7 +2461,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1503,
+        line=1510,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2461,7 +2470,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1508,
+        line=1515,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2469,7 +2478,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1513,
+        line=1520,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2477,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\ell_v",
         file="srs/symbols.md",
-        line=1518,
+        line=1525,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2485,7 +2494,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1524,
+        line=1531,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2494,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_L",
         file="srs/symbols.md",
-        line=1528,
+        line=1535,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2503,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1535,
+        line=1542,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2512,7 +2521,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1540,
+        line=1547,
     ),
     "energy": Symbol(
         "energy",
@@ -2520,7 +2529,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1545,
+        line=1552,
     ),
     "radius": Symbol(
         "radius",
@@ -2529,7 +2538,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1554,
+        line=1561,
     ),
     "length": Symbol(
         "length",
@@ -2538,7 +2547,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1559,
+        line=1566,
     ),
     "width": Symbol(
         "width",
@@ -2547,7 +2556,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1566,
+        line=1573,
     ),
     "height": Symbol(
         "height",
@@ -2556,7 +2565,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1571,
+        line=1578,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2565,7 +2574,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1576,
+        line=1583,
     ),
     "center": Symbol(
         "center",
@@ -2574,7 +2583,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1581,
+        line=1588,
     ),
     "offset": Symbol(
         "offset",
@@ -2582,7 +2591,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1586,
+        line=1593,
     ),
     "area": Symbol(
         "area",
@@ -2591,7 +2600,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1590,
+        line=1597,
     ),
     "way": Symbol(
         "way",
@@ -2600,7 +2609,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_c",
         file="srs/symbols.md",
-        line=1595,
+        line=1602,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2608,7 +2617,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha_c",
         file="srs/symbols.md",
-        line=1600,
+        line=1607,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2617,7 +2626,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1604,
+        line=1611,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2626,7 +2635,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1609,
+        line=1616,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2634,7 +2643,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta_e",
         file="srs/symbols.md",
-        line=1614,
+        line=1621,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2642,7 +2651,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1618,
+        line=1625,
     ),
     "lean": Symbol(
         "lean",
@@ -2650,7 +2659,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1622,
+        line=1629,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2658,7 +2667,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho_c",
         file="srs/symbols.md",
-        line=1626,
+        line=1633,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2666,7 +2675,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1630,
+        line=1637,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2675,7 +2684,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1636,
+        line=1643,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2683,7 +2692,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1649,
+        line=1656,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2691,7 +2700,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1653,
+        line=1660,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2699,7 +2708,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1657,
+        line=1664,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2707,7 +2716,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1661,
+        line=1668,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2716,7 +2725,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta_C",
         file="srs/symbols.md",
-        line=1665,
+        line=1672,
     ),
     "slope": Symbol(
         "slope",
@@ -2725,7 +2734,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}",
         file="srs/symbols.md",
-        line=1670,
+        line=1677,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2734,7 +2743,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}_0",
         file="srs/symbols.md",
-        line=1675,
+        line=1682,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2743,7 +2752,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta G^2",
         file="srs/symbols.md",
-        line=1680,
+        line=1687,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2752,7 +2761,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="G^2",
         file="srs/symbols.md",
-        line=1685,
+        line=1692,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2760,7 +2769,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="G_\\varphi",
         file="srs/symbols.md",
-        line=1690,
+        line=1697,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2768,7 +2777,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1694,
+        line=1701,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2776,7 +2785,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e_G",
         file="srs/symbols.md",
-        line=1698,
+        line=1705,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2785,7 +2794,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_G",
         file="srs/symbols.md",
-        line=1702,
+        line=1709,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2793,7 +2802,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="G_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1707,
+        line=1714,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2801,7 +2810,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_G",
         file="srs/symbols.md",
-        line=1711,
+        line=1718,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2809,7 +2818,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1715,
+        line=1722,
     ),
     "inertia_factor_most": Symbol(
         "inertia_factor_most",
@@ -2817,7 +2826,7 @@ SYMBOLS: dict[str, Symbol] = {
         "most times its own inertia with which a body counts in joints",
         tex="\\kappa_{\\max}",
         file="srs/symbols.md",
-        line=1719,
+        line=1726,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2825,7 +2834,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1723,
+        line=1730,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2833,7 +2842,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1727,
+        line=1734,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2841,7 +2850,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1731,
+        line=1738,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2849,7 +2858,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1735,
+        line=1742,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2857,7 +2866,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1739,
+        line=1746,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2865,7 +2874,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1743,
+        line=1750,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2874,7 +2883,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1747,
+        line=1754,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2882,7 +2891,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda_l",
         file="srs/symbols.md",
-        line=1752,
+        line=1759,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2891,7 +2900,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1756,
+        line=1763,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2899,7 +2908,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1761,
+        line=1768,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2908,7 +2917,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1765,
+        line=1772,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2917,7 +2926,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1770,
+        line=1777,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2926,7 +2935,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1775,
+        line=1782,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2935,7 +2944,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1780,
+        line=1787,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2943,7 +2952,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1785,
+        line=1792,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2952,7 +2961,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1789,
+        line=1796,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2960,7 +2969,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1794,
+        line=1801,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2968,7 +2977,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1798,
+        line=1805,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2977,7 +2986,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1802,
+        line=1809,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2986,7 +2995,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1807,
+        line=1814,
     ),
     "row_pull": Symbol(
         "row_pull",
@@ -2994,7 +3003,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row's spring and damper without their maximum",
         tex="P_C",
         file="srs/symbols.md",
-        line=1812,
+        line=1819,
     ),
     "row_pull_across": Symbol(
         "row_pull_across",
@@ -3002,7 +3011,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the same of the other row of a target",
         tex="P_\\bot",
         file="srs/symbols.md",
-        line=1816,
+        line=1823,
     ),
     "row_pull_size": Symbol(
         "row_pull_size",
@@ -3011,7 +3020,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_\\sigma",
         file="srs/symbols.md",
-        line=1820,
+        line=1827,
     ),
     "row_share": Symbol(
         "row_share",
@@ -3020,7 +3029,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=1825,
+        line=1832,
     ),
     "whole_impulse": Symbol(
         "whole_impulse",
@@ -3028,7 +3037,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a spring at a joint for all of a substep",
         tex="\\Lambda_\\Theta",
         file="srs/symbols.md",
-        line=1830,
+        line=1837,
     ),
     "impulse_left": Symbol(
         "impulse_left",
@@ -3037,7 +3046,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_<",
         file="srs/symbols.md",
-        line=1834,
+        line=1841,
     ),
     "impulse_room": Symbol(
         "impulse_room",
@@ -3046,7 +3055,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{room}",
         file="srs/symbols.md",
-        line=1839,
+        line=1846,
     ),
     "row_energy_bounded": Symbol(
         "row_energy_bounded",
@@ -3055,7 +3064,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\sigma",
         file="srs/symbols.md",
-        line=1844,
+        line=1851,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -3063,7 +3072,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1849,
+        line=1856,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -3072,7 +3081,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1853,
+        line=1860,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -3080,7 +3089,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1858,
+        line=1865,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -3088,7 +3097,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1862,
+        line=1869,
     ),
     "amplification": Symbol(
         "amplification",
@@ -3097,7 +3106,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1866,
+        line=1873,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -3106,7 +3115,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1871,
+        line=1878,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -3115,7 +3124,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1876,
+        line=1883,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -3124,7 +3133,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1881,
+        line=1888,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -3133,7 +3142,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1886,
+        line=1893,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -3142,7 +3151,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1891,
+        line=1898,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -3151,7 +3160,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=1896,
+        line=1903,
     ),
     "change_most": Symbol(
         "change_most",
@@ -3160,7 +3169,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=1901,
+        line=1908,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -3169,7 +3178,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=1906,
+        line=1913,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -3178,7 +3187,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1911,
+        line=1918,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -3187,7 +3196,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1916,
+        line=1923,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -3195,7 +3204,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1921,
+        line=1928,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -3204,7 +3213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1925,
+        line=1932,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -3213,7 +3222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1930,
+        line=1937,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -3222,7 +3231,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1935,
+        line=1942,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -3230,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1940,
+        line=1947,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -3239,7 +3248,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=1944,
+        line=1951,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -3247,7 +3256,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1949,
+        line=1956,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3255,7 +3264,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=1953,
+        line=1960,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3264,7 +3273,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1957,
+        line=1964,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3273,7 +3282,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1962,
+        line=1969,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3282,7 +3291,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1967,
+        line=1974,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3290,7 +3299,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1972,
+        line=1979,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3298,7 +3307,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1976,
+        line=1983,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3306,7 +3315,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1980,
+        line=1987,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3315,7 +3324,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=1984,
+        line=1991,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3324,7 +3333,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=1989,
+        line=1996,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3333,7 +3342,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1994,
+        line=2001,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3342,7 +3351,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1999,
+        line=2006,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3351,7 +3360,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=2004,
+        line=2011,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3360,7 +3369,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=2009,
+        line=2016,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3369,7 +3378,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=2014,
+        line=2021,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3378,7 +3387,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=2019,
+        line=2026,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3386,7 +3395,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=2024,
+        line=2031,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3395,7 +3404,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=2028,
+        line=2035,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3403,7 +3412,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=2033,
+        line=2040,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3412,7 +3421,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=2037,
+        line=2044,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3421,7 +3430,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=2042,
+        line=2049,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3430,7 +3439,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=2047,
+        line=2054,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3439,7 +3448,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=2052,
+        line=2059,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3448,7 +3457,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=2057,
+        line=2064,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3456,7 +3465,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=2062,
+        line=2069,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3465,7 +3474,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=2066,
+        line=2073,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3474,7 +3483,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=2071,
+        line=2078,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3483,7 +3492,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=2076,
+        line=2083,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3492,7 +3501,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=2081,
+        line=2088,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3500,7 +3509,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=2086,
+        line=2093,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3508,7 +3517,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=2090,
+        line=2097,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3517,7 +3526,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=2094,
+        line=2101,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3526,7 +3535,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=2099,
+        line=2106,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3535,7 +3544,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=2104,
+        line=2111,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3544,7 +3553,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=2109,
+        line=2116,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3553,7 +3562,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=2114,
+        line=2121,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3562,7 +3571,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=2119,
+        line=2126,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3571,7 +3580,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=2124,
+        line=2131,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3580,7 +3589,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=2129,
+        line=2136,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3589,7 +3598,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=2134,
+        line=2141,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3597,7 +3606,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2139,
+        line=2146,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3605,7 +3614,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2143,
+        line=2150,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3614,7 +3623,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2147,
+        line=2154,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3622,7 +3631,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2152,
+        line=2159,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3630,7 +3639,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2156,
+        line=2163,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3639,7 +3648,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2160,
+        line=2167,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3648,7 +3657,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2165,
+        line=2172,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3657,7 +3666,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2170,
+        line=2177,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3665,7 +3674,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2175,
+        line=2182,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3674,7 +3683,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2179,
+        line=2186,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3682,7 +3691,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2184,
+        line=2191,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3691,7 +3700,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2188,
+        line=2195,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3699,7 +3708,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2193,
+        line=2200,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3708,7 +3717,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2197,
+        line=2204,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3716,7 +3725,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2202,
+        line=2209,
     ),
     "change": Symbol(
         "change",
@@ -3725,7 +3734,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2206,
+        line=2213,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3734,7 +3743,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2211,
+        line=2218,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3743,7 +3752,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2216,
+        line=2223,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3751,7 +3760,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2221,
+        line=2228,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3760,7 +3769,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2225,
+        line=2232,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3768,7 +3777,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2230,
+        line=2237,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3776,7 +3785,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2234,
+        line=2241,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3784,7 +3793,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2238,
+        line=2245,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3793,7 +3802,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2242,
+        line=2249,
+    ),
+    "slowed_mean": Symbol(
+        "slowed_mean",
+        "1",
+        "part that drag leaves of changes of velocity by the impulses of a step, in the mean",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\bar\\epsilon_h",
+        file="srs/symbols.md",
+        line=2254,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3801,7 +3819,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2247,
+        line=2260,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3810,6 +3828,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2251,
+        line=2264,
     ),
 }

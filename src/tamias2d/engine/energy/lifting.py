@@ -7,6 +7,7 @@ nothing is taken. Cost: a visit to each body, where something is lifted.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.energy.load_seen import load_seen
 from tamias2d.engine.energy.step_energy import GRACE
 from tamias2d.engine.energy.support import SUPPORTED_BY_ONE, reference_at
 from tamias2d.engine.tables import Bodies, Constraints, Control, Islands, Touching
@@ -55,10 +56,11 @@ def surplus_of_lift(row: Array) -> float:
 
 def dissipate_lift(i: int, row: Array, control: Control, bodies: Bodies, islands: Islands) -> None:
     """Take from the motion of a body against the forces on it its part of the surplus."""
-    inverse_mass, load = bodies.properties[i, tb.INVERSE_MASS], bodies.load[i]
+    inverse_mass = bodies.properties[i, tb.INVERSE_MASS]
     gravity = (control.settings[tb.GRAVITY_X], control.settings[tb.GRAVITY_Y])
-    x, y = acceleration(gravity, (load[0], load[1]), inverse_mass)
-    (by_x, by_y), _ = reference_at(i, bodies, islands)
+    (by_x, by_y), spin = reference_at(i, bodies, islands)
+    force, _ = load_seen(i, (by_x, by_y), spin, bodies)
+    x, y = acceleration(gravity, force, inverse_mass)
     now = bodies.motion[i]
     seen = velocity_seen((now[tb.VX], now[tb.VY]), (by_x, by_y))
     if not (seen[0] * x + seen[1] * y < 0.0 and x * x + y * y > 0.0):

@@ -41,7 +41,7 @@ def hung_by_law(j: int, joints: Joints) -> tuple[int, float]:
     return one, numbers[TURNING]
 
 
-def add_law(j: int, root: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+def add_law(j: int, root: int, substep: float, joints: Joints) -> None:
     """Find how firm a law is; add it to the firmness of the hinge whose angle it governs."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     yielding = 0.0
@@ -59,7 +59,7 @@ def add_law(j: int, root: int, substep: float, bodies: Bodies, joints: Joints) -
     far = numbers[TURNING] if ends[tb.J_MEMBER] == above else numbers[TURNING + 3]
     spin = angular_velocity_later(0.0, 1.0, turning, held)
     spins = (spin, angular_velocity_later(0.0, 1.0, far, held_above))
-    hinged = yield_at_hinge(m, root, yielding, (0.0, 0.0), spins, bodies, joints)
+    hinged = yield_at_hinge(m, root, yielding, (0.0, 0.0), spins, joints)
     firm = firmness_by_law(yielding, hinged, numbers[tb.J_FIRMEST], j, substep, joints)
     numbers[tb.J_FIRMNESS] = firm
     joints.hinges[m, tb.H_FIRM] += coupled_inertia(turning, turning, firm)

@@ -55,5 +55,5 @@ def motor_drives(j: int, time: float, bodies: Bodies, joints: Joints) -> bool:
         return True
     forwards = 1.0 if ends[tb.J_STATE] == tb.AT_MOST else -1.0
     impulse = row_impulse_most(law[tb.LAW_MOST], time)
-    moving = MOVING * impulse * yield_of_row(0, ends, numbers, bodies, joints)
+    moving = MOVING * impulse * yield_of_row(0, ends, numbers, joints)
     return forwards * rate_of_row(j, 0, bodies, joints) > moving

@@ -50,7 +50,7 @@ def begin_lane(m: int, r: int, awake: bool, n: int, k: int, bodies: Bodies, join
         i = joints.members[member, tb.JOINED_SLOT]
         row[tb.T_MASS + m] = joints.factors[member - 1, tb.NODE_MASS]
         row[tb.T_INERTIA + m] = joints.factors[member - 1, tb.NODE_INERTIA]
-        row[tb.T_INVERSE_MASS + m] = bodies.properties[i, tb.INVERSE_MASS]
+        row[tb.T_INVERSE_MASS + m] = joints.places[member, tb.SLOWED_INVERSE_MASS]
         row[tb.T_HELD_INVERSE_INERTIA + m] = joints.places[member, tb.HELD_INVERSE_INERTIA]
     joints.tree_slots[r, m] = i
     pose = bodies.pose[i]

@@ -54,7 +54,7 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
     if joints.mechanisms[n, tb.M_CHOOSING] == 1:
         begin_bounded(n, again, bodies, joints)
     if joints.mechanisms[n, tb.M_GOVERNED] == 1 and not again:
-        factor_mechanism(n, substep, bodies, joints)
+        factor_mechanism(n, substep, joints)
     meshed = joints.mechanisms[n, tb.M_MESHED] == 1
     if meshed or joints.mechanisms[n, tb.M_CHOOSING] == 0:
         bring_to_aims(n, again, 0.0, substep, bodies, joints)
@@ -72,7 +72,7 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
         if k + 1 < MOST_CHOICES:
             softened = soften_springs(n, substep, joints)
             if choose_rows(n, time, bodies, joints)[0] or softened:
-                factor_mechanism(n, substep, bodies, joints)
+                factor_mechanism(n, substep, joints)
                 continue
         bound_springs(n, substep, bodies, joints)
         return
@@ -85,7 +85,7 @@ def choose_by_slopes(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
     their errors at first, J.
     """
     first, time = predict(n, substep, bodies, joints), time_of_loads(n, substep, joints)
-    most = energy_asked_of_rows(n, substep, bodies, joints)
+    most = energy_asked_of_rows(n, substep, joints)
     for _ in range(MOST_TRIALS):
         start_impulses(n, 0.0, joints)
         solve_joint_errors(n, substep, most, bodies, joints)
@@ -94,9 +94,9 @@ def choose_by_slopes(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
         changed, torn = choose_rows(n, time, bodies, joints)
         if not changed and not softened:
             return first
-        factor_mechanism(n, substep, bodies, joints)
+        factor_mechanism(n, substep, joints)
         predict(n, substep, bodies, joints)
-        most = inf if torn else energy_asked_of_rows(n, substep, bodies, joints)
+        most = inf if torn else energy_asked_of_rows(n, substep, joints)
     choose_one_by_one(n, substep, bodies, joints)
     return first
 
@@ -106,7 +106,7 @@ def choose_one_by_one(n: int, substep: float, bodies: Bodies, joints: Joints) ->
     time = time_of_loads(n, substep, joints)
     let_go_of_rows(n, time, bodies, joints)
     for _ in range(MOST_STEPS):
-        factor_mechanism(n, substep, bodies, joints)
+        factor_mechanism(n, substep, joints)
         predict(n, substep, bodies, joints)
         start_impulses(n, 0.0, joints)
         solve_joint_errors(n, substep, inf, bodies, joints)

@@ -18,6 +18,7 @@ from tamias2d.engine.energy.island_damping import (
     find_rigid_motion,
     place_from,
 )
+from tamias2d.engine.energy.load_seen import load_seen
 from tamias2d.engine.energy.step_energy import can_be_turned, mass_and_inertia
 from tamias2d.engine.energy.support import FREE, SUPPORTED_BY_ONE
 from tamias2d.engine.joints.bounce import strikes
@@ -174,11 +175,12 @@ def energies_of_part(
     for node in range(first, last):
         i = joints.sparse[node, tb.N_BODY]
         mass, inertia = mass_and_inertia(i, bodies.properties)
-        then, motion, load = bodies.substep_state[i], bodies.motion[i], bodies.load[i]
+        then, motion = bodies.substep_state[i], bodies.motion[i]
         velocity = velocity_seen((then[tb.STEP_START], then[tb.STEP_START + 1]), base)
         start += kinetic_energy(mass, velocity, inertia, then[tb.STEP_START + 2])
         shift = shift_seen((motion[tb.DX], motion[tb.DY]), base, control.progress[tb.PART_TIME])
-        given += work(mass, gravity, (load[0], load[1]), load[2], shift, motion[tb.DANGLE])
+        force, torque = load_seen(i, base, 0.0, bodies)
+        given += work(mass, gravity, force, torque, shift, motion[tb.DANGLE])
         velocity = velocity_seen((motion[tb.VX], motion[tb.VY]), base)
         now += kinetic_energy(mass, velocity, inertia, motion[tb.SPIN])
     return start, given, now

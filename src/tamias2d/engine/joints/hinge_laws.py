@@ -53,7 +53,7 @@ def keep_tree_positions(
     if joints.mechanisms[n, tb.M_CHOOSING] == 1:
         begin_bounded(n, again, bodies, joints)
     if joints.mechanisms[n, tb.M_GOVERNED] == 1 and not again:
-        hang_tree(n, substep, bodies, joints)
+        hang_tree(n, substep, joints)
     if joints.mechanisms[n, tb.M_CHOOSING] == 0:
         bring_tree_to_aims(n, 0.0, substep, bodies, joints)
         return
@@ -68,7 +68,7 @@ def keep_tree_positions(
         if k + 1 < MOST_CHOICES:
             softened = soften_springs(n, substep, joints)
             if choose_rows(n, time, bodies, joints)[0] or softened:
-                hang_tree(n, substep, bodies, joints)
+                hang_tree(n, substep, joints)
                 continue
         bound_springs(n, substep, bodies, joints)
         return
@@ -80,7 +80,7 @@ def choose_by_slopes_of_tree(n: int, substep: float, bodies: Bodies, joints: Joi
     Return the sum of the squares of their errors at first, m^2/s^2.
     """
     first, time = predict_tree(n, substep, bodies, joints), time_of_loads(n, substep, joints)
-    most = energy_asked_of_tree(n, substep, bodies, joints)
+    most = energy_asked_of_tree(n, substep, joints)
     for _ in range(MOST_TRIALS):
         answer_tree(n, substep, most, bodies, joints)
         predict_tree(n, substep, bodies, joints)
@@ -88,9 +88,9 @@ def choose_by_slopes_of_tree(n: int, substep: float, bodies: Bodies, joints: Joi
         changed, torn = choose_rows(n, time, bodies, joints)
         if not changed and not softened:
             return first
-        hang_tree(n, substep, bodies, joints)
+        hang_tree(n, substep, joints)
         predict_tree(n, substep, bodies, joints)
-        most = inf if torn else energy_asked_of_tree(n, substep, bodies, joints)
+        most = inf if torn else energy_asked_of_tree(n, substep, joints)
     choose_one_by_one_of_tree(n, substep, bodies, joints)
     return first
 
@@ -100,7 +100,7 @@ def choose_one_by_one_of_tree(n: int, substep: float, bodies: Bodies, joints: Jo
     time = time_of_loads(n, substep, joints)
     let_go_of_rows(n, time, bodies, joints)
     for _ in range(MOST_STEPS):
-        hang_tree(n, substep, bodies, joints)
+        hang_tree(n, substep, joints)
         predict_tree(n, substep, bodies, joints)
         solve_hinges(n, bodies, joints)
         share, which = nearest_bound(n, time, joints)

@@ -29,7 +29,7 @@ from tamias2d.kernels.assembled import inlined
 REMOVED_BY_NET = 0.05  # of a gap, in a substep of a whole step: of one not looked at, what is left
 
 
-def begin_net(n: int, bodies: Bodies, joints: Joints) -> None:
+def begin_net(n: int, joints: Joints) -> None:
     """Begin a part of a step: note how nodes yield, and the impulses of links to start from.
 
     How far links may be apart is that of the one that may least, and stands in the first; 0 if none
@@ -37,9 +37,7 @@ def begin_net(n: int, bodies: Bodies, joints: Joints) -> None:
     """
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         node = joints.net_nodes[m]
-        node[tb.N_INVERSE_MASS] = bodies.properties[
-            joints.members[m, tb.JOINED_SLOT], tb.INVERSE_MASS
-        ]
+        node[tb.N_INVERSE_MASS] = joints.places[m, tb.SLOWED_INVERSE_MASS]
         node[tb.N_INVERSE_INERTIA] = joints.places[m, tb.HELD_INVERSE_INERTIA]
     least = inf
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):

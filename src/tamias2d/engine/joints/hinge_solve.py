@@ -96,7 +96,7 @@ def bring_tree_to_aims(
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_gap_errors(n, substep, bodies, joints)
         if k == 0:
-            first, most = max(first, size), energy_asked_of_tree(n, substep, bodies, joints)
+            first, most = max(first, size), energy_asked_of_tree(n, substep, joints)
         if turned and not size < before:
             take_solution_back(n, 1.0, bodies, joints)  # no solution is near
             return
@@ -104,7 +104,7 @@ def bring_tree_to_aims(
             return
         turned = size > SLOWLY * before
         if turned:
-            turn_tree(n, substep, bodies, joints)
+            turn_tree(n, substep, joints)
         before = size
         largest = substep * substep * answer_tree(n, substep, most, bodies, joints)
         if is_rejected(n, largest, bodies, joints):
@@ -145,7 +145,7 @@ def answer_tree(n: int, ahead: float, most: float, bodies: Bodies, joints: Joint
     if most < inf and not yields(n, joints) and not gain_of_tree(n, joints) <= most:
         take_solution_back(n, 1.0, bodies, joints)
         let_yield(n, joints)
-        hang_tree(n, ahead, bodies, joints)
+        hang_tree(n, ahead, joints)
         for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
             row = joints.hinges[m]
             begin_errors(row, row[tb.H_ERROR], row[tb.H_ERROR + 1])
@@ -153,7 +153,7 @@ def answer_tree(n: int, ahead: float, most: float, bodies: Bodies, joints: Joint
     return largest
 
 
-def energy_asked_of_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+def energy_asked_of_tree(n: int, substep: float, joints: Joints) -> float:
     """Return the most energy that the errors of a tree may give it, J: any where none is firm."""
     besides, rates = first_besides(n, joints), 0.0
     if not may_yield(n, besides, joints):
@@ -161,7 +161,7 @@ def energy_asked_of_tree(n: int, substep: float, bodies: Bodies, joints: Joints)
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         row = joints.hinges[m]
         rates += row[tb.H_ERROR] * row[tb.H_ERROR] + row[tb.H_ERROR + 1] * row[tb.H_ERROR + 1]
-    return energy_asked(n, besides, rates, substep, bodies, joints)
+    return energy_asked(n, besides, rates, substep, joints)
 
 
 def gain_of_tree(n: int, joints: Joints) -> float:
@@ -175,7 +175,7 @@ def gain_of_tree(n: int, joints: Joints) -> float:
 def fit_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of its rows from the velocities of a tree."""
     write_rates_of_tree(n, bodies, joints)
-    answer_tree(n, 0.0, energy_asked_of_tree(n, substep, bodies, joints), bodies, joints)
+    answer_tree(n, 0.0, energy_asked_of_tree(n, substep, joints), bodies, joints)
 
 
 def write_rates_of_tree(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -362,7 +362,7 @@ def push_hinged(m: int, arm: Vector, impulse: Vector, bodies: Bodies, joints: Jo
     i = joints.members[m, tb.JOINED_SLOT]
     now, state = bodies.motion[i], bodies.substep_state[i]
     held = joints.places[m, tb.HELD_INVERSE_INERTIA]
-    by_x, by_y = velocity_hinged((0.0, 0.0), impulse, bodies.properties[i, tb.INVERSE_MASS])
+    by_x, by_y = velocity_hinged((0.0, 0.0), impulse, joints.places[m, tb.SLOWED_INVERSE_MASS])
     turn = angular_velocity_hinged(0.0, arm, impulse, held)
     now[tb.VX], now[tb.VY], now[tb.SPIN] = now[tb.VX] + by_x, now[tb.VY] + by_y, now[tb.SPIN] + turn
     state[tb.SUBSTEP_START] += by_x

@@ -63,16 +63,16 @@ def linearise_tree(n: int, bodies: Bodies, joints: Joints) -> None:
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
         write_rows(j, joints)
     if joints.mechanisms[n, tb.M_GOVERNED] == 0:
-        hang_tree(n, 0.0, bodies, joints)
+        hang_tree(n, 0.0, joints)
 
 
-def turn_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+def turn_tree(n: int, substep: float, joints: Joints) -> None:
     """Let the rows of a tree be those where its members are placed, at the end of a substep, s."""
     for m in range(joints.sparse[n, tb.I_NODE] + 1, joints.sparse[n + 1, tb.I_NODE] + 1):
         turn_hinge(m, joints)
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, tb.M_JOINT]):
         rows_where_placed(j, joints)
-    hang_tree(n, substep, bodies, joints)
+    hang_tree(n, substep, joints)
 
 
 def place_tree(n: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
@@ -86,7 +86,7 @@ def place_tree(n: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
         turn_members(first, last, joints)
 
 
-def hang_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+def hang_tree(n: int, substep: float, joints: Joints) -> None:
     """Find what hangs on the hinges of a tree, with the rows besides them that hold.
 
     Springs count through a substep, s; not where that is 0 and velocities alone are looked at.
@@ -100,11 +100,11 @@ def hang_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
         if substep == 0.0 and ends[tb.J_LAW] == tb.SPRING:
             numbers[tb.J_FIRMNESS] = 0.0
         elif is_law(j, joints):
-            add_law(j, first, substep, bodies, joints)
+            add_law(j, first, substep, joints)
         else:
             for r in range(ends[tb.J_ROWS]):
-                yielding = yield_of_row(r, ends, numbers, bodies, joints)
-                hinged = yield_of_tie(r, first, yielding, ends, numbers, bodies, joints)
+                yielding = yield_of_row(r, ends, numbers, joints)
+                hinged = yield_of_tie(r, first, yielding, ends, numbers, joints)
                 numbers[tb.J_FIRMNESS + r] = firmness_by_law(
                     yielding, hinged, numbers[tb.J_FIRMEST + r], j, substep, joints
                 )
@@ -209,18 +209,17 @@ def yield_of_tie(
     yielding: float,
     ends: Integers,
     numbers: Array,
-    bodies: Bodies,
     joints: Joints,
 ) -> float:
     """Return by how much a row yields, 1/kg, with the hinge of the body that it ties."""
     for end in range(tb.ENDS_OF_JOINT):
         if ends[tb.J_NODE + end] >= 0 and ends[tb.J_LAW] == tb.SPRING:
             m, at = ends[tb.J_MEMBER + end], tb.J_ROW + ROW * r + 1 + 3 * end
-            inverse_mass = bodies.properties[joints.members[m, tb.JOINED_SLOT], tb.INVERSE_MASS]
+            inverse_mass = joints.places[m, tb.SLOWED_INVERSE_MASS]
             slope, held = (numbers[at], numbers[at + 1]), joints.places[m, tb.HELD_INVERSE_INERTIA]
             by = velocity_later((0.0, 0.0), 1.0, slope, inverse_mass)
             spin = angular_velocity_later(0.0, 1.0, numbers[at + 2], held)
-            return yield_at_hinge(m, root, yielding, by, (spin, 0.0), bodies, joints)
+            return yield_at_hinge(m, root, yielding, by, (spin, 0.0), joints)
     return yielding
 
 

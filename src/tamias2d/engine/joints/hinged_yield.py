@@ -4,7 +4,7 @@ Cost: one division.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.tables import Bodies, Joints
+from tamias2d.engine.tables import Joints
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.hinge_tree import (
     hinged_yield,
@@ -19,7 +19,7 @@ from tamias2d.state import Vector
 
 
 def yield_at_hinge(
-    m: int, root: int, yielding: float, by: Vector, spins: Vector, bodies: Bodies, joints: Joints
+    m: int, root: int, yielding: float, by: Vector, spins: Vector, joints: Joints
 ) -> float:
     """Return by how much a row yields, 1/kg, that yields so much without the hinge of a member.
 
@@ -29,10 +29,10 @@ def yield_at_hinge(
     if joints.members[m, tb.JOINED_HINGE] < 0:
         return yielding
     row, above = joints.hinges[m], joints.members[m, tb.JOINED_ABOVE]
-    inverse_mass = bodies.properties[joints.members[m, tb.JOINED_SLOT], tb.INVERSE_MASS]
+    inverse_mass = joints.places[m, tb.SLOWED_INVERSE_MASS]
     mass_above = inertia_above = 0.0
     if m > root:
-        mass_above = bodies.properties[joints.members[above, tb.JOINED_SLOT], tb.INVERSE_MASS]
+        mass_above = joints.places[above, tb.SLOWED_INVERSE_MASS]
         inertia_above = joints.places[above, tb.HELD_INVERSE_INERTIA]
     arm, far = (row[tb.H_ARM], row[tb.H_ARM + 1]), (row[tb.H_FAR_ARM], row[tb.H_FAR_ARM + 1])
     held = joints.places[m, tb.HELD_INVERSE_INERTIA]

@@ -49,7 +49,7 @@ def answer_struck(rebounds: bool, count: int, world: World) -> None:
     """Take from the points on the list what is too much of their rates; no friction in rebounds."""
     if count == 0:
         return
-    begin_struck(world.bodies, world.joints)
+    begin_struck(world.joints)
     fit_struck(world)
     if not rebounds:
         reduce_impact_rates(NORMAL_RATES, count, world)

@@ -32,11 +32,10 @@ def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: 
         )
         numbers[to + 2] = angular_momentum_later(numbers[to + 2], impulse, turning)
         if ends[tb.J_NODE + end] >= 0:
-            inverse_mass = bodies.properties[i, tb.INVERSE_MASS]
+            place = joints.places[ends[tb.J_MEMBER + end]]
             now, state = bodies.motion[i], bodies.substep_state[i]
-            by_x, by_y = velocity_later((0.0, 0.0), impulse, slope, inverse_mass)
-            held = joints.places[ends[tb.J_MEMBER + end], tb.HELD_INVERSE_INERTIA]
-            turn = angular_velocity_later(0.0, impulse, turning, held)
+            by_x, by_y = velocity_later((0.0, 0.0), impulse, slope, place[tb.SLOWED_INVERSE_MASS])
+            turn = angular_velocity_later(0.0, impulse, turning, place[tb.HELD_INVERSE_INERTIA])
             now[tb.VX], now[tb.VY], now[tb.SPIN] = (
                 now[tb.VX] + by_x,
                 now[tb.VY] + by_y,

@@ -12,6 +12,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.direct.cholesky import factor
 from tamias2d.engine.direct.matrix import add_diagonal, clear_pivot
 from tamias2d.engine.joints.placed_rows import write_bends, write_slopes
+from tamias2d.engine.joints.slowed import slowed_column, slowed_inverses
 from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.tables import Bodies, Integers, Joints
 from tamias2d.generated.joint_rows import KINDS, ROW, revolute_bends
@@ -50,7 +51,7 @@ def linearise(n: int, bodies: Bodies, joints: Joints) -> None:
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         write_rows(j, joints)
     if joints.mechanisms[n, tb.M_GOVERNED] == 0:
-        factor_mechanism(n, 0.0, bodies, joints)
+        factor_mechanism(n, 0.0, joints)
 
 
 def write_rows(j: int, joints: Joints) -> None:
@@ -97,7 +98,7 @@ def apart_by_law(r: int, ends: Integers, numbers: Array) -> float:
     return max(value, 0.0) if law == tb.UPPER_LIMIT else 0.0
 
 
-def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+def factor_mechanism(n: int, substep: float, joints: Joints) -> None:
     """Find how firm the rows of a mechanism are that hold, and factor its matrix.
 
     Springs count through a substep, s; not where that is 0 and velocities alone are looked at.
@@ -111,7 +112,7 @@ def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[tb.J_ROWS]):
-            yielding = yield_of_row(r, ends, numbers, bodies, joints)
+            yielding = yield_of_row(r, ends, numbers, joints)
             most = numbers[tb.J_FIRMEST + r]
             firm = firmness_by_law(yielding, yielding, most, j, substep, joints)
             numbers[tb.J_FIRMNESS + r] = firm
@@ -217,7 +218,7 @@ def add_joint_row(r: int, ends: Integers, numbers: Array, joints: Joints) -> Non
             add_coupling(at + 3 * one, at + 3 * other, firm, numbers, joints.factors[edge])
 
 
-def yield_of_row(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints: Joints) -> float:
+def yield_of_row(r: int, ends: Integers, numbers: Array, joints: Joints) -> float:
     """Return by how much a row yields, 1/kg; 0 for one that nothing moves.
 
     A body that does not turn gets no slopes for turning.
@@ -226,14 +227,14 @@ def yield_of_row(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints:
     for end in range(tb.ENDS_OF_JOINT):
         at, member = tb.J_ROW + ROW * r + 1 + 3 * end, ends[tb.J_MEMBER + end]
         if ends[tb.J_NODE + end] >= 0:
-            inverse_mass = bodies.properties[
-                joints.members[member, tb.JOINED_SLOT], tb.INVERSE_MASS
-            ]
             slope, inverse = (numbers[at], numbers[at + 1]), joints.places[member]
             if inverse[tb.HELD_INVERSE_INERTIA] == 0.0:
                 numbers[at + 2] = 0.0
             yielding += row_yield(
-                slope, numbers[at + 2], inverse_mass, inverse[tb.HELD_INVERSE_INERTIA]
+                slope,
+                numbers[at + 2],
+                inverse[tb.SLOWED_INVERSE_MASS],
+                inverse[tb.HELD_INVERSE_INERTIA],
             )
     return yielding
 
@@ -267,21 +268,22 @@ def add_coupling(early: int, late: int, firm: float, numbers: Array, e: Array) -
 def note_node_masses(n: int, substep: float, bodies: Bodies, joints: Joints) -> bool:
     """Note slots and masses of the nodes of a mechanism; return whether a mass is another one.
 
-    An inertia is 0 for a body that does not turn.
+    They are those with which drag lets bodies answer through a substep. An inertia is 0 for a body
+    that does not turn.
 
     A body at whose arms joints pull counts with so much inertia that it swings slowly enough for
     substeps; with a few times its own at most, on which contacts act, if these touch the mechanism.
     """
     note_leaning(n, joints)
     most = HELD_WHERE_TOUCHED if joints.mechanisms[n, tb.M_TOUCHED] == 1 else inf
-    changed = False
+    column, changed = slowed_column(n, joints), False
     for node in range(joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]):
         i, place = joints.members[node + 1, tb.JOINED_SLOT], joints.places[node + 1]
         factors = joints.factors[node]
-        inverse_inertia = bodies.properties[i, tb.INVERSE_INERTIA]
         joints.sparse[node, tb.N_BODY] = i
-        mass, held = 1.0 / bodies.properties[i, tb.INVERSE_MASS], 0.0
-        place[tb.HELD_INVERSE_INERTIA] = 0.0
+        inverse_mass, inverse_inertia = slowed_inverses(i, column, bodies)
+        mass, held = 1.0 / inverse_mass, 0.0
+        place[tb.SLOWED_INVERSE_MASS], place[tb.HELD_INVERSE_INERTIA] = inverse_mass, 0.0
         if inverse_inertia > 0.0:
             held = inertia_held(1.0 / inverse_inertia, place[tb.LEANING], substep, most)
             place[tb.HELD_INVERSE_INERTIA] = 1.0 / held

@@ -75,11 +75,11 @@ def take_rates(n: int, warm: float, substep: float, bodies: Bodies, joints: Join
         fit_net(n, warm, substep, bodies, joints)
     elif hinged:
         if governed:
-            hang_tree(n, 0.0, bodies, joints)
+            hang_tree(n, 0.0, joints)
         fit_tree(n, substep, bodies, joints)
     else:
         if governed:
-            factor_mechanism(n, 0.0, bodies, joints)
+            factor_mechanism(n, 0.0, joints)
         keep_velocities(n, warm, substep, bodies, joints)
 
 

@@ -8,7 +8,7 @@ Cost: where islands are free, a visit to each body of their mechanisms before jo
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.energy.island_damping import place_from
-from tamias2d.engine.energy.step_energy import mass_and_inertia
+from tamias2d.engine.joints.slowed import slowed_column, slowed_inverses
 from tamias2d.engine.tables import Bodies, Islands, Joints, World
 from tamias2d.generated.definitions import angular_momentum
 
@@ -40,11 +40,12 @@ def add_angular_momenta(
 def angular_momentum_of(n: int, bodies: Bodies, joints: Joints) -> float:
     """Return the angular momentum of a mechanism about its first body, kg m^2/s."""
     first, last = joints.sparse[n, tb.I_NODE], joints.sparse[n + 1, tb.I_NODE]
-    root, whole = joints.sparse[first, tb.N_BODY], 0.0
+    root, whole, column = joints.sparse[first, tb.N_BODY], 0.0, slowed_column(n, joints)
     for node in range(first, last):
         i = joints.sparse[node, tb.N_BODY]
-        mass, inertia = mass_and_inertia(i, bodies.properties)
-        now = bodies.motion[i]
+        inverse_mass, inverse_inertia = slowed_inverses(i, column, bodies)
+        inertia = 1.0 / inverse_inertia if inverse_inertia > 0.0 else 0.0
+        mass, now = 1.0 / inverse_mass, bodies.motion[i]
         velocity = (now[tb.VX], now[tb.VY])
         whole += angular_momentum(
             mass, place_from(root, i, bodies), velocity, inertia, now[tb.SPIN]

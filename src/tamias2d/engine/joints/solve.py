@@ -99,7 +99,7 @@ def bring_to_aims(
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_position_errors(n, substep, bodies, joints)
         if k == 0:
-            first, most = max(first, size), energy_asked_of_rows(n, substep, bodies, joints)
+            first, most = max(first, size), energy_asked_of_rows(n, substep, joints)
         if turned and not size < before:
             take_impulses_back(n, 1.0, bodies, joints)  # no solution is near
             return
@@ -107,7 +107,7 @@ def bring_to_aims(
             return
         turned = size > SLOWLY * before
         if turned:
-            turn_rows(n, substep, bodies, joints)
+            turn_rows(n, substep, joints)
         solve_joint_errors(n, substep, most, bodies, joints)
         before = size
         if is_rejected(n, 0.0, bodies, joints):
@@ -121,12 +121,12 @@ def bring_to_aims(
             return
 
 
-def energy_asked_of_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+def energy_asked_of_rows(n: int, substep: float, joints: Joints) -> float:
     """Return the most energy that the errors of a mechanism may give it, J: any, of a mesh."""
     first = joints.mechanisms[n, tb.M_JOINT]
     if joints.mechanisms[n, tb.M_MESHED] == 1 or not may_yield(n, first, joints):
         return inf
-    return energy_asked(n, first, 0.0, substep, bodies, joints)
+    return energy_asked(n, first, 0.0, substep, joints)
 
 
 def take_impulses_back(n: int, share: float, bodies: Bodies, joints: Joints) -> None:
@@ -137,11 +137,11 @@ def take_impulses_back(n: int, share: float, bodies: Bodies, joints: Joints) -> 
             apply_joint_impulse(j, r, back, bodies, joints)
 
 
-def turn_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+def turn_rows(n: int, substep: float, joints: Joints) -> None:
     """Let the rows of a mechanism be those where its members are placed."""
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         rows_where_placed(j, joints)
-    factor_mechanism(n, substep, bodies, joints)
+    factor_mechanism(n, substep, joints)
 
 
 def keep_velocities(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -152,7 +152,7 @@ def keep_velocities(n: int, warm: float, substep: float, bodies: Bodies, joints:
     start_impulses(n, warm, joints)
     for _ in range(1 if joints.mechanisms[n, tb.M_MESHED] == 1 else 2):
         write_rates(n, bodies, joints)
-        most = energy_asked_of_rows(n, substep, bodies, joints)
+        most = energy_asked_of_rows(n, substep, joints)
         solve_joint_errors(n, 0.0, most, bodies, joints)
 
 
@@ -249,12 +249,12 @@ def solve_joint_errors(n: int, ahead: float, most: float, bodies: Bodies, joints
     says.
     """
     if joints.mechanisms[n, tb.M_MESHED] == 1:
-        iterate_mesh(n, bodies, joints)
+        iterate_mesh(n, joints)
     else:
         solve_directly(n, joints)
         if most < inf and not yields(n, joints) and not gain_of_rows(n, joints) <= most:
             let_yield(n, joints)
-            factor_mechanism(n, ahead, bodies, joints)
+            factor_mechanism(n, ahead, joints)
             solve_directly(n, joints)
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         for r in range(joints.joints[j, tb.J_ROWS]):

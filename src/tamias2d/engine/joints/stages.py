@@ -60,7 +60,7 @@ def begin_joints(substep: float, world: World) -> None:
                 begin_rows(n, joints)
             begin_impulses(n, world.control.progress[tb.IMPULSE_RATIO], joints)
             if joints.mechanisms[n, tb.M_HINGED] == 1 and joints.mechanisms[n, tb.M_MESHED] == 1:
-                begin_net(n, bodies, joints)
+                begin_net(n, joints)
             if joints.mechanisms[n, tb.M_IN_BLOCK] == 0 and joints.mechanisms[n, tb.M_WRITTEN] == 0:
                 write_mechanism(n, bodies, joints)
             note_limits(n, bodies, joints)

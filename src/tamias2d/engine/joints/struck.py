@@ -14,10 +14,10 @@ from tamias2d.engine.joints.linearise import factor_mechanism
 from tamias2d.engine.joints.moments import note_after_joints, note_before_joints
 from tamias2d.engine.joints.solve import solve_joint_errors, start_impulses, write_rates
 from tamias2d.engine.joints.tree_blocks import hang_block
-from tamias2d.engine.tables import Bodies, Joints, World
+from tamias2d.engine.tables import Joints, World
 
 
-def begin_struck(bodies: Bodies, joints: Joints) -> None:
+def begin_struck(joints: Joints) -> None:
     """Let go of the motors of struck mechanisms that have a maximum, and of springs."""
     for n in range(joints.counts[tb.MECHANISMS]):
         if is_governed_and_struck(n, joints):
@@ -27,9 +27,9 @@ def begin_struck(bodies: Bodies, joints: Joints) -> None:
                 if ends[tb.J_LAW] == tb.MOTOR and joints.laws[j, tb.LAW_MOST] < inf:
                     ends[tb.J_STATE] = tb.FREE_ROW
             if joints.mechanisms[n, tb.M_HINGED] == 1:
-                hang_tree(n, 0.0, bodies, joints)
+                hang_tree(n, 0.0, joints)
             else:
-                factor_mechanism(n, 0.0, bodies, joints)
+                factor_mechanism(n, 0.0, joints)
     for b in range(joints.counts[tb.TREE_BLOCKS]):
         if joints.tree_blocks[b, tb.T_SPRUNG] == 1 and has_status(b, tb.STRUCK, tb.STRUCK, joints):
             hang_block(b, 0.0, joints)

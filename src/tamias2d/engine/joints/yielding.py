@@ -92,9 +92,7 @@ def hold_again(n: int, joints: Joints) -> None:
             joints.numbers[j, tb.J_FIRMEST + k] = 0.0
 
 
-def energy_asked(
-    n: int, first: int, rates: float, substep: float, bodies: Bodies, joints: Joints
-) -> float:
+def energy_asked(n: int, first: int, rates: float, substep: float, joints: Joints) -> float:
     """Return the most energy, J, that the errors of a mechanism are likely to give it.
 
     Those of its joints from a first one on are looked at; the squares of others add up to so much,
@@ -108,7 +106,7 @@ def energy_asked(
         for r in range(ends[tb.J_ROWS]):
             firm, error = numbers[tb.J_FIRMNESS + r], numbers[tb.J_ERROR + r]
             if firm > 0.0 and ends[tb.J_LAW] >= tb.MOTOR:  # a motor may ask for any as it starts
-                yielding = yield_of_row(r, ends, numbers, bodies, joints)
+                yielding = yield_of_row(r, ends, numbers, joints)
                 sprung += spring_change(row_impulse(error, firm), yielding)
             elif firm > 0.0:
                 rates += numbers[tb.J_ARM + r] * error * (numbers[tb.J_ARM + r] * error)

@@ -9,6 +9,8 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.arrays.store import Store
 from tamias2d.engine.parts import part_substeps
 from tamias2d.generated import drag
+from tamias2d.generated.definitions import slowed_share
+from tamias2d.generated.joint_step import half_decay, slowed_mean
 from tamias2d.state import Array, IntArray
 
 _ONE, _OTHER, _NONE = (1.0, 0.0), (0.0, 1.0), (0.0, 0.0)
@@ -71,7 +73,7 @@ class Propagators:
 
 
 def propagators(rates: Array, times: Array, substeps: IntArray) -> Array:
-    """Return (l, k, 12), how bodies move in times (l,), s, and in a substep of each.
+    """Return (l, k, 20), how bodies move in times (l,), s, and in a substep of each.
 
     Rates are (k, 2). All are computed at once: of few bodies, calls cost more than numbers.
     """
@@ -79,4 +81,7 @@ def propagators(rates: Array, times: Array, substeps: IntArray) -> Array:
     slowed = rates[:, None, :]
     decay = drag.velocity(_ONE, _NONE, slowed, lengths)[0]
     gain, lift = drag.position(_NONE, _ONE, _OTHER, slowed, lengths)
-    return np.stack((decay, gain, lift), axis=-1).reshape(len(times), len(rates), 12)
+    left = slowed_share(gain, lengths)
+    mean = slowed_mean(left, half_decay(decay), substeps[:, None, None, None])
+    columns = np.stack((decay, gain, lift, left, mean), axis=-1)
+    return columns.reshape(len(times), len(rates), 20)

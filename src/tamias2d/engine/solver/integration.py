@@ -4,6 +4,7 @@ Cost: a visit to each body in each half of a substep.
 """
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.solver.slowed import slow_carried
 from tamias2d.engine.tables import Bodies, Control, Touching
 from tamias2d.generated.definitions import (
     acceleration,
@@ -43,8 +44,8 @@ def apply_forces(again: bool, first: int, last: int, bodies: Bodies, touching: T
     """Let forces change velocities for a substep, and contacts as they have before.
 
     The change by contacts so far is carried: impulses add up, so this is what a warm start of each
-    contact would do. In the first substep it is the warm start of the step, and bodies begin with
-    the velocities that were noted.
+    contact would do, less what drag takes of it. In the first substep it is the warm start of the
+    step, and bodies begin with the velocities that were noted.
     """
     for k in range(first, last):
         i = touching.active_by_slab[k]
@@ -57,6 +58,8 @@ def apply_forces(again: bool, first: int, last: int, bodies: Bodies, touching: T
             )
             bodies.motion[i, n] = free + state[tb.CONTACT_CHANGE + n]
             state[tb.SUBSTEP_START + n] = bodies.motion[i, n]
+        if state[tb.DRAG_FACTOR] < 1.0 or state[tb.DRAG_FACTOR + 2] < 1.0:
+            slow_carried(i, bodies)
 
 
 def integrate_positions(

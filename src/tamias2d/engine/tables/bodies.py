@@ -33,9 +33,10 @@ PROPAGATOR = _properties()  # row of its propagator
 JOINED = _properties()  # its place among the members of joints, 0 where it has none; negative
 # where these only rub
 
-# propagators (DD41): v' = DECAY v + GAIN a, x' = x + GAIN v + LIFT a
-DECAY, GAIN, LIFT = range(3)  # 1, s, s^2
-_propagators = Columns(3)
+# propagators (DD41): v' = DECAY v + GAIN a, x' = x + GAIN v + LIFT a. What is left of impulses is
+# SLOWED, or SLOWED_MEAN where the first and the last of a step act through half a substep
+DECAY, GAIN, LIFT, SLOWED, SLOWED_MEAN = range(5)  # 1, s, s^2, 1, 1
+_propagators = Columns(5)
 WHOLE_STEP = _propagators()  # of the velocity
 ANGULAR = _propagators()  # of the angular velocity; from ONE_SUBSTEP, too, so many columns on
 ONE_SUBSTEP = _propagators()

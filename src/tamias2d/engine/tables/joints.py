@@ -155,7 +155,8 @@ PLACE_ANGLE = _places()  # rad
 PLACE_COSINE = _places()
 PLACE_SINE = _places()
 LEANING = _places()  # N m, of joints that pull at the arms of the body
-HELD_INVERSE_INERTIA = _places()  # 1/(kg m^2), with which it counts in joints
+SLOWED_INVERSE_MASS = _places()  # 1/kg, with which it counts in joints, as drag slows it
+HELD_INVERSE_INERTIA = _places()  # 1/(kg m^2), likewise
 
 _impact_points = Columns()  # of a point of a mechanism that is struck
 STRUCK_PLACE = _impact_points()  # two for each lane of each block
