@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.joints import grouping, hinge_net, net_gradients
+from tamias2d.engine.joints import grouping, hinge_net, net_gradients, rows
 from tamias2d.engine.joints.yielding import REMOVED_BY_JOINTS
 from tamias2d.scene import JointSpring, Limits, Motor, Revolute, Scene
 from tamias2d.simulator import Simulator
@@ -61,7 +61,7 @@ def test_net_of_hinges_moves_as_any_mesh_does(monkeypatch: pytest.MonkeyPatch) -
             patch.setattr(grouping, "LOOPED", 0)
             patch.setattr(grouping, "FEW", 0)
             if not own:
-                patch.setattr(grouping, "is_net", lambda _: False)
+                patch.setattr(rows, "is_net", lambda _: False)
             sim = plain(net(4))
             sim.step(20)
         found.append(sim.position.copy())
@@ -125,7 +125,7 @@ def test_trees_of_hinges_move_as_any_mechanism_does(law: str, tied: str) -> None
     for tree in (True, False):
         with pytest.MonkeyPatch.context() as patch:
             if not tree:
-                patch.setattr(grouping, "hinge_tree", lambda *_: None)
+                patch.setattr(rows, "hinge_tree", lambda *_: None)
             sim = plain(scene)
             sim.step(20)
         found.append((sim.position.copy(), sim.reactions.force.copy()))
