@@ -588,7 +588,7 @@ def given_product(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD88, srs/models/island_energy.md:419.
+    Source: DD88, srs/models/island_energy.md:420.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -609,7 +609,7 @@ def energy_along_given(given_product: Scalar, change_energy: Scalar) -> Scalar:
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:422.
+    Source: DD88, srs/models/island_energy.md:423.
     """
     return given_product * given_product / (4 * change_energy)
 
@@ -634,7 +634,7 @@ def energy_along_given_left(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD88, srs/models/island_energy.md:423.
+    Source: DD88, srs/models/island_energy.md:424.
     """
     return largest(energy_along_given - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -662,7 +662,7 @@ def velocity_reduced(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:425.
+    Source: DD88, srs/models/island_energy.md:426.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -695,7 +695,7 @@ def angular_velocity_reduced(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:427.
+    Source: DD88, srs/models/island_energy.md:428.
     """
     return (
         angular_velocity
@@ -713,7 +713,7 @@ def energy_given(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Sca
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD87, srs/models/island_energy.md:476.
+    Source: DD87, srs/models/island_energy.md:477.
     """
     return kinetic_energy - kinetic_energy_start - work
 
@@ -728,7 +728,7 @@ def rising_energy(mass: Scalar, velocity: Vector, acceleration: Vector) -> Scala
         velocity: Velocity of the centre of mass, m/s
         acceleration: Acceleration of the centre of mass, m/s^2
 
-    Source: DD87, srs/models/island_energy.md:477.
+    Source: DD87, srs/models/island_energy.md:478.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -757,7 +757,7 @@ def rising_energy_left(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD87, srs/models/island_energy.md:479.
+    Source: DD87, srs/models/island_energy.md:480.
     """
     return largest(rising_energy - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -774,7 +774,7 @@ def velocity_rising_reduced(velocity: Vector, acceleration: Vector, damped_share
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: DD87, srs/models/island_energy.md:481.
+    Source: DD87, srs/models/island_energy.md:482.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -802,7 +802,7 @@ def lift_beyond_motion(energy_given: Scalar, kinetic_energy: Scalar) -> Scalar:
             it, J
         kinetic_energy: Energy of motion, turning included, J
 
-    Source: DD89, srs/models/island_energy.md:512.
+    Source: DD89, srs/models/island_energy.md:513.
     """
     return largest(energy_given - kinetic_energy, 0.0)
 
@@ -821,7 +821,7 @@ def support_work(
         support_rate: Normal velocity of a contact by the motion of its support alone, m/s
         support_slip: Tangential velocity of a contact by the motion of its support alone, m/s
 
-    Source: DD90, srs/models/island_energy.md:542.
+    Source: DD90, srs/models/island_energy.md:543.
     """
     return total_impulse * (largest(-support_rate, 0.0) + friction * abs(support_slip))
 
@@ -841,7 +841,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:599.
+    Source: DD66, srs/models/island_energy.md:600.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -862,7 +862,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:600.
+    Source: DD66, srs/models/island_energy.md:601.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -893,7 +893,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:601.
+    Source: DD66, srs/models/island_energy.md:602.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -920,7 +920,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:668.
+    Source: IM17, srs/models/island_energy.md:669.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -944,7 +944,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:670.
+    Source: IM17, srs/models/island_energy.md:671.
     """
     return least(
         sqrt(
@@ -973,7 +973,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:673.
+    Source: IM17, srs/models/island_energy.md:674.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -1005,7 +1005,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:675.
+    Source: IM17, srs/models/island_energy.md:676.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island
