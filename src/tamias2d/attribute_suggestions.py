@@ -17,6 +17,8 @@ def suggests_attributes(elsewhere: Mapping[str, str] | None = None) -> Callable[
     places = dict(elsewhere or {})
 
     def decorate(target: _Class) -> _Class:
+        """Return the class, whose objects do so."""
+
         def refuse(self: Any, name: str) -> Any:
             if name.startswith("_") or hasattr(type(self), name):  # a property may raise the error
                 return object.__getattribute__(self, name)
@@ -41,6 +43,7 @@ def names_elsewhere(elsewhere: Mapping[str, str]) -> Callable[[_Class], _Class]:
     """
 
     def decorate(target: _Class) -> _Class:
+        """Return the class, whose objects do so."""
         own = [name for name in dir(target) if not name.startswith("_")]
         places = {**meant_by(own), **elsewhere}
         absent = {name: hint for name, hint in places.items() if name not in own}

@@ -5,9 +5,10 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from tamias2d.generated import rotation, translation
+from tamias2d.motion.answers import Answers
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.dragged import Dragged
-from tamias2d.motion.joint_events import JointEvents, Mode, joint_events
+from tamias2d.motion.joint_events import JointEvents, joint_events
 from tamias2d.motion.law_resolution import LawResolution
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
 from tamias2d.motion.motion import Tally
@@ -21,7 +22,7 @@ from tamias2d.state import Acceleration, Array, Constraint, History, SharedConst
 from tamias2d.work_limit import Work
 
 
-class ClosedFormMotion:
+class ClosedFormMotion(Answers):
     """Exact paths, each to the end of the run."""
 
     def __init__(self, scene: Scene, duration: float) -> None:
@@ -84,30 +85,6 @@ class ClosedFormMotion:
     def struck(self, *_: object) -> dict[int, Acceleration]:
         """Return nothing: what has a closed form is held by no joint."""
         return {}
-
-    def moved(
-        self,
-        time: float,
-        bodies: Sequence[int],
-        impulses: Array,
-        state: StateOf,
-        *,
-        in_turns: bool = False,
-    ) -> Array:
-        """Return what impulses on bodies change."""
-        return self._loads.moved(time, bodies, impulses, state, in_turns=in_turns)
-
-    def pushed(self, time: float, bodies: Sequence[int], forces: Array, state: StateOf) -> Array:
-        """Return the accelerations by forces on bodies, with what joints answer as they do now."""
-        return self._loads.pushed(time, bodies, forces, state)
-
-    def joint_changes(self, bodies: Sequence[int], time: float) -> list[tuple[Mode, int]]:
-        """Return what joints of some bodies do at a time, s, and how many limits were struck."""
-        return self._loads.joint_changes(bodies, time)
-
-    def free(self, body: int, time: float, state: StateOf) -> Acceleration:
-        """Return the acceleration of an unconstrained body, at a time in s."""
-        return self._loads.acceleration(body, time, state)
 
     def history(self, times: Array) -> History:
         """Return the states at times (k,), s."""

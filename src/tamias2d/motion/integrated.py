@@ -8,13 +8,14 @@ import numpy as np
 
 from tamias2d.errors import TamiasError
 from tamias2d.motion.adaptive import Adaptive
+from tamias2d.motion.answers import Answers
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.error_equation import ErrorEquation, Watch, rule_beside
 from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.halved import Halved, Halving
 from tamias2d.motion.integrator import Integrator
 from tamias2d.motion.joint_code import JointCodes
-from tamias2d.motion.joint_events import JointEvents, Mode, joint_events
+from tamias2d.motion.joint_events import JointEvents, joint_events
 from tamias2d.motion.jointed_steps import JointedSteps
 from tamias2d.motion.law_resolution import LawResolution, States
 from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
@@ -41,7 +42,7 @@ _SHARE = 2  # of the steps since the last impact are taken at once: what is beyo
 _Batching: TypeAlias = FixedSteps | Adaptive | Halved | ErrorEquation
 
 
-class IntegratedMotion:
+class IntegratedMotion(Answers):
     """Paths by an integrator; what is static stands still."""
 
     def __init__(
@@ -188,30 +189,6 @@ class IntegratedMotion:
     ) -> dict[int, Acceleration]:
         """Return what impulses on jointed bodies change at a time in s, in their mechanisms."""
         return self._loads.struck(time, impulses, state)
-
-    def moved(
-        self,
-        time: float,
-        bodies: Sequence[int],
-        impulses: Array,
-        state: StateOf,
-        *,
-        in_turns: bool = False,
-    ) -> Array:
-        """Return what impulses on bodies change at a time in s, with what joints answer."""
-        return self._loads.moved(time, bodies, impulses, state, in_turns=in_turns)
-
-    def pushed(self, time: float, bodies: Sequence[int], forces: Array, state: StateOf) -> Array:
-        """Return the accelerations by forces on bodies, with what joints answer as they do now."""
-        return self._loads.pushed(time, bodies, forces, state)
-
-    def joint_changes(self, bodies: Sequence[int], time: float) -> list[tuple[Mode, int]]:
-        """Return what joints of some bodies do at a time, s, and how many limits were struck."""
-        return self._loads.joint_changes(bodies, time)
-
-    def free(self, body: int, time: float, state: StateOf) -> Acceleration:
-        """Return the acceleration of an unconstrained body, at a time in s."""
-        return self._loads.acceleration(body, time, state)
 
     def history(self, times: Array) -> History:
         """Return the states at sorted times (k,), s: all bodies at once."""
