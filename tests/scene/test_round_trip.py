@@ -58,7 +58,14 @@ singles = st.one_of(
     polygons(),
 )
 places_near = st.tuples(st.floats(-1e6, 1e6), st.floats(-1e6, 1e6))
-parts = st.builds(Part, shape=singles, position=places_near, orientation=numbers)
+parts = st.builds(
+    Part,
+    shape=singles,
+    position=places_near,
+    orientation=numbers,
+    restitution=fractions,
+    friction=st.none() | st.floats(0, 3),
+)
 
 
 @st.composite

@@ -145,3 +145,37 @@ def test_what_no_peer_can_mix_is_refused():
     for engine in (Box2D, Chipmunk):
         with pytest.raises(PeerError, match="surfaces that run"):
             engine(scene, DT)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("turn", [0.0, math.pi])
+def test_a_part_rubs_as_it_states(engine, turn):
+    """The same with a runner of 0.4 below a body of 0.1: 0.6 there, 0.3 with its back down."""
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), friction=0.9, restitution=0.0)
+    board = t2.Box(width=1.0, height=0.1)
+    parts = [
+        t2.Part(shape=board, position=(0.0, -0.05), friction=0.4),
+        t2.Part(shape=board, position=(0.0, 0.05)),
+    ]
+    scene.add_body(
+        t2.Compound(parts=parts), mass=1.0, position=(0.0, 0.1), velocity=(2.0, 0.0),
+        orientation=turn, friction=0.1, restitution=0.0,
+    )  # fmt: skip
+    world = engine(scene, DT)
+    for _ in range(120):
+        world.step()
+    braked = 10.0 * (0.3 if turn else 0.6)
+    assert world.state()[1, 0] == pytest.approx(4.0 / (2 * braked), abs=0.05)
+
+
+@pytest.mark.parametrize("engine", PEERS)
+def test_parts_that_bounce_otherwise_are_refused(engine):
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    ends = [
+        t2.Part(shape=t2.Disc(radius=0.5), position=(x, 0.0), restitution=value)
+        for x, value in ((-1.0, 0.5), (1.0, None))
+    ]
+    scene.add_body(t2.Compound(parts=ends), mass=1.0, position=(0.0, 0.0), restitution=0.0)
+    with pytest.raises(PeerError, match="restitution: differs from pair to pair"):
+        engine(scene, DT)

@@ -209,8 +209,21 @@ class Engine(StepCalls):
         return self._pool.set_filters(rows, columns)
 
     def set_surfaces(self, rows: NDArray[np.int64], columns: Mapping[int, Array]) -> bool:
-        """Set columns of the material of bodies, each (k,); return whether any changed."""
+        """State columns of the material of bodies, each (k,); return whether any changed."""
         return self._pool.set_surfaces(rows, columns)
+
+    def set_part_surfaces(
+        self, rows: NDArray[np.int64], parts: NDArray[np.int64], columns: Mapping[int, Array]
+    ) -> bool:
+        """State columns of the material of a part of each body (k,); return whether any changed.
+
+        The engine has settled.
+        """
+        return self._pool.set_part_surfaces(rows, parts, columns)
+
+    def count_parts(self, rows: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Return how many parts bodies have (k,), 0 for those that are of one piece, or chains."""
+        return self._pool.count_parts(rows)
 
     def set_masses(
         self, rows: NDArray[np.int64], columns: Mapping[int, Array], rates: Array

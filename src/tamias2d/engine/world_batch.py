@@ -64,13 +64,15 @@ def begin_world(given: Array, stands_for: Integers, world: World) -> None:
         for n in range(2):
             state.properties[b, tb.INVERSE_MASS + n] = own[START_INVERSE + n]
             bodies.properties[slot, tb.INVERSE_MASS + n] = own[START_INVERSE + n]
-    material = world.shapes.material
+    material, stated = world.shapes.material, world.shapes.stated
     for s in range(len(material)):
         b = state.body_of_shape[s]
         if b < size:
             own = given[GRAVITY + START * stands_for[b] :]
-            for n in range(3):
-                material[s, tb.FRICTION + n] = own[START_SURFACE + n]
+            for n in (tb.FRICTION, tb.RESTITUTION):
+                if stated[s, tb.BY_PART + n] < 0.0:
+                    material[s, n] = own[START_SURFACE + n]
+            material[s, tb.SURFACE_SPEED] = own[START_SURFACE + tb.SURFACE_SPEED]
 
 
 def step_to_stops(stops: Ranks, stands_for: Integers, states: Array, world: World) -> bool:

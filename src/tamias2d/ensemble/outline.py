@@ -4,18 +4,19 @@ Serves: whoever changes single values of a scene. Hides: how a scene is taken ap
 together again, every value checked as in any other scene.
 """
 
-from collections.abc import Mapping
-from dataclasses import fields
+from collections.abc import Mapping, Sequence
+from dataclasses import fields, replace
 from typing import Any
 
 from tamias2d.ensemble.joint_values import values_of, with_values
-from tamias2d.scene import Body, Box, Capsule, Disc, HalfPlane, Scene, Segment
+from tamias2d.scene import Body, Box, Capsule, Compound, Disc, HalfPlane, Scene, Segment
 from tamias2d.scene.law import StateLaw
 
 Outline = dict[str, Any]
 """Keys are those of scene files; bodies and joints by name, pairs by both names, springs listed."""
 
 _SURFACE = ("restitution", "friction", "category", "mask", "group", "sensor")
+_OF_PART = ("restitution", "friction")
 _PLACE = ("position", "orientation")
 _MOTION = ("velocity", "angular_velocity")
 _LOADS = ("force", "torque", "linear_drag", "quadratic_drag", "angular_drag")
@@ -86,6 +87,10 @@ def _values(body: Body) -> dict[str, Any]:
     values = {key: _stated(getattr(body, key)) for key in keys}
     if not body.inertia_stated and body.dynamic:
         values["inertia"] = None
+    if isinstance(body.shape, Compound):
+        values["parts"] = [
+            {key: getattr(part, key) for key in _OF_PART} for part in body.shape.parts
+        ]
     return values | {size: getattr(body.shape, size) for size in _SIZES.get(type(body.shape), ())}
 
 
@@ -94,13 +99,21 @@ def _add(scene: Scene, body: Body, values: Mapping[str, Any]) -> None:
     shape: Any = body.shape
     if sizes:
         shape = type(shape)(**{size: values[size] for size in sizes})
-    rest = {key: value for key, value in values.items() if key not in sizes}
+    if isinstance(shape, Compound):
+        shape = _with_surfaces(shape, values["parts"])
+    rest = _without(values, *sizes, "parts")
     add: Any = scene.add_static
     if body.dynamic:
         add = scene.add_body
     elif body.kinematic:
         add = scene.add_kinematic
     add(shape, name=body.name, **rest)
+
+
+def _with_surfaces(shape: Compound, parts: Sequence[Mapping[str, Any]]) -> Compound:
+    """Return a compound whose parts state other surfaces; the same one where they are equal."""
+    changed = tuple(replace(part, **own) for part, own in zip(shape.parts, parts, strict=True))
+    return shape if changed == shape.parts else Compound(parts=changed)
 
 
 def _of_pairs(values: Mapping[tuple[int, int], float], names: list[str]) -> dict[Any, float]:

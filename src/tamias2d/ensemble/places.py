@@ -17,7 +17,7 @@ from tamias2d.spec.symbols import Symbol
 from tamias2d.suggestions import nearest
 
 _SYMBOLS = {"anchor": "arm", "other_anchor": "arm", "point": "position"}
-_NOT_NUMBERS = ("category", "mask", "group", "sensor", "first", "second")
+_NOT_NUMBERS = ("category", "mask", "group", "sensor", "first", "second", "parts")
 _PAIRS = ("restitution_of_pairs", "friction_of_pairs")
 _AXES = ("x", "y")
 
@@ -99,7 +99,12 @@ def _among(
     owner: tuple[Any, ...], values: Mapping[str, Any], rest: str
 ) -> Iterator[tuple[tuple[Any, ...], Symbol]]:
     key, _, component = rest.partition(".")
-    if key in values and key not in _NOT_NUMBERS:
+    if key == "parts" and key in values:
+        number, _, rest = component.partition(".")
+        for k, own in enumerate(values[key]):
+            if number == str(k):
+                yield from _among((*owner, key, k), own, rest)
+    elif key in values and key not in _NOT_NUMBERS:
         yield from _ended((*owner, key), _SYMBOLS.get(key, key), component)
 
 
@@ -155,6 +160,10 @@ def _near(path: str, outline: Outline) -> str | None:
 
 def _near_key(owner: str, values: Mapping[str, Any], rest: str) -> str | None:
     key, _, component = rest.partition(".")
+    if key == "parts" and key in values:
+        number, _, rest = component.partition(".")
+        parts = _numbered(values[key])
+        return _near_key(f"{owner}.parts.{number}", parts.get(number, {}), rest)
     near = nearest(key, [known for known in values if known not in _NOT_NUMBERS])
     if near and component and SYMBOLS[_SYMBOLS.get(near, near)].shape == "vector":
         return f"{owner}.{near}.{nearest(component, _AXES) or 'x'}"
@@ -162,7 +171,7 @@ def _near_key(owner: str, values: Mapping[str, Any], rest: str) -> str | None:
 
 
 def _numbered(owners: Sequence[Any] | None) -> dict[str, Any]:
-    """Return springs by number."""
+    """Return springs, or parts of a compound, by number."""
     return {str(k): values for k, values in enumerate(owners or ())}
 
 

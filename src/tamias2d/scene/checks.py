@@ -49,27 +49,6 @@ def checked_spin(value: object, of: str) -> float:
     return number(value, "angular_velocity", of, "Give it in rad/s.", at=("angular_velocity",))
 
 
-def checked_restitution(value: object, of: str) -> float:
-    """Return a restitution, 0 to 1."""
-    return number(value, "restitution", of, "Give a number from 0 to 1.", at=("restitution",))
-
-
-def optional_restitution(value: object, of: str) -> float | None:
-    """Return a restitution, or None where none is stated."""
-    return None if value is None else checked_restitution(value, of)
-
-
-def checked_friction(value: object, of: str) -> float:
-    """Return a coefficient of friction, which is not negative."""
-    remedy = "Give a number such as 0.5, or 0 for a smooth surface."
-    return number(value, "friction", of, remedy, at=("friction",))
-
-
-def optional_friction(value: object, of: str) -> float | None:
-    """Return a coefficient of friction, or None where none is stated."""
-    return None if value is None else checked_friction(value, of)
-
-
 def checked_surface_speed(value: object, of: str) -> float:
     """Return a speed of a surface, m/s."""
     return number(value, "surface_speed", of, REMEDY_OF_SURFACE_SPEED, at=("surface_speed",))

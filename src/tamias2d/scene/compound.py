@@ -1,7 +1,7 @@
 """Bodies of several shapes that move as one."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeAlias, cast
 
 import numpy as np
@@ -10,6 +10,7 @@ from tamias2d.generated import definitions
 from tamias2d.scene.chain import Chain
 from tamias2d.scene.rules import RuleError, Vector, number, sequence, shown, vector
 from tamias2d.scene.shapes import Box, Capsule, Disc, HalfPlane, Polygon, Segment, Single
+from tamias2d.scene.surface_values import optional_friction, optional_restitution
 from tamias2d.suggestions import suggests
 
 _LOST = 1e-3  # of a side, by which rounding may move one end against the other
@@ -19,11 +20,16 @@ _SINGLES = (Disc, Box, Polygon, Capsule, Segment)
 @suggests
 @dataclass(frozen=True, kw_only=True)
 class Part:
-    """One `shape` of a body: where its centre of mass is, m, and how it is turned, rad."""
+    """One `shape` of a body: where its centre of mass is, m, and how it is turned, rad.
+
+    It has the `restitution` and the `friction` of its body where it states none of its own.
+    """
 
     shape: Single
     position: Vector = (0.0, 0.0)
     orientation: float = 0.0
+    restitution: float | None = None
+    friction: float | None = None
 
     def __post_init__(self) -> None:
         if not isinstance(self.shape, _SINGLES):
@@ -38,8 +44,14 @@ class Part:
         angle = number(
             self.orientation, "orientation", "a part", "Give it in rad.", at=("orientation",)
         )
-        object.__setattr__(self, "position", position)
-        object.__setattr__(self, "orientation", angle)
+        checked = {
+            "position": position,
+            "orientation": angle,
+            "restitution": optional_restitution(self.restitution, "a part"),
+            "friction": optional_friction(self.friction, "a part"),
+        }
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
 
     @property
     def core(self) -> tuple[Vector, ...]:
@@ -79,12 +91,7 @@ class Compound:
                 "parts",
             )
         pieces = tuple(
-            Part(
-                shape=part.shape,
-                position=(part.position[0] - x, part.position[1] - y),
-                orientation=part.orientation,
-            )
-            for part in given
+            replace(part, position=(part.position[0] - x, part.position[1] - y)) for part in given
         )
         for k, piece in enumerate(pieces):
             _refuse_lost_sides(piece, k)

@@ -17,6 +17,7 @@ from tamias2d.scene.rules import number
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.scene.shapes import Disc
+from tamias2d.scene.surfaces import surface_values
 from tamias2d.suggestions import suggests
 
 _TURNED = {"orientation", "angular_velocity"}
@@ -240,7 +241,11 @@ class _Inquiry:
     def rough(self) -> list[Body]:
         """The bodies with friction, of their own or as one of a pair; static ones too."""
         paired = {k for pair, value in self.scene.friction_of_pairs.items() if value for k in pair}
-        return [body for k, body in enumerate(self.scene.bodies) if body.friction or k in paired]
+        return [
+            body
+            for k, body in enumerate(self.scene.bodies)
+            if k in paired or any(surface_values(body, "friction"))
+        ]
 
     def rubs(self) -> tuple[bool, str]:
         if not self.pairs:

@@ -22,6 +22,7 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "none": (),
 }
 _MAY = {"chain": ("loop", "one_sided")}
+_OF_PART = ("position", "orientation", "restitution", "friction")
 _SHAPES: dict[str, Callable[..., Shape]] = {
     "disc": Disc,
     "box": Box,
@@ -74,10 +75,8 @@ def _part(raw: object, k: int) -> Part:
     what = f"part {k}"
     with within("parts", k):
         keys = shape_keys(raw, what)
-        part = mapping(raw, what, must=("shape", *keys), may=("position", "orientation"))
+        part = mapping(raw, what, must=("shape", *keys), may=_OF_PART)
         values: dict[str, Any] = {
-            key: read_value(part[key], key, (key,))
-            for key in ("position", "orientation")
-            if key in part
+            key: read_value(part[key], key, (key,)) for key in _OF_PART if key in part
         }
         return Part(shape=read_shape(part, what), **values)  # type: ignore[arg-type]  # it checks

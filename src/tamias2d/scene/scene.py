@@ -13,17 +13,13 @@ from tamias2d.scene.checks import (
     checked_angle,
     checked_drag,
     checked_duration,
-    checked_friction,
     checked_inertia,
     checked_mass,
     checked_name,
-    checked_restitution,
     checked_spin,
     checked_surface_speed,
     checked_text,
     checked_velocity,
-    optional_friction,
-    optional_restitution,
     refuse_placed_half_plane,
     refuse_shape,
     refuse_turned,
@@ -40,6 +36,12 @@ from tamias2d.scene.law import checked_force, checked_law
 from tamias2d.scene.rules import RuleError, VectorLike, number, sequence, shown, vector
 from tamias2d.scene.scene_data import SceneData
 from tamias2d.scene.springs import checked_spring, refuse_spring
+from tamias2d.scene.surface_values import (
+    checked_friction,
+    checked_restitution,
+    optional_friction,
+    optional_restitution,
+)
 from tamias2d.scene.writing import scene_text
 from tamias2d.suggestions import suggests
 

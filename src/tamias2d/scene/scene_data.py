@@ -5,6 +5,7 @@
 
 from collections.abc import Iterator
 from numbers import Integral
+from typing import TypeAlias
 
 from tamias2d.errors import SceneError
 from tamias2d.generated import definitions
@@ -14,7 +15,11 @@ from tamias2d.scene.filters import may_touch
 from tamias2d.scene.joints import Joint, kept_apart
 from tamias2d.scene.rules import RuleError, Vector, shown
 from tamias2d.scene.springs import Spring
+from tamias2d.scene.surfaces import SurfaceKey, surface_value
 from tamias2d.suggestions import suggests
+
+PairOfParts: TypeAlias = tuple[int | None, int | None]
+"""Numbers of parts of two bodies, in the order of their compounds; None for the body as one."""
 
 
 @suggests
@@ -100,19 +105,20 @@ class SceneData:
         """The pairs of bodies, the lower index first, that do not touch because a joint says so."""
         return kept_apart(self._joints)
 
-    def restitution(self, i: int, j: int) -> float:
+    def restitution(self, i: int, j: int, *, parts: PairOfParts = (None, None)) -> float:
         """Return the restitution with which bodies i and j part.
 
         It is what was set for the pair, else what their own make of it (`pair_restitution`), else
-        the one that only one of them states.
+        the one that only one of them states. Of compounds name the `parts` that touch, by their
+        numbers: for None what the body states is taken, not what any part of it does.
 
         Raises:
             SceneError: nothing states it (R3).
+            InputError: there is no such part.
         """
         if (set_for_pair := self._of_pairs.get((min(i, j), max(i, j)))) is not None:
             return set_for_pair
-        own = (self._bodies[i].restitution, self._bodies[j].restitution)
-        stated = [value for value in own if value is not None]
+        stated = [x for x in self._stated((i, j), parts, "restitution") if x is not None]
         if not stated:
             raise SceneError(
                 f"{self.place_of(i, j)}restitution of the pair {self._pair(i, j)}: not stated, and "
@@ -121,15 +127,18 @@ class SceneData:
             )
         return float(definitions.pair_restitution(stated[0], stated[-1]))
 
-    def friction(self, i: int, j: int) -> float:
+    def friction(self, i: int, j: int, *, parts: PairOfParts = (None, None)) -> float:
         """Return the coefficient of friction between bodies i and j.
 
         It is what was set for the pair, else what their own make of it (`pair_friction`), else the
-        one that only one of them states, and 0 where nothing does.
+        one that only one of them states, and 0 where nothing does. `parts` are as in `restitution`.
+
+        Raises:
+            InputError: there is no such part.
         """
         if (set_for_pair := self._friction_of_pairs.get((min(i, j), max(i, j)))) is not None:
             return set_for_pair
-        first, second = self._bodies[i].friction, self._bodies[j].friction
+        first, second = self._stated((i, j), parts, "friction")
         if first is None or second is None:
             return first or second or 0.0
         return float(definitions.pair_friction(first, second))
@@ -179,6 +188,13 @@ class SceneData:
         """Return where a file has the first of some bodies that it has, as messages begin."""
         places = (self._bodies[k].where for k in bodies)
         return next((f"{where}: " for where in places if where), "")
+
+    def _stated(
+        self, pair: tuple[int, int], parts: PairOfParts, key: SurfaceKey
+    ) -> list[float | None]:
+        """Return what two bodies state, or the parts of them that are named."""
+        given = zip(pair, parts, strict=True)
+        return [surface_value(self._bodies[k], part, key) for k, part in given]
 
     def _pair(self, i: int, j: int) -> str:
         return f"'{self._bodies[i].name}' and '{self._bodies[j].name}'"

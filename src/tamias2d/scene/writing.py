@@ -90,9 +90,7 @@ def _body(body: Body) -> Iterator[str]:
 
 
 def _surface(body: Body) -> Iterator[str]:
-    for key in ("restitution", "friction"):
-        if (value := getattr(body, key)) is not None:
-            yield f"{key}: {value!r}"
+    yield from _parting(body)
     if body.surface_speed:
         yield f"surface_speed: {_quantity(body.surface_speed, 'surface_speed')}"
     for key, usual in (("category", 1), ("mask", ALL), ("group", 0)):
@@ -100,6 +98,12 @@ def _surface(body: Body) -> Iterator[str]:
             yield f"{key}: {bits}"
     if body.sensor:
         yield "sensor: true"
+
+
+def _parting(of: Body | Part) -> Iterator[str]:
+    for key in ("restitution", "friction"):
+        if (value := getattr(of, key)) is not None:
+            yield f"{key}: {value!r}"
 
 
 def _shape(shape: Shape | None) -> Iterator[str]:
@@ -153,6 +157,7 @@ def _part(part: Part) -> Iterator[str]:
         yield f"position: {_vector(part.position, 'position')}"
     if part.orientation:
         yield f"orientation: {_quantity(part.orientation, 'orientation')}"
+    yield from _parting(part)
 
 
 def _pairs(key: str, scene: SceneData, values: dict[tuple[int, int], float]) -> Iterator[str]:

@@ -22,6 +22,7 @@ from tamias2d.simulator.columns import numbers, stated
 from tamias2d.simulator.constitution import DRAGS, masses, refuse_tiny, stated_inertias
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.masses import Masses, masses_now, weigh
+from tamias2d.simulator.missing_restitution import refuse_reshaped
 from tamias2d.simulator.selection import Bodies
 from tamias2d.simulator.stepping import Stepping
 from tamias2d.state import Array, IntArray
@@ -94,10 +95,11 @@ class Altering(Stepping):
         """Give bodies other shapes, from the next step on; all else of them stays (R2).
 
         `shape` is one for all of k bodies, or a list of k. It is about the centre of mass, whose
-        `position` stays, and so do velocities, names, joints, springs, filters and surfaces. The
-        mass stays where `mass` does not say another one, as for `set_mass`. The inertia is that of
-        the new shape; one that was stated stays as it is, in proportion to the mass, where
-        `inertia` does not say another one.
+        `position` stays, and so do velocities, names, joints, springs, filters and surfaces, but
+        for what parts of a compound state themselves: that is what the new one says. The mass stays
+        where `mass` does not say another one, as for `set_mass`. The inertia is that of the new
+        shape; one that was stated stays as it is, in proportion to the mass, where `inertia` does
+        not say another one.
 
         A pair that pushed each other in the step before, and do so in the next one, does not begin
         anew; one that does not is told in `ended`, though it may still meet. What overlaps then is
@@ -107,10 +109,12 @@ class Altering(Stepping):
         Raises:
             InputError: a body is not there, has no shape, may not have such a one, or a value
                 breaks a rule (R4).
+            SceneError: bodies can meet now for which no restitution is stated.
         """
         rows = self._rows(bodies)
         given = listed_shapes(shape, len(rows), _OF)
         self._refuse_shapes(rows, given)
+        refuse_reshaped(self._engine, rows, given, self._name_of, self._joints)
         for key, value in (("mass", mass), ("inertia", inertia)):
             if value is not None:
                 self._refuse_unpushed(rows, key)

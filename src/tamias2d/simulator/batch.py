@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tamias2d.engine.bodies.batch import UNSTATED, Batch
+from tamias2d.engine.bodies.batch import Batch, as_stated
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.generated import drag
 from tamias2d.scene import Body, Scene
@@ -28,7 +28,8 @@ def scene_batch(scene: Scene) -> Batch:
     starts = [(*b.position, b.orientation, *b.velocity, b.angular_velocity) for b in bodies]
     loads = [steady_load(scene, k) for k in range(len(bodies))]
     surfaces = [
-        (_stated(body.friction), _stated(body.restitution), body.surface_speed) for body in bodies
+        (as_stated(body.friction), as_stated(body.restitution), body.surface_speed)
+        for body in bodies
     ]
     return Batch(
         np.hstack(
@@ -78,10 +79,6 @@ def _are_zero(*drags: Column) -> bool:
 
 def _kind(body: Body) -> int:
     return DYNAMIC if body.dynamic else KINEMATIC if body.kinematic else STATIC
-
-
-def _stated(value: float | None) -> float:
-    return UNSTATED if value is None else value
 
 
 def _rows(values: Sequence[tuple[float, ...]], width: int) -> Array:

@@ -10,6 +10,7 @@ from tamias2d.scene import Body
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL
 from tamias2d.simulator.masses import masses_now
+from tamias2d.state import Array
 
 
 def body_now(engine: Engine, row: int, name: str) -> Body:
@@ -48,18 +49,22 @@ def _convex_row(engine: Engine, place: int) -> ConvexRow:
     shapes = engine.world.shapes
     first, count = int(shapes.first[place]), int(shapes.vertex_count[place])
     vertices = shapes.local_vertices[first : first + count]
-    return ConvexRow(int(shapes.kind[place]), float(shapes.radius[place]), vertices)
+    surface = _surface(shapes.stated[place, tb.BY_PART : tb.BY_BODY])
+    return ConvexRow(int(shapes.kind[place]), float(shapes.radius[place]), vertices, **surface)
+
+
+def _surface(stated: Array) -> dict[str, float | None]:
+    friction, restitution = (None if x == UNSTATED else x for x in stated.tolist())
+    return {"friction": friction, "restitution": restitution}
 
 
 def _of_shape(engine: Engine, place: int) -> dict[str, object]:
     """Return what a body has by each of its shapes alike."""
     shapes = engine.world.shapes
-    friction, restitution, speed = shapes.material[place, : tb.SHAPE_RADIUS].tolist()
     category, mask, group, sensor = shapes.filters[place].tolist()
     return {
-        "friction": None if friction == UNSTATED else friction,
-        "restitution": None if restitution == UNSTATED else restitution,
-        "surface_speed": speed,
+        **_surface(shapes.stated[place, tb.BY_BODY :]),
+        "surface_speed": float(shapes.material[place, tb.SURFACE_SPEED]),
         "category": category,
         "mask": mask,
         "group": group,

@@ -1,6 +1,6 @@
 """No pair that can meet is without a restitution (R3); bodies alike are looked at once."""
 
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from itertools import combinations_with_replacement, product
 from typing import NamedTuple
 
@@ -8,15 +8,16 @@ import numpy as np
 
 from tamias2d.engine.bodies.batch import UNSTATED, Batch
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.tables import DYNAMIC, SENSOR
+from tamias2d.engine.tables import BY_BODY, DYNAMIC, RESTITUTION, SENSOR
 from tamias2d.errors import SceneError
+from tamias2d.scene.compound import Compound, Shape
 from tamias2d.scene.filters import may_touch
 from tamias2d.scene.joints import Joint, kept_apart
 from tamias2d.state import IntArray
 
 
 class _Class(NamedTuple):
-    """What bodies that state no restitution have in common."""
+    """What bodies have in common of which something states no restitution."""
 
     dynamic: int
     category: int
@@ -61,6 +62,37 @@ def refuse_refiltered(
         _refuse(new, present, named, engine.stated_restitutions() | kept_apart(joints))
 
 
+def refuse_reshaped(
+    engine: Engine,
+    rows: IntArray,
+    shapes: Sequence[Shape],
+    named: Callable[[int], str],
+    joints: Iterable[Joint],
+) -> None:
+    """Raise `SceneError` if a body that gets another shape can meet one without a restitution.
+
+    Bodies (k,) get k shapes, the last one of several; joints keep pairs apart.
+    """
+    given = dict(zip(rows.tolist(), shapes, strict=True))
+    table, owner = engine.world.shapes, engine.world.state.body_of_shape
+    silent = (table.stated[:, BY_BODY + RESTITUTION] < 0.0) & (table.filters[:, SENSOR] == 0)
+    new = {
+        row: _Class(int(engine.kind[row] == DYNAMIC), *table.filters[place, :SENSOR].tolist())
+        for place in np.flatnonzero(silent & np.isin(owner, rows)).tolist()
+        if _is_silent(given[row := int(owner[place])])
+    }
+    if new:
+        present = {row: what for row, what in _present(engine) if row not in given}
+        _refuse(new, present, named, engine.stated_restitutions() | kept_apart(joints))
+
+
+def _is_silent(shape: Shape | None) -> bool:
+    """Return whether a part of a shape states no restitution, so that its body has to."""
+    if isinstance(shape, Compound):
+        return any(part.restitution is None for part in shape.parts)
+    return shape is not None
+
+
 def _refuse(
     new: Mapping[int, _Class],
     present: Mapping[int, _Class],
@@ -88,7 +120,7 @@ def _refuse(
 def _new(batch: Batch, first: int) -> Iterator[tuple[int, _Class]]:
     silent = (batch.surfaces[:, 1] < 0.0) & (batch.filters[:, SENSOR] == 0)
     for k in np.flatnonzero(silent).tolist():
-        if batch.shapes[k] is not None:
+        if _is_silent(batch.shapes[k]):
             dynamic = int(batch.kind[k] == DYNAMIC)
             yield first + k, _Class(dynamic, *batch.filters[k, :SENSOR].tolist())
 

@@ -1,5 +1,7 @@
 """What bodies touch, and how, is changed between steps: filters and surfaces (R3)."""
 
+import numpy as np
+
 from tamias2d.engine.tables import (
     CATEGORY,
     DYNAMIC,
@@ -10,7 +12,8 @@ from tamias2d.engine.tables import (
     SURFACE_SPEED,
 )
 from tamias2d.scene.filters import checked_whole
-from tamias2d.scene.rules import RuleError
+from tamias2d.scene.rules import RuleError, checked_count
+from tamias2d.scene.surfaces import fault_of_part
 from tamias2d.simulator.columns import numbers, stated, wholes
 from tamias2d.simulator.constitution import SURFACE
 from tamias2d.simulator.exclusive import exclusive
@@ -68,15 +71,18 @@ class TouchingRules(Stepping):
         friction: object = None,
         restitution: object = None,
         surface_speed: object = None,
+        part: object = None,
     ) -> None:
         """Change friction, restitution and surface speed of bodies, from the next step on (R3).
 
         Each is a number for all of k bodies, or an array (k,); what is left out stays, and so does
-        what is set for a pair. What sleeps on a surface that changes wakes. It takes some 60
-        microseconds, and the next step looks for pairs.
+        what is set for a pair. With `part`, a whole number or an array (k,), it is what one part of
+        each body states, by its number in the compound; without, it is what the bodies state, which
+        counts for the parts that state none. What sleeps on a surface that changes wakes. It takes
+        some 60 microseconds, and the next step looks for pairs.
 
         Raises:
-            InputError: a body is not there, or a value breaks a rule (R4).
+            InputError: a body or a part is not there, or a value breaks a rule (R4).
         """
         rows = self._rows(bodies)
         said = {"friction": friction, "restitution": restitution, "surface_speed": surface_speed}
@@ -86,7 +92,30 @@ class TouchingRules(Stepping):
         }
         if surface_speed is not None:
             self._refuse_running(rows)
-        self._engine.set_surfaces(rows, columns)
+            self._refuse_part_that_runs(part)
+        if part is None:
+            self._engine.set_surfaces(rows, columns)
+            return
+        self._settle_between()
+        self._engine.set_part_surfaces(rows, self._checked_parts(rows, part), columns)
+
+    def _checked_parts(self, rows: IntArray, part: object) -> IntArray:
+        """Return the number of a part of each body (k,), or raise `RuleError`."""
+        given = wholes(part, "part", _OF, count=len(rows), check=_checked_part)
+        counts = self._engine.count_parts(rows)
+        wrong = np.flatnonzero(given >= counts)
+        if len(wrong):
+            row, found, count = (int(of[wrong[0]]) for of in (rows, given, counts))
+            raise RuleError(fault_of_part(self._name_of(row), found, count), "part")
+        return given
+
+    def _refuse_part_that_runs(self, part: object) -> None:
+        if part is not None:
+            raise RuleError(
+                "surface_speed of a part: the surface of a body runs as one (DD97). Leave `part` "
+                "out.",
+                "part",
+            )
 
     def _refuse_running(self, rows: IntArray) -> None:
         """Refuse a surface that runs on bodies that move freely (DD97)."""
@@ -97,3 +126,7 @@ class TouchingRules(Stepping):
                 "have surfaces that run (DD97). Drive a wheel by a motor of its joint.",
                 "surface_speed",
             )
+
+
+def _checked_part(value: object, key: str, of: str) -> int:  # noqa: ARG001
+    return checked_count(value, key, 0, remedy="Give the number of a part.")

@@ -9,6 +9,7 @@ from tamias2d.float64 import EPSILON
 from tamias2d.generated import definitions
 from tamias2d.run import Run
 from tamias2d.scene import Freedom, Scene
+from tamias2d.scene.surfaces import surface_values
 from tamias2d.state import Array
 from tamias2d.study.error import radii
 
@@ -61,7 +62,7 @@ def energy_error(scene: Scene, energy: Array, kinetic: Array) -> float | None:
 
 def _elastic(scene: Scene) -> bool:
     """Whether no impact takes energy."""
-    stated = {body.restitution for body in scene.bodies if body.shape is not None}
+    stated = {value for body in scene.bodies for value in surface_values(body, "restitution")}
     return stated | {*scene.restitution_of_pairs.values()} <= {1.0}
 
 
@@ -87,7 +88,8 @@ def _conserves_energy(scene: Scene) -> bool:
     Reactions of joints do no work, unless a freedom takes some.
     """
     slowed = any(b.linear_drag or b.quadratic_drag or b.angular_drag for b in scene.bodies)
-    rough = any(body.friction for body in scene.bodies) or any(scene.friction_of_pairs.values())
+    rough = any(any(surface_values(body, "friction")) for body in scene.bodies)
+    rough = rough or any(scene.friction_of_pairs.values())
     damped = any(spring.damping for spring in scene.springs)
     braked = any(_takes_energy(each) for joint in scene.joints for each in joint.freedoms)
     return not (slowed or rough or damped or braked or _gives_energy(scene))

@@ -7,7 +7,7 @@ and went, arrays as long as the scene.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,7 @@ from tamias2d.engine.bodies.listed_contacts import ListedContacts
 from tamias2d.engine.motion.propagators import Propagators
 from tamias2d.engine.shapes.shape_form import Form, form_of
 from tamias2d.engine.shapes.shape_pool import ShapePool, by_shapes
+from tamias2d.engine.shapes.stated_surfaces import state_surfaces
 from tamias2d.scene.compound import Shape
 from tamias2d.state import Array, IntArray
 
@@ -96,13 +97,51 @@ class BodyPool:
 
         Pairs that may touch no longer leave the list of contacts once the pool is settled.
         """
-        changed = self._set(self.store.world.shapes.filters, rows, columns)
+        table, (shapes, each) = self.store.world.shapes.filters, self._shapes_among(rows)
+        before = table[shapes]
+        for column, values in columns.items():
+            table[shapes, column] = values[each]
+        changed = self._begin_anew_by(shapes[(table[shapes] != before).any(axis=1)])
         self._refiltered |= changed
         return changed
 
     def set_surfaces(self, rows: IntArray, columns: Mapping[int, Array]) -> bool:
-        """Set columns of the material of bodies, each (k,); return whether any changed."""
-        return self._set(self.store.world.shapes.material, rows, columns)
+        """State columns of the material of bodies, each (k,); return whether any changed.
+
+        What parts state themselves stays.
+        """
+        shapes, each = self._shapes_among(rows)
+        own = {column: values[each] for column, values in columns.items()}
+        return self._state_surfaces(shapes, own, tb.BY_BODY)
+
+    def set_part_surfaces(
+        self, rows: IntArray, parts: IntArray, columns: Mapping[int, Array]
+    ) -> bool:
+        """State columns of the material of a part of each body (k,); return whether any changed.
+
+        The pool has settled.
+        """
+        order, first, _ = self._parts_of(rows)
+        return self._state_surfaces(order[first + parts], columns, tb.BY_PART)
+
+    def count_parts(self, rows: IntArray) -> IntArray:
+        """Return how many parts bodies have (k,), 0 for those that are of one piece, or chains."""
+        order, first, count = self._parts_of(rows)
+        shapes = self.store.world.shapes
+        found = order[np.where(count > 0, first, 0)]
+        single = (count == 1) & (shapes.stated[found, tb.BY_PART : tb.BY_BODY] < 0.0).all(axis=1)
+        return np.where(single | (shapes.kind[found] >= tb.PIECE), 0, count)
+
+    def _parts_of(self, rows: IntArray) -> tuple[IntArray, IntArray, IntArray]:
+        """Return shapes in the order of bodies, and where those of some begin, and how many."""
+        owner = self.store.world.state.body_of_shape
+        order = np.argsort(owner, kind="stable")
+        first, last = (np.searchsorted(owner[order], rows, side) for side in ("left", "right"))
+        return order, first, last - first
+
+    def _state_surfaces(self, shapes: IntArray, columns: Mapping[int, Array], by: int) -> bool:
+        changed = shapes[state_surfaces(self.store.world.shapes, shapes, columns, by)]
+        return self._begin_anew_by(changed)
 
     def set_masses(self, rows: IntArray, columns: Mapping[int, Array], rates: Array) -> None:
         """Set inverse masses and inertias by columns, each (k,), and rates of drag (k, 2), 1/s."""
@@ -131,8 +170,8 @@ class BodyPool:
         old = np.flatnonzero(changed[state.body_of_shape])
         of, at = np.unique(state.body_of_shape[old], return_index=True)
         first = old[at][np.searchsorted(of, rows)]
-        surfaces = table.material[first, : tb.SHAPE_RADIUS]
-        filters = table.filters[first]
+        speeds, filters = table.material[first, tb.SURFACE_SPEED], table.filters[first]
+        surfaces = np.column_stack((table.stated[first, tb.BY_BODY :], speeds))
         self._shapes.free(changed)
         forms = [*map(form_of, shapes)]
         extents = np.array([form.extents for form in forms]).reshape(-1, 3)
@@ -146,25 +185,20 @@ class BodyPool:
         touch.carry()
         self._begin_anew(rows)
 
-    def _set(
-        self, table: NDArray[Any], rows: IntArray, columns: Mapping[int, NDArray[Any]]
-    ) -> bool:
-        """Set columns of what shapes have by their bodies; wake what that concerns."""
-        given, owner = self._place_of(rows), self.store.world.state.body_of_shape
-        shapes = np.flatnonzero(given[owner] >= 0)
-        before = table[shapes]
-        for column, values in columns.items():
-            table[shapes, column] = values[given[owner[shapes]]]
-        changed = shapes[(table[shapes] != before).any(axis=1)]
-        if len(changed):
-            self._begin_anew(np.unique(owner[changed]).astype(np.int64))
-        return len(changed) > 0
+    def _begin_anew_by(self, shapes: IntArray) -> bool:
+        """Let the bodies of shapes that changed begin to touch anew; return whether there are."""
+        if len(shapes):
+            owner = self.store.world.state.body_of_shape
+            self._begin_anew(np.unique(owner[shapes]).astype(np.int64))
+        return len(shapes) > 0
 
-    def _place_of(self, rows: IntArray) -> IntArray:
-        """Return of all bodies the last place among some, or -1."""
-        place = np.full(len(self.store.world.state.kind), -1)
+    def _shapes_among(self, rows: IntArray) -> tuple[IntArray, IntArray]:
+        """Return the shapes of bodies (k,), and of each the last place of its body among them."""
+        state = self.store.world.state
+        owner, place = state.body_of_shape, np.full(len(state.kind), -1)
         place[rows] = np.arange(len(rows))
-        return place
+        shapes = np.flatnonzero(place[owner] >= 0)
+        return shapes, place[owner[shapes]]
 
     def _begin_anew(self, rows: IntArray) -> None:
         """Let bodies touch others as if they were new: they wake, and wake what they touch."""

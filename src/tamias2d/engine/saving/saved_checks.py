@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.arrays.world import Capacities, SavedField, saved_fields
 from tamias2d.engine.narrow_phase.axis_cache import SIDES, STATES, TURNS
+from tamias2d.engine.shapes.stated_surfaces import effective_surfaces
 from tamias2d.engine.tables import Saved
 from tamias2d.state import IntArray
 
@@ -148,10 +149,13 @@ def _check_shapes(arrays: Arrays) -> None:
     require(there | (owner == idle), "state.body_of_shape", "names a body that is absent")
     require(taken | (owner == idle), "state.body_of_shape", "a body has a shape without vertices")
     require(arrays["shapes.radius"] >= 0.0, "shapes.radius", "must not be negative")
-    stated = arrays["shapes.material"][:, : tb.RESTITUTION + 1]
-    require(stated >= -1.0, "shapes.material", "must not be negative")
-    restitution = arrays["shapes.material"][:, tb.RESTITUTION]
-    require(restitution <= 1.0, "shapes.material", "restitution must be at most 1")
+    stated, name = arrays["shapes.stated"], "shapes.stated"
+    require(stated >= -1.0, name, "must not be negative")
+    restitution = stated[:, [tb.BY_PART + tb.RESTITUTION, tb.BY_BODY + tb.RESTITUTION]]
+    require(restitution <= 1.0, name, "restitution must be at most 1")
+    surfaces = arrays["shapes.material"][:, : tb.SURFACE_SPEED]
+    fits = surfaces == effective_surfaces(stated)
+    require(fits, "shapes.material", "must follow from what is stated")
     overrides = arrays["shapes.pair_overrides"]
     require(overrides[:, 0] < overrides[:, 1], "shapes.pair_overrides", "lower shapes come first")
     code = overrides[:, 0] * len(kind) + overrides[:, 1]

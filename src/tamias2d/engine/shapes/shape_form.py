@@ -27,6 +27,8 @@ class Pieces(NamedTuple):
     """(m,), how far each reaches around its vertices, m"""
     bounds: Array
     """(m, 6), what `tables` holds of a material besides friction and restitution"""
+    surfaces: Array
+    """(m, 2), friction and restitution that parts state for themselves, UNSTATED where none"""
     vertices: Array
     """(v, 4), vertex, m, and outward normal of the side that begins there, shape by shape"""
     counts: tuple[int, ...]
@@ -52,6 +54,7 @@ def form_of(shape: Shape | None) -> Form:
         kinds=np.array([row.kind for row in rows], dtype=np.int64),
         radii=np.array([row.radius for row in rows]),
         bounds=np.array(bounds).reshape(-1, 6),
+        surfaces=np.array([row.surface for row in rows]).reshape(-1, 2),
         vertices=np.concatenate([np.zeros((0, 4)), *(row.vertices for row in rows)]),
         counts=tuple(len(row.vertices) for row in rows),
     )
@@ -65,8 +68,8 @@ def joined(forms: Sequence[Form]) -> Pieces:
         return forms[0].pieces
     none = form_of(None).pieces
     *columns, counts = zip(none, *(form.pieces for form in forms), strict=True)
-    kinds, radii, bounds, vertices = map(np.concatenate, columns)
-    return Pieces(kinds, radii, bounds, vertices, tuple(chain.from_iterable(counts)))
+    kinds, radii, bounds, surfaces, vertices = map(np.concatenate, columns)
+    return Pieces(kinds, radii, bounds, surfaces, vertices, tuple(chain.from_iterable(counts)))
 
 
 def _extents(rows: Sequence[ShapeRow]) -> tuple[float, float, float]:
@@ -79,4 +82,4 @@ def _extents(rows: Sequence[ShapeRow]) -> tuple[float, float, float]:
 
 
 def _numbers(row: ShapeRow) -> Sequence[float]:
-    return row.kind, row.radius, len(row.vertices), *row.vertices.ravel().tolist()
+    return row.kind, row.radius, len(row.vertices), *row.vertices.ravel().tolist(), *row.surface

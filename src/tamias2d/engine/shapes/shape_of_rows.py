@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -23,6 +24,10 @@ class ConvexRow(NamedTuple):
     """m"""
     vertices: Array
     """(c, 4), vertex, m, and outward normal of the side that begins there"""
+    restitution: float | None = None
+    """that it states as a part"""
+    friction: float | None = None
+    """likewise"""
 
 
 def shape_of(rows: Sequence[ConvexRow]) -> Shape | None:
@@ -38,10 +43,10 @@ def shape_of(rows: Sequence[ConvexRow]) -> Shape | None:
         return HalfPlane(normal=(x, y), offset=offset)
     if first.kind in (tb.PIECE, tb.ONE_SIDED_PIECE):
         return _chain(rows)
-    parts = [_part(row) for row in rows]
-    if len(parts) == 1 and parts[0].position == (0.0, 0.0) and not parts[0].orientation:
-        return parts[0].shape
-    return Compound(parts=parts)
+    parts = [
+        replace(_part(row), restitution=row.restitution, friction=row.friction) for row in rows
+    ]
+    return parts[0].shape if parts == [Part(shape=parts[0].shape)] else Compound(parts=parts)
 
 
 def _chain(rows: Sequence[ConvexRow]) -> Chain:

@@ -10,6 +10,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.arrays.row_index import index_of
 from tamias2d.engine.arrays.store import Store
 from tamias2d.engine.shapes.shape_form import Form, Pieces, joined
+from tamias2d.engine.shapes.stated_surfaces import effective_surfaces
 from tamias2d.state import Array, IntArray
 
 
@@ -34,7 +35,8 @@ class ShapePool:
     ) -> list[list[int]]:
         """Give bodies (k,) shapes; return the rows of those of each, in the order of parts.
 
-        All shapes of a body have its surface (k, 3), as in a `Batch`, and its filters (k, 4).
+        All shapes of a body have its filters (k, 4), and its surface (k, 3), as in a `Batch`, but
+        for what a part states itself.
         """
         pieces = joined(forms)
         if not pieces.counts:
@@ -52,7 +54,10 @@ class ShapePool:
         state, shapes, at = self._store.world.state, self._store.world.shapes, index_of(places)
         state.body_of_shape[at] = owner
         shapes.kind[at], shapes.radius[at] = pieces.kinds, pieces.radii
-        shapes.material[at, : tb.SHAPE_RADIUS] = surfaces
+        shapes.stated[at, tb.BY_PART : tb.BY_BODY] = pieces.surfaces
+        shapes.stated[at, tb.BY_BODY :] = surfaces[:, : tb.SURFACE_SPEED]
+        shapes.material[at, : tb.SURFACE_SPEED] = effective_surfaces(shapes.stated[at])
+        shapes.material[at, tb.SURFACE_SPEED] = surfaces[:, tb.SURFACE_SPEED]
         shapes.material[at, tb.SHAPE_RADIUS :] = pieces.bounds
         shapes.filters[at] = filters
         corners = self._corners_of(places)
@@ -113,7 +118,7 @@ class ShapePool:
         state, shapes = self._store.world.state, self._store.world.shapes
         for values in (
             *(state.body_of_shape, shapes.kind, shapes.first, shapes.vertex_count),
-            *(shapes.radius, shapes.material, shapes.filters),
+            *(shapes.radius, shapes.material, shapes.stated, shapes.filters),
         ):
             values[places] = values[sequence]
         moved = np.arange(len(state.body_of_shape))

@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from tamias2d.engine import tables as tb
+from tamias2d.engine.bodies.batch import UNSTATED, as_stated
 from tamias2d.scene import Chain, HalfPlane
-from tamias2d.scene.compound import Shape, pieces_of
+from tamias2d.scene.compound import Part, Shape, pieces_of
 from tamias2d.scene.rules import Vector
 from tamias2d.state import Array
 
@@ -32,6 +33,8 @@ class ShapeRow(NamedTuple):
     """least distance of the sides from the centre of mass, m; minus infinity if that is outside"""
     corners: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
     """of a piece of a chain: cosine and sine of the corners at its start and its end (DD73)"""
+    surface: tuple[float, float] = (UNSTATED, UNSTATED)
+    """friction and restitution that a part states for itself"""
 
 
 def shape_rows(shape: Shape | None) -> tuple[ShapeRow, ...]:
@@ -43,10 +46,11 @@ def shape_rows(shape: Shape | None) -> tuple[ShapeRow, ...]:
         return (ShapeRow(tb.HALF_PLANE, 0.0, side, 0.0, math.inf, math.inf, -math.inf),)
     if isinstance(shape, Chain):
         return _chain(shape)
-    return tuple(_bounded(part.core, part.shape.rounding) for part in pieces_of(shape))
+    return tuple(_bounded(part) for part in pieces_of(shape))
 
 
-def _bounded(core: Sequence[Vector], radius: float) -> ShapeRow:
+def _bounded(part: Part) -> ShapeRow:
+    core, radius = part.core, part.shape.rounding
     far = max(math.hypot(x, y) for x, y in core)
     vertices = _with_normals(core)
     across = vertices[:, 2:] @ vertices[:, :2].T
@@ -62,6 +66,7 @@ def _bounded(core: Sequence[Vector], radius: float) -> ShapeRow:
         bounding_radius=far + radius,
         min_extent=radius + float(widths.min()) / 2,
         inradius=inradius if inradius >= 0.0 else -math.inf,
+        surface=(as_stated(part.friction), as_stated(part.restitution)),
     )
 
 

@@ -22,6 +22,10 @@ START_SINE = _material()
 END_COSINE = _material()  # the corner at its end
 END_SINE = _material()
 
+_stated = Columns(2)  # friction, restitution; -1 where not stated
+BY_PART = _stated()  # for the shape, as a part of its body
+BY_BODY = _stated()  # which counts for shapes that state none
+
 CATEGORY, MASK, GROUP, SENSOR = range(4)  # filters
 
 _shape_boxes = Columns()  # around a shape as a part begins, where the contact list is long
@@ -43,6 +47,8 @@ class Shapes(NamedTuple):
     vertex_count: Annotated[Indices, Sized("shapes"), Saved(2**31)]  # of vertices
     radius: Annotated[Floats, Sized("shapes"), Saved()]  # m
     material: Annotated[FloatRows, Sized("shapes", _material.width), Saved(numbers="infinite")]
+    # from which the first two columns of the material follow; read by no stage
+    stated: Annotated[FloatRows, Sized("shapes", _stated.width), Saved()]
     filters: Annotated[RankRows, Sized("shapes", 4), Saved({SENSOR: 2})]
     # vertex, m; normal of its side
     local_vertices: Annotated[FloatRows, Sized("vertices", 4), Saved()]

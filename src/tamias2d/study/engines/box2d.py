@@ -50,13 +50,12 @@ class Box2D:
         self.bodies = [_body(pyb2d3, self._world, body) for body in scene.bodies]
         self._moving = pyb2d3.Bodies()
         for k, (body, own) in enumerate(zip(scene.bodies, self.bodies, strict=True)):
-            surface = pyb2d3.surface_material(friction=rubs[k], restitution=parts[k])
-            shape = pyb2d3.shape_def(
-                material=surface,
-                enable_contact_events=listens,
-                enable_hit_events=listens,
-            )
-            for piece in pieces(body, size):
+            for piece, rub, part in zip(pieces(body, size), rubs[k], parts[k], strict=True):
+                shape = pyb2d3.shape_def(
+                    material=pyb2d3.surface_material(friction=rub, restitution=part),
+                    enable_contact_events=listens,
+                    enable_hit_events=listens,
+                )
                 own.create_shape(shape, _shape(pyb2d3, piece))
             if body.dynamic:
                 own.mass_data = _mass(pyb2d3, body)

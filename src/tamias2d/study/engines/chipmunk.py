@@ -47,9 +47,9 @@ class Chipmunk:
         self.bodies = [_body(pymunk, body) for body in scene.bodies]
         for k, (body, own) in enumerate(zip(scene.bodies, self.bodies, strict=True)):
             self._space.add(own)
-            for piece in pieces(body, size):
+            for piece, rub, part in zip(pieces(body, size), rubs[k], parts[k], strict=True):
                 shape = _shape(pymunk, own, piece)
-                shape.friction, shape.elasticity = math.sqrt(rubs[k]), math.sqrt(parts[k])
+                shape.friction, shape.elasticity = math.sqrt(rub), math.sqrt(part)
                 self._space.add(shape)
         self._buffer = self._batch.Buffer()
         self._places = self._batch.BodyFields.POSITION
