@@ -75,7 +75,7 @@ def test_what_slides_is_braked_by_the_part_that_touches(upside_down: bool, frict
     """With the ground's 0.16, the runner's 0.25 makes 0.2, and the body's 1 makes 0.4 (DD23)."""
     assert deceleration(sliding(sledge(), upside_down=upside_down)) == pytest.approx(
         friction * G,
-        rel=1e-3,  # it settles in its first steps
+        rel=1e-5,  # it settles in its first steps
     )
 
 
@@ -99,7 +99,7 @@ def test_what_is_set_for_a_pair_wins_over_parts() -> None:
     place: Any = {"position": (0.0, 0.1), "velocity": (4.0, 0.0)}
     scene.add_body(sledge(back=0.5), mass=2.0, name="sledge", restitution=0.0, **place)
     scene.set_friction("sledge", "ice", 0.3)
-    assert deceleration(t2.Simulator(scene)) == pytest.approx(0.3 * G, rel=1e-3)
+    assert deceleration(t2.Simulator(scene)) == pytest.approx(0.3 * G, rel=1e-5)
 
 
 def test_bits_are_those_of_a_body_that_states_the_same() -> None:
@@ -116,11 +116,11 @@ def test_bits_are_those_of_a_body_that_states_the_same() -> None:
 def test_a_part_gets_another_surface_between_steps() -> None:
     sim = sliding(sledge())
     sim.set_surface("sledge", friction=0.64)  # the runner states its own
-    assert deceleration(sim) == pytest.approx(0.2 * G, rel=1e-3)
+    assert deceleration(sim) == pytest.approx(0.2 * G, rel=1e-5)
     sim.set_surface("sledge", part=1, friction=0.0)
-    assert deceleration(sim) == pytest.approx(0.2 * G, rel=1e-3)
+    assert deceleration(sim) == pytest.approx(0.2 * G, rel=1e-5)
     sim.set_surface(["sledge"], part=[0], friction=0.04)
-    assert deceleration(sim) == pytest.approx(0.08 * G, rel=1e-3)
+    assert deceleration(sim) == pytest.approx(0.08 * G, rel=1e-5)
     stated = sim.body("sledge")
     assert isinstance(stated.shape, t2.Compound)
     assert stated.friction == 0.64
@@ -149,16 +149,16 @@ def test_parts_of_bodies_that_were_just_added_among_freed_rows_are_their_own() -
         [none, none, 0.5],
     ]
     kinds = [type(part.shape) for part in sim.body(int(new[3])).shape.parts]  # type: ignore[union-attr]
-    assert kinds == [t2.Disc, t2.Disc, t2.Polygon]
+    assert kinds == [t2.Disc, t2.Disc, t2.Box]
 
 
 def test_what_sleeps_wakes_where_a_part_changes() -> None:
     sim = sliding(sledge(runner=0.5), sleeping=True)
     sim.velocity[1] = 0.0
     sim.step(120)
-    assert sim.all_asleep
+    assert sim.asleep[1]
     sim.set_surface("sledge", part=1, friction=1.0)  # which it had from its body
-    assert sim.all_asleep
+    assert sim.asleep[1]
     sim.set_surface("sledge", part=0, friction=0.25)
     assert not sim.asleep[1]
 
@@ -192,10 +192,10 @@ def test_what_parts_state_is_kept(kept: str, tmp_path: Path) -> None:
         other = t2.Simulator(scene)
     stated = [(s.friction, [p.friction for p in s.shape.parts]) for s in map(of, (sim, other))]  # type: ignore[union-attr]
     assert stated == [(0.7, [0.36, 0.5])] * 2
-    rel = 1e-2 if kept == "copy of the body" else 1e-3  # its contacts begin anew
+    rel = 1e-4 if kept == "copy of the body" else 1e-5  # its contacts begin anew
     assert deceleration(other) == pytest.approx(0.24 * G, rel=rel)
     if kept != "copy of the body":
-        assert deceleration(sim) == pytest.approx(0.24 * G, rel=1e-3)
+        assert deceleration(sim) == pytest.approx(0.24 * G, rel=1e-5)
         assert sim.digest() == other.digest()
 
 
@@ -220,9 +220,10 @@ def test_a_saved_surface_that_does_not_follow_from_what_is_stated_is_refused(
 def test_another_compound_brings_the_surfaces_of_its_parts() -> None:
     """What the body states stays, also where no part of the shape before had it."""
     sim = sliding(sledge(back=0.0))
+    sim.velocity[1, 0] = 9.0
     sim.step(10)
-    sim.set_shape("sledge", sledge(runner=0.0001 * 16, back=0.5))
-    assert deceleration(sim) == pytest.approx(0.016 * G, rel=1e-2)
+    sim.set_shape("sledge", sledge(runner=0.0625, back=0.5))
+    assert deceleration(sim) == pytest.approx(0.1 * G, rel=1e-2)
     sim.set_shape("sledge", sledge(runner=None))
     assert deceleration(sim) == pytest.approx(0.4 * G, rel=1e-2)
     sim.set_shape("sledge", t2.Box(width=2.0, height=0.2))
@@ -250,9 +251,9 @@ def test_a_part_without_a_restitution_makes_a_pair_without_one() -> None:
         scene.add_body(stating(0.5, 0.5), mass=1.0, position=(x, 0.0))
     sim = t2.Simulator(scene)
     sim.add(**silent(18.0, stating(0.5, None)))  # the others state all
-    with pytest.raises(t2.SceneError, match="restitution of the pair body 2 and body 3"):
+    with pytest.raises(t2.SceneError, match="restitution of the pair body 2 and body 0 of those"):
         sim.add(**silent(27.0, stating(None, 0.5)))
-    with pytest.raises(t2.SceneError, match="restitution of the pair 'body0' and body 2"):
+    with pytest.raises(t2.SceneError, match="restitution of the pair body 'body0' and body 2"):
         sim.set_shape(0, stating(0.5, None))
     sim.set_shape(2, stating(0.1, 0.2))
     sim.set_shape(0, stating(0.5, None))
@@ -302,7 +303,9 @@ def test_a_compound_of_one_part_that_states_something_is_told_as_one() -> None:
 
 
 def test_plain_python_has_the_same_bits() -> None:
-    sims = [t2.Simulator(dropped(upside_down=True), compiled=compiled) for compiled in (True, False)]
+    sims = [
+        t2.Simulator(dropped(upside_down=True), compiled=compiled) for compiled in (True, False)
+    ]
     for sim in sims:
         sim.step(40)
     assert sims[0].digest() == sims[1].digest()

@@ -463,7 +463,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:474.
+    Source: DD17, srs/definitions.md:476.
     """
     return least(restitution_a, restitution_b)
 
@@ -479,7 +479,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:507.
+    Source: GD11, srs/definitions.md:509.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -505,7 +505,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:533.
+    Source: DD22, srs/definitions.md:535.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -522,7 +522,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:546.
+    Source: DD23, srs/definitions.md:550.
     """
     return sqrt(friction_a * friction_b)
 
@@ -540,7 +540,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:564.
+    Source: DD15, srs/definitions.md:568.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -559,7 +559,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:597.
+    Source: DD16, srs/definitions.md:601.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -578,7 +578,7 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:614.
+    Source: DD60, srs/definitions.md:618.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
 
