@@ -1,4 +1,4 @@
-"""Worlds whose parts of a compound have other surfaces: each has the bits that it has alone (R3)."""
+"""Worlds in which parts of a compound have other surfaces: each is what it is alone (R3)."""
 
 from typing import Any
 
@@ -95,5 +95,5 @@ def test_a_part_that_is_not_there_cannot_vary(path: str, hint: str) -> None:
 
 
 def test_values_of_parts_obey_their_rules() -> None:
-    with pytest.raises(t2.InputError, match="found -1.0 for world 1: must be >= 0"):
+    with pytest.raises(t2.InputError, match=r"found -1\.0 for world 1: must be >= 0"):
         t2.Simulators(sledge(), vary={RUNNER: [0.5, -1.0]})

@@ -102,7 +102,7 @@ def test_a_pair_mixes_what_its_parts_state_unless_it_has_a_value_of_its_own() ->
 
 @pytest.mark.parametrize("parts", [(2, None), (-1, None), (True, None), (0.0, None), (None, 0)])
 def test_a_part_that_is_not_there_is_refused(parts: tuple[int, None]) -> None:
-    with pytest.raises(InputError, match="part of '(hammer|floor)': found .* \\(R3\\)"):
+    with pytest.raises(InputError, match=r"part of '(hammer|floor)': found .* \(R3\)"):
         load(HAMMER).friction(0, 1, parts=parts)
 
 

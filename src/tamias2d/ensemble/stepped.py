@@ -14,9 +14,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.engine.bodies.batch import UNSTATED
 from tamias2d.engine.bodies.canonical_order import strips
 from tamias2d.engine.shapes.shape_rows import shape_rows
+from tamias2d.engine.shapes.stated_surfaces import as_stated
 from tamias2d.engine.world_batch import (
     GRAVITY,
     START,
@@ -188,8 +188,7 @@ def _fill(worlds: VariedWorlds, k: int, body: Body, found: _Starts) -> None:
     found.inverse[:, k, 0] = 1 / value(body.mass, "mass")
     found.inverse[:, k, 1] = 1 / inertia_of(worlds, body)
     for column, key in enumerate(("friction", "restitution")):
-        stated = getattr(body, key)
-        found.surface[:, k, column] = value(UNSTATED if stated is None else stated, key)
+        found.surface[:, k, column] = value(as_stated(getattr(body, key)), key)
     found.surface[:, k, 2] = value(body.surface_speed, "surface_speed")
 
 

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tamias2d.engine.bodies.batch import Batch, as_stated
+from tamias2d.engine.bodies.batch import Batch
+from tamias2d.engine.shapes.stated_surfaces import as_stated
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.generated import drag
 from tamias2d.scene import Body, Scene

@@ -3,9 +3,9 @@
 import numpy as np
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.bodies.batch import UNSTATED
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.shapes.shape_of_rows import ConvexRow, shape_of
+from tamias2d.engine.shapes.stated_surfaces import UNSTATED
 from tamias2d.scene import Body
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tamias2d.engine.bodies.batch import UNSTATED
+from tamias2d.engine.shapes.stated_surfaces import UNSTATED
 from tamias2d.engine.tables import DYNAMIC
 from tamias2d.scene.checks import REMEDY_OF_INERTIA, REMEDY_OF_SURFACE_SPEED, checked_inertia
 from tamias2d.scene.compound import Shape

@@ -6,8 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.engine.bodies.batch import UNSTATED, Batch
+from tamias2d.engine.bodies.batch import Batch
 from tamias2d.engine.engine import Engine
+from tamias2d.engine.shapes.stated_surfaces import UNSTATED
 from tamias2d.engine.tables import BY_BODY, DYNAMIC, RESTITUTION, SENSOR
 from tamias2d.errors import SceneError
 from tamias2d.scene.compound import Compound, Shape

@@ -5,14 +5,6 @@ from dataclasses import dataclass
 from tamias2d.scene.compound import Shape
 from tamias2d.state import Array, IntArray
 
-UNSTATED = -1.0
-"""Friction or restitution where a body, or a part of one, states none."""
-
-
-def as_stated(value: float | None) -> float:
-    """Return a friction or restitution as the engine's arrays have it."""
-    return UNSTATED if value is None else value
-
 
 @dataclass(frozen=True)
 class Batch:

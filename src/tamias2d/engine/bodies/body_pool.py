@@ -15,14 +15,14 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.arrays.row_index import index_of
 from tamias2d.engine.arrays.store import Store
-from tamias2d.engine.bodies.batch import UNSTATED, Batch
+from tamias2d.engine.bodies.batch import Batch
 from tamias2d.engine.bodies.canonical_order import in_order
 from tamias2d.engine.bodies.carried_touch import CarriedTouch
 from tamias2d.engine.bodies.listed_contacts import ListedContacts
 from tamias2d.engine.motion.propagators import Propagators
 from tamias2d.engine.shapes.shape_form import Form, form_of
 from tamias2d.engine.shapes.shape_pool import ShapePool, by_shapes
-from tamias2d.engine.shapes.stated_surfaces import state_surfaces
+from tamias2d.engine.shapes.stated_surfaces import UNSTATED, state_surfaces
 from tamias2d.scene.compound import Shape
 from tamias2d.state import Array, IntArray
 

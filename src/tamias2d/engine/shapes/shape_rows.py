@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.bodies.batch import UNSTATED, as_stated
+from tamias2d.engine.shapes.stated_surfaces import UNSTATED, as_stated
 from tamias2d.scene import Chain, HalfPlane
 from tamias2d.scene.compound import Part, Shape, pieces_of
 from tamias2d.scene.rules import Vector

@@ -12,6 +12,14 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.tables import Shapes
 from tamias2d.state import Array, IntArray
 
+UNSTATED = -1.0
+"""Friction or restitution where a body, or a part of one, states none."""
+
+
+def as_stated(value: float | None) -> float:
+    """Return a friction or restitution as the engine's arrays have it."""
+    return UNSTATED if value is None else value
+
 
 def effective_surfaces(stated: Array) -> Array:
     """Return friction and restitution (m, 2) of shapes by what is stated for them (m, 4)."""
