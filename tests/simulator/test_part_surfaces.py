@@ -192,10 +192,9 @@ def test_what_parts_state_is_kept(kept: str, tmp_path: Path) -> None:
         other = t2.Simulator(scene)
     stated = [(s.friction, [p.friction for p in s.shape.parts]) for s in map(of, (sim, other))]  # type: ignore[union-attr]
     assert stated == [(0.7, [0.36, 0.5])] * 2
-    rel = 1e-4 if kept == "copy of the body" else 1e-5  # its contacts begin anew
-    assert deceleration(other) == pytest.approx(0.24 * G, rel=rel)
+    assert deceleration(other) == pytest.approx(0.24 * G, rel=1e-3)  # it settles
     if kept != "copy of the body":
-        assert deceleration(sim) == pytest.approx(0.24 * G, rel=1e-5)
+        assert deceleration(sim) == pytest.approx(0.24 * G, rel=1e-3)
         assert sim.digest() == other.digest()
 
 
