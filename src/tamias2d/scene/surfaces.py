@@ -1,5 +1,6 @@
 """What counts on the surface of each part of a body: its own values, or those of the body (R3)."""
 
+from collections.abc import Sequence
 from numbers import Integral
 from typing import Literal, TypeAlias
 
@@ -23,6 +24,11 @@ def surface_values(body: Body, key: SurfaceKey) -> tuple[float | None, ...]:
         own = (getattr(part, key) for part in body.shape.parts)
         return tuple(whole if value is None else value for value in own)
     return (whole,) * (len(body.shape.segments) if isinstance(body.shape, Chain) else 1)
+
+
+def part_numbers(body: Body) -> Sequence[int | None]:
+    """Return the numbers of the parts of a compound; None alone for what is none."""
+    return range(len(body.shape.parts)) if isinstance(body.shape, Compound) else (None,)
 
 
 def surface_value(body: Body, part: int | None, key: SurfaceKey) -> float | None:

@@ -1,6 +1,7 @@
 """The balance of energy over a run: all that a certificate can claim past the horizon."""
 
 import math
+from itertools import product
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from tamias2d.float64 import EPSILON
 from tamias2d.generated import definitions
 from tamias2d.run import Run
 from tamias2d.scene import Freedom, Scene
-from tamias2d.scene.surfaces import surface_values
+from tamias2d.scene.surfaces import part_numbers, surface_values
 from tamias2d.state import Array
 from tamias2d.study.error import radii
 
@@ -19,17 +20,28 @@ _ROUNDINGS = 4.0  # of the largest terms of the energy, in their sum
 def energy_drift(run: Run) -> float | None:
     """Return how far the energy strays from what impacts leave of it, relative to the largest
     kinetic energy; None if something else in the scene may give or take energy, or nobody knows
-    what impacts did.
+    what impacts did, as where parts of a body bounce otherwise.
     """
     impacts = run.impacts
     if not _conserves_energy(run.scene) or np.isnan(impacts.impulse).any():
         return None
-    restitution = np.array([run.scene.restitution(a, b) for a, b in impacts.bodies.tolist()])
+    pairs = [*map(tuple, impacts.bodies.tolist())]
+    known = {pair: _restitution(run.scene, *pair) for pair in set(pairs)}
+    if None in known.values():
+        return None
+    restitution = np.array([known[pair] for pair in pairs])
     lost = definitions.energy_loss(restitution, impacts.impulse, impacts.normal_velocity)
     before = np.searchsorted(impacts.time, run.times, side="right")
     left = run.energy[0] - np.concatenate(([0.0], np.cumsum(lost)))[before]
     largest = float(_kinetic(run).max())
     return float(np.abs(run.energy - left).max()) / largest if largest else None
+
+
+def _restitution(scene: Scene, i: int, j: int) -> float | None:
+    """Return the restitution of a pair; None if it differs from part to part."""
+    numbers = (part_numbers(scene.bodies[k]) for k in (i, j))
+    found = {scene.restitution(i, j, parts=parts) for parts in product(*numbers)}
+    return found.pop() if len(found) == 1 else None
 
 
 def energy_rise(run: Run) -> float | None:
