@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tamias2d.engine.shapes.shape_rows import ShapeRow, shape_rows
+from tamias2d.engine.shapes.stated_surfaces import UNSTATED
 from tamias2d.scene.compound import Shape
 from tamias2d.state import Array, IntArray
 
@@ -33,6 +34,8 @@ class Pieces(NamedTuple):
     """(v, 4), vertex, m, and outward normal of the side that begins there, shape by shape"""
     counts: tuple[int, ...]
     """m numbers of vertices"""
+    stating: bool
+    """whether a part states something for itself"""
 
 
 class Form(NamedTuple):
@@ -57,6 +60,7 @@ def form_of(shape: Shape | None) -> Form:
         surfaces=np.array([row.surface for row in rows]).reshape(-1, 2),
         vertices=np.concatenate([np.zeros((0, 4)), *(row.vertices for row in rows)]),
         counts=tuple(len(row.vertices) for row in rows),
+        stating=any(value != UNSTATED for row in rows for value in row.surface),
     )
     numbers = (value for row in rows for value in _numbers(row))
     return Form(pieces, _extents(rows), tuple(numbers))
@@ -67,9 +71,10 @@ def joined(forms: Sequence[Form]) -> Pieces:
     if len(forms) == 1:
         return forms[0].pieces
     none = form_of(None).pieces
-    *columns, counts = zip(none, *(form.pieces for form in forms), strict=True)
+    *columns, counts, stating = zip(none, *(form.pieces for form in forms), strict=True)
     kinds, radii, bounds, surfaces, vertices = map(np.concatenate, columns)
-    return Pieces(kinds, radii, bounds, surfaces, vertices, tuple(chain.from_iterable(counts)))
+    each = tuple(chain.from_iterable(counts))
+    return Pieces(kinds, radii, bounds, surfaces, vertices, each, any(stating))
 
 
 def _extents(rows: Sequence[ShapeRow]) -> tuple[float, float, float]:

@@ -54,10 +54,11 @@ class ShapePool:
         state, shapes, at = self._store.world.state, self._store.world.shapes, index_of(places)
         state.body_of_shape[at] = owner
         shapes.kind[at], shapes.radius[at] = pieces.kinds, pieces.radii
+        shapes.material[at, : tb.SHAPE_RADIUS] = surfaces
         shapes.stated[at, tb.BY_PART : tb.BY_BODY] = pieces.surfaces
         shapes.stated[at, tb.BY_BODY :] = surfaces[:, : tb.SURFACE_SPEED]
-        shapes.material[at, : tb.SURFACE_SPEED] = effective_surfaces(shapes.stated[at])
-        shapes.material[at, tb.SURFACE_SPEED] = surfaces[:, tb.SURFACE_SPEED]
+        if pieces.stating:
+            shapes.material[at, : tb.SURFACE_SPEED] = effective_surfaces(shapes.stated[at])
         shapes.material[at, tb.SHAPE_RADIUS :] = pieces.bounds
         shapes.filters[at] = filters
         corners = self._corners_of(places)
