@@ -39,8 +39,8 @@ def energy_drift(run: Run) -> float | None:
 
 def _restitution(scene: Scene, i: int, j: int) -> float | None:
     """Return the restitution of a pair; None if it differs from part to part."""
-    numbers = (part_numbers(scene.bodies[k]) for k in (i, j))
-    found = {scene.restitution(i, j, parts=parts) for parts in product(*numbers)}
+    first, second = (part_numbers(scene.bodies[k]) for k in (i, j))
+    found = {scene.restitution(i, j, parts=parts) for parts in product(first, second)}
     return found.pop() if len(found) == 1 else None
 
 
