@@ -13,6 +13,7 @@ from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.error_equation import ErrorEquation, Watch, rule_beside
 from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.halved import Halved, Halving
+from tamias2d.motion.held_splitting import HeldSplitting
 from tamias2d.motion.integrator import Integrator
 from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import JointEvents, joint_events
@@ -28,7 +29,7 @@ from tamias2d.motion.step_batch import BatchPath, StepBatch
 from tamias2d.motion.uniform import Uniform
 from tamias2d.path import PathPiece
 from tamias2d.scene import Scene
-from tamias2d.scene.acting import felt_velocity, only_slowed
+from tamias2d.scene.acting import felt_velocity, loads_feel_velocity, only_slowed
 from tamias2d.state import Acceleration, Array, Constraint, History, SharedConstraint, State
 from tamias2d.work_limit import Work, WorkLimitError
 
@@ -61,6 +62,7 @@ class IntegratedMotion(Answers):
         self._constrained = ConstrainedMotion(scene, self._loads, self.tally, self._resolution)
         self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
         self._fields: dict[tuple[int, ...], MemoisedField] = {}
+        self._held: dict[tuple[int, ...], tuple[MemoisedField, HeldSplitting]] = {}
         self.marching: Callable[[Sequence[int]], Marching | None] = lambda _: None
         """What takes many steps at once of bodies that act on no others, if anything does."""
         self.moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
@@ -294,6 +296,23 @@ class IntegratedMotion(Answers):
             self._fields[tuple(bodies)] = known
         return known
 
+    def _stepping(self, field: MemoisedField) -> Integrator:
+        """Return what steps some bodies; the same object while their accelerations last."""
+        steps, found = self._integrator, self._loads.mechanisms(field.bodies)
+        if not (found and isinstance(steps, FixedSteps) and steps.splits):
+            return steps
+        known = self._held.get(field.bodies)
+        if known is None or known[0] is not field:
+            kicks = MemoisedField(
+                self._loads.loaded_field(field.bodies, field.constraints),
+                field.bodies,
+                field.constraints,
+                self.tally,
+                felt_velocity=loads_feel_velocity(self._scene),
+            )
+            known = self._held[field.bodies] = field, HeldSplitting(steps, found, kicks)
+        return known[1]
+
     def _note_missed(self, field: MemoisedField, times: Sequence[float], states: States) -> None:
         """Note what steps have missed of a law, where they could not be shorter for it."""
         if not isinstance(self._integrator, FixedSteps) or self.unresolved is not None:
@@ -307,7 +326,7 @@ class IntegratedMotion(Answers):
         self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
     ) -> Iterator[DenseStep]:
         """Yield steps one by one, up to the first event of a joint."""
-        jointed = JointedSteps(self._loads, self._integrator, field, field.constraints)
+        jointed = JointedSteps(self._loads, self._stepping(field), field, field.constraints)
         for step in jointed.until(start, end, position, velocity):
             self._note_missed(field, (step.start, step.end), step.states)
             if jointed.mechanisms and isinstance(self._batching, ErrorEquation):

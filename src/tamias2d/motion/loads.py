@@ -64,19 +64,21 @@ class Loads:
 
         Who acts on one of the bodies must be among them (`group_of`).
         """
-        held = [(row, constraint) for row, constraint in enumerate(constraints) if constraint]
-        free = self._jointed(bodies, self.free_field(bodies))
-        if not held:
-            return free
+        return _held(self._jointed(bodies, self.free_field(bodies)), constraints)
+
+    def loaded_field(
+        self, bodies: Sequence[int], constraints: Sequence[Constraint | None]
+    ) -> Field:
+        """Return likewise what loads, springs and motors give, without reactions of joints."""
+        free, found = self.free_field(bodies), self.mechanisms(bodies)
 
         def field(time: float, position: Array, velocity: Array) -> Array:
             rows = free(time, position, velocity).copy()
-            for row, constraint in held:
-                x, y, turn = rows[row].tolist()
-                rows[row] = constraint((x, y, turn), state_of(position[row], velocity[row]))
+            for own, mechanism in found:
+                rows[own] = mechanism.pull(time, position[own], velocity[own], rows[own])
             return rows
 
-        return field
+        return _held(field, constraints)
 
     def mechanisms(self, bodies: Sequence[int]) -> list[Placed]:
         """Return the mechanisms among some bodies, each with the places of its own in `bodies`."""
@@ -235,6 +237,22 @@ class Loads:
         fx, fy, torque = steady_load(self._scene, k)
         x, y = translation.acceleration(self._scene.gravity, (fx, fy), body.mass)
         return float(x), float(y), float(rotation.angular_acceleration(torque, body.inertia))
+
+
+def _held(free: Field, constraints: Sequence[Constraint | None]) -> Field:
+    """Return accelerations as the constraints on bodies leave them."""
+    held = [(row, constraint) for row, constraint in enumerate(constraints) if constraint]
+    if not held:
+        return free
+
+    def field(time: float, position: Array, velocity: Array) -> Array:
+        rows = free(time, position, velocity).copy()
+        for row, constraint in held:
+            x, y, turn = rows[row].tolist()
+            rows[row] = constraint((x, y, turn), state_of(position[row], velocity[row]))
+        return rows
+
+    return field
 
 
 def start_states(scene: Scene) -> list[State]:

@@ -116,10 +116,16 @@ def _variations(scene: SceneData, moving: Sequence[int]) -> Iterator[tuple[int, 
 
 
 def felt_velocity(scene: SceneData) -> bool:
-    """Return whether a load of any body depends on a velocity."""
+    """Return whether a load of any body, or what a joint exerts, depends on a velocity."""
+    return bool(scene.joints) or loads_feel_velocity(scene)
+
+
+def loads_feel_velocity(scene: SceneData) -> bool:
+    """Return whether a load of any body depends on a velocity, springs of joints among them."""
+    freedoms = (each for joint in scene.joints for each in joint.freedoms)
     laws = (law for k in range(len(scene)) for _, law in _laws_on(scene, k))
     return (
-        bool(scene.joints)
+        any(each.spring and each.spring.damping for each in freedoms)
         or any(b.linear_drag or b.quadratic_drag or b.angular_drag for b in scene.bodies)
         or any(spring.damping for spring in scene.springs)
         or any(isinstance(law, StateLaw) and law.names & _VELOCITIES for law in laws)
