@@ -19,8 +19,8 @@ from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import JointEvents, joint_events
 from tamias2d.motion.jointed_steps import JointedSteps
 from tamias2d.motion.law_resolution import LawResolution, States
-from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
-from tamias2d.motion.marching import Marching, Rule
+from tamias2d.motion.loads import Loads, MarchingOf, StateOf, coordinates, quicker, start_states
+from tamias2d.motion.marching import Rule
 from tamias2d.motion.mechanisms import fitted
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
@@ -63,16 +63,16 @@ class IntegratedMotion(Answers):
         self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
         self._fields: dict[tuple[int, ...], MemoisedField] = {}
         self._held: dict[tuple[int, ...], tuple[MemoisedField, HeldSplitting]] = {}
-        self.marching: Callable[[Sequence[int]], Marching | None] = lambda _: None
+        self.marching: MarchingOf = lambda _: None
         """What takes many steps at once of bodies that act on no others, if anything does."""
         self.moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
         """The bodies that move."""
         self.unresolved: str | None = None
         self.notes = notes + self._loads.joint_notes(self.moving)
 
-    def take_joint_codes(self, codes: JointCodes) -> None:
-        """Let code that is made for mechanisms find the reactions of their joints."""
-        self._loads.take_codes(codes)
+    def take_joint_codes(self, codes: JointCodes, makers: MarchingOf) -> None:
+        """Let code that is made for mechanisms find the reactions of their joints, and loads."""
+        self._loads.take_codes(codes, makers)
 
     def segment(
         self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]
@@ -284,7 +284,7 @@ class IntegratedMotion(Answers):
         known = self._fields.get(tuple(bodies))
         if known is None or known.constraints != held:
             marching = None if any(held) else self.marching(bodies)
-            field = _quicker(self._loads.field(bodies, held), marching)
+            field = quicker(self._loads.field(bodies, held), marching)
             known = MemoisedField(
                 field,
                 bodies,
@@ -360,18 +360,6 @@ class IntegratedMotion(Answers):
                         raise
             yield batch
             start, now = batch.end, batch.last
-
-
-def _quicker(field: Field, marching: Marching | None) -> Field:
-    """Return accelerations from where they are found faster; what is wrong with them is told."""
-    if marching is None:
-        return field
-
-    def quicker(time: float, position: Array, velocity: Array) -> Array:
-        rows = marching.accelerations(time, position, velocity)
-        return field(time, position, velocity) if rows is None else rows
-
-    return quicker
 
 
 def _batching(integrator: Integrator) -> _Batching | None:

@@ -8,6 +8,7 @@ from tamias2d.scene.law import Law, StateLaw, value_at, varies
 from tamias2d.scene.scene_data import SceneData
 
 _VELOCITIES = {"velocity", "angular_velocity"}
+_JOINTED = "held by a joint"
 _DRAG = "drag"
 
 Load: TypeAlias = tuple[float, float, float]
@@ -59,6 +60,12 @@ def varying_loads(scene: SceneData) -> dict[int, str]:
     return {k: " and ".join(found[k]) for k in moving if k in found}
 
 
+def loaded_variously(scene: SceneData) -> set[int]:
+    """Return the bodies whose loads vary by more than what joints exert."""
+    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
+    return {k for k, why in _variations(scene, moving) if why != _JOINTED}
+
+
 def only_slowed(scene: SceneData) -> bool:
     """Return whether no load of any body varies but by drag."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
@@ -105,7 +112,7 @@ def _variations(scene: SceneData, moving: Sequence[int]) -> Iterator[tuple[int, 
     for spring in scene.springs:
         yield from ((k, "held by a spring") for k in spring.bodies)
     for joint in scene.joints:
-        yield from ((k, "held by a joint") for k in joint.bodies)
+        yield from ((k, _JOINTED) for k in joint.bodies)
     if scene.attraction is not None and len(moving) > 1:
         yield from ((k, "attracted by other bodies") for k in moving)
     for field in scene.fields:
