@@ -247,3 +247,30 @@ def test_balls_that_meet_a_rod_at_its_limit_together_are_stepped_where_nothing_e
     run = t2.simulate(scene, duration=0.5)
     assert run.method == t2.Stepped()
     assert "joint 'hinge'" in run.notes[0]
+
+
+def test_one_that_touches_nothing_goes_on_beside_those_that_do_and_act_on_it() -> None:
+    """Its path, too, ends where contacts of a mechanism change that attracts it."""
+    scene = t2.Scene(gravity=(0, -G))
+    scene.add_body(None, mass=0.7, inertia=0.03, position=(-2.4, 2.3), velocity=(-0.06, -0.58))
+    corners = [(0.26, 0.139), (0.084, 0.283), (-0.295, -0.0047), (-0.0736, -0.286), (0.147, -0.256)]
+    scene.add_body(
+        t2.Polygon(vertices=corners), mass=0.915, position=(-0.673, 0.811), orientation=0.852,
+        velocity=(0.972, 0.474), angular_velocity=0.875, restitution=0.8, friction=0, name="flung",
+    )  # fmt: skip
+    hung = t2.Capsule(length=0.498, radius=0.192)
+    scene.add_body(
+        hung, mass=1.129, position=(0.908, 2.3), orientation=-0.384, restitution=0.3, friction=0,
+        name="hung",
+    )  # fmt: skip
+    scene.add_spring(
+        "flung", "hung", stiffness=25.8, rest_length=0.496, damping=0, anchor=(-0.0439, 0.0562),
+        other_anchor=(0.0742, -0.183),
+    )  # fmt: skip
+    scene.add_joint(t2.Distance(), "hung", (0.965, 3.3))
+    scene.add_attraction(gravitational_constant=0.1225)
+    run = t2.simulate(scene, duration=0.8, times=np.linspace(0, 0.8, 81))
+    assert "'flung' and 'hung' stay in contact" in run.notes[-1]
+    last = run.energy[run.times > run.impacts.time[-1]]
+    assert len(last) > 10
+    assert np.ptp(last) < 1e-9 * np.ptp(run.energy)  # nothing rubs

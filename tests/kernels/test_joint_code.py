@@ -102,6 +102,19 @@ def test_reactions_and_places_are_those_of_the_general_way(name: str) -> None:
         assert found[1] == pytest.approx(shares, rel=1e-8, abs=1e-8 * np.abs(shares).max(initial=0))
 
 
+@pytest.mark.parametrize("name", list(SCENES))
+def test_drifts_end_where_the_general_way_ends_them(name: str) -> None:
+    for one, other, (time, q, rate, _) in pairs(SCENES[name]):
+        assert one.code is not None
+        q, rate = other.fitted(time, q, rate)
+        found = one.code.drift(time, 0.01, q, 3 * rate)
+        assert found is not None
+        after, along = other.drifted(time, 0.01, q, 3 * rate)
+        assert found[0] == pytest.approx(after, rel=1e-12, abs=1e-12)
+        assert found[1] == pytest.approx(along, rel=1e-9, abs=1e-9 * np.abs(along).max())
+        assert found[0] == pytest.approx(q + 0.01 * found[1], rel=1e-13, abs=1e-13)
+
+
 def lying(count: int, above: float, rate: float) -> Given:
     """A row of four-bars whose cranks turn clockwise, rad/s, by an angle above the ground."""
     c, s = math.sin(above), math.cos(above)
@@ -161,7 +174,9 @@ def test_compiled_code_has_the_bits_of_plain_code(
         assert placed is not None
         reacted = mechanism.code.react(time, *placed, free)
         assert reacted is not None
-        found.append([part.tobytes() for part in (*placed, *reacted)])
+        drifted = mechanism.code.drift(time, 0.01, *placed)
+        assert drifted is not None
+        found.append([part.tobytes() for part in (*placed, *reacted, *drifted)])
     assert found[0] == found[1]
 
 

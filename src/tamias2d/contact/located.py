@@ -28,7 +28,7 @@ from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.touching import ContactImpulse, PairOf
 from tamias2d.path import PathPiece, Paths
 from tamias2d.scene import Scene
-from tamias2d.state import Array, ExertingConstraint, History, State
+from tamias2d.state import Array, ExertingConstraint, History, SharedConstraint, State
 from tamias2d.work_limit import Work
 
 _MOST_ASKED = 200  # times that contacts are decided again at one instant, as limits bounce
@@ -276,7 +276,16 @@ class Located:
         self._refinements.clear()
         self._chattering.count_event(time, i, j)
         self.time = time
-        self._resolve_instant(time, [i] if i == j else [i, j], end)
+        self._resolve_instant(time, self._held_with(i, j), end)
+
+    def _held_with(self, i: int, j: int) -> list[int]:
+        """Return two bodies, and all whose accelerations are found together with one of theirs."""
+        found = dict.fromkeys((i, j))
+        for body in (i, j):
+            constraint = self._active.constraints[body]
+            if isinstance(constraint, SharedConstraint):
+                found |= dict.fromkeys(constraint.bodies)
+        return list(found)
 
     def _refine(self, event: Event, end: float) -> bool:
         """Set more accurate paths for an impact, if any; it is then found again on them."""

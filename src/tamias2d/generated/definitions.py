@@ -596,7 +596,7 @@ def joint_spring_force(
         damping: Force of a spring's damper for each unit of the extension's rate, kg/s
         stretch_rate: Rate of a joint's stretch, m/s
 
-    Source: DD64, srs/models/joints.md:385.
+    Source: DD64, srs/models/joints.md:409.
     """
     return (-joint_stiffness) * stretch - damping * stretch_rate
 
@@ -610,7 +610,7 @@ def joint_spring_energy(joint_stiffness: Scalar, stretch: Scalar) -> Scalar:
         joint_stiffness: Force of a joint's spring for each unit of its stretch, N/m
         stretch: How far a joint is beyond the place at which its spring is at rest, m
 
-    Source: DD64, srs/models/joints.md:386.
+    Source: DD64, srs/models/joints.md:410.
     """
     return joint_stiffness * stretch * stretch / 2
 
@@ -628,7 +628,7 @@ def joint_spring_torque(
         rotary_damping: Torque of a joint's damper for each unit of the twist's rate, N*m*s/rad
         twist_rate: Rate of a joint's twist, rad/s
 
-    Source: DD65, srs/models/joints.md:400.
+    Source: DD65, srs/models/joints.md:424.
     """
     return (-rotary_stiffness) * twist - rotary_damping * twist_rate
 
@@ -642,7 +642,7 @@ def rotary_spring_energy(rotary_stiffness: Scalar, twist: Scalar) -> Scalar:
         rotary_stiffness: Torque of a joint's spring for each unit of its twist, N*m/rad
         twist: How far a joint is turned beyond the angle at which its spring is at rest, rad
 
-    Source: DD65, srs/models/joints.md:401.
+    Source: DD65, srs/models/joints.md:425.
     """
     return rotary_stiffness * twist * twist / 2
 
@@ -656,7 +656,7 @@ def joint_pull(pull_along: Scalar, pull_across: Scalar) -> Scalar:
         pull_along: Force of the first of them without their maximum, N
         pull_across: Force of a target's other one likewise, N
 
-    Source: DD103, srs/models/joints.md:422.
+    Source: DD103, srs/models/joints.md:446.
     """
     return sqrt(pull_along * pull_along + pull_across * pull_across)
 
@@ -670,7 +670,7 @@ def force_share(joint_force_most: Scalar, joint_pull: Scalar) -> Scalar:
         joint_force_most: Largest force of a motor or a spring, or that a joint bears, N
         joint_pull: Size of the force of a joint's springs and dampers without their maximum, N
 
-    Source: DD103, srs/models/joints.md:423.
+    Source: DD103, srs/models/joints.md:447.
     """
     return joint_force_most / largest(joint_pull, joint_force_most)
 
@@ -685,7 +685,7 @@ def torque_share(joint_torque_most: Scalar, joint_twisting: Scalar) -> Scalar:
         joint_twisting: Size of the torque of a joint's spring and damper without its maximum,
             N*m
 
-    Source: DD103, srs/models/joints.md:424.
+    Source: DD103, srs/models/joints.md:448.
     """
     return joint_torque_most / largest(joint_twisting, joint_torque_most)
 
@@ -699,7 +699,7 @@ def bounded_spring_energy(force_share: Scalar, joint_spring_energy: Scalar) -> S
         force_share: Share of its force that a spring with a maximum exerts, 1
         joint_spring_energy: Energy in a joint's spring that is stretched, J
 
-    Source: DD103, srs/models/joints.md:425.
+    Source: DD103, srs/models/joints.md:449.
     """
     return force_share * (2 - force_share) * joint_spring_energy
 
@@ -713,6 +713,6 @@ def bounded_rotary_energy(torque_share: Scalar, rotary_spring_energy: Scalar) ->
         torque_share: Share of its torque that a spring with a maximum exerts, 1
         rotary_spring_energy: Energy in a joint's spring that is twisted, J
 
-    Source: DD103, srs/models/joints.md:426.
+    Source: DD103, srs/models/joints.md:450.
     """
     return torque_share * (2 - torque_share) * rotary_spring_energy

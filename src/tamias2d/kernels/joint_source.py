@@ -5,7 +5,7 @@ here. The state of n bodies is one row of numbers: all x, then all y, then all o
 """
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -50,6 +50,10 @@ _FADES = 8
 """Rounds in which fading rows are answered; others take all of theirs in one, but for rounding."""
 _UNANSWERED = 1e-3
 """Of the accelerations: more than that, left by fading rows, is no passage of a singular place."""
+
+_SETTLED = 1e-6
+"""Of what is near in a return: drifts approach their end by no more than their turn each round."""
+_ROUNDS = 40  # of a drift
 
 
 @dataclass(frozen=True)
@@ -205,7 +209,46 @@ _ENTRY = '''def joints(fitting, time, position, velocity, rate, multipliers, {ta
         return fit(time, position, velocity, multipliers, {tables})
     return react(time, position, velocity, rate, multipliers, {tables})'''
 
-_TEMPLATES = (_FACTORS_OF, _LEAVE, _ANSWER, _MISSED, _REACT, _FIT, _ENTRY)
+_DRIFT = '''def drift(time, duration, position, velocity, multipliers, {tables}):
+    """Move places along velocities to where joints hold, by impulses along the rows of the begin.
+
+    Velocities are those of the way then. Return what the rows are (GD24).
+    """
+    slopes(time, position, entries, still, {kinds})
+    if factors(0.0, sizes[3], {factoring}) == {doubted}:
+        return {doubted}
+    rates(time, position, velocity, wanted, still, {kinds})
+    for i in range(len(wanted)):
+        wanted[i] = wanted[i] - speeds[i]
+    answer(1, {answered})
+    across(entries, {pattern}, multipliers, change)
+    for j in range(len(velocity)):
+        velocity[j] = velocity[j] - inverse[j] * change[j]
+    values(time, position, own, still, {kinds})
+    for i in range(len(own)):
+        own[i] = (1 - placed[i]) * (own[i] + duration * speeds[i])
+    near = {settled} * sizes[1] * length_of(position, fixed, sizes[0], {rounding})
+    for j in range(len(position)):
+        position[j] = position[j] + duration * velocity[j]
+    before = 1e300
+    for _ in range({rounds}):
+        values(time + duration, position, wanted, still, {kinds})
+        for i in range(len(wanted)):
+            wanted[i] = wanted[i] - own[i]
+        answer(1, {answered})
+        across(entries, {pattern}, multipliers, change)
+        way, check = 0.0, 0.0
+        for j in range(len(position)):
+            position[j] = position[j] - inverse[j] * change[j]
+            velocity[j] = velocity[j] - inverse[j] * change[j] / duration
+            way = max(way, abs(weights[j] * change[j]))
+            check += position[j] * 0.0
+        if not check == 0.0 or way > before:
+            return {doubted}
+        before = way
+        if way <= near:
+            return {kept}
+    return {doubted}'''
 
 
 @cache
@@ -214,6 +257,22 @@ def joints(demand: JointDemand) -> tuple[str, str]:
 
     They are one source, because most of what they need is the same.
     """
+    loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate", "convective")]
+    loops += [_pull_of(kind) for kind in demand.pushed if kind == "travel"]
+    helpers = (_FACTORS_OF, _LEAVE, _ANSWER, _MISSED, _REACT, _FIT)
+    return _source(demand, loops, helpers, _ENTRY)
+
+
+@cache
+def drifts(demand: JointDemand) -> tuple[str, str]:
+    """Return the source of drifts that end where joints hold, likewise."""
+    loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate")]
+    return _source(demand, loops, (_FACTORS_OF, _LEAVE, _ANSWER), _DRIFT)
+
+
+def _source(
+    demand: JointDemand, loops: Sequence[str], helpers: Sequence[str], entry: str
+) -> tuple[str, str]:
     names = {
         "tables": ", ".join(tables_of(demand)),
         "kinds": ", ".join(f"{kind}_given, {kind}_ends" for kind in demand.kinds),
@@ -232,13 +291,14 @@ def joints(demand: JointDemand) -> tuple[str, str]:
         "fades": _FADES,
         "unanswered": _UNANSWERED,
         "apart": APART,
+        "settled": _SETTLED,
+        "rounds": _ROUNDS,
     }
-    loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate", "convective")]
-    loops += [_pull_of(kind) for kind in demand.pushed if kind == "travel"]
-    parts = [template.format(**names) for template in _TEMPLATES]
+    parts = [template.format(**names) for template in (*helpers, entry)]
     helpers = [*loops, *parts[:-1]]
-    copies = _copies("\n".join(helpers), demand)
-    used = "\n".join([*copies, *helpers])
+    used = "\n".join([*helpers, parts[-1]])
+    copies = _copies(used, demand)
+    used = "\n".join([*copies, used])
     imports = [name for name in _IN_MATH if re.search(rf"\b{name}\b", used)]
     head = f'"""Joints of Tamias2D: {demand}.\n\nMade from the generated functions.\n"""\n'
     return joined(head, imports, [*copies, *helpers], parts[-1])

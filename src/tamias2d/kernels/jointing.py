@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.kernels import joint_source
-from tamias2d.kernels.choice import kernel
+from tamias2d.kernels.choice import Kernel, kernel
 from tamias2d.kernels.elimination import Elimination, elimination
 from tamias2d.kernels.joint_source import (
     DOUBTED,
@@ -86,6 +86,14 @@ class KernelJoints:
         rows, found = self._run(True, time, position, velocity, velocity)
         return None if rows == DOUBTED else (_rows(found[0]), _rows(found[1]))
 
+    def drift(
+        self, time: float, duration: float, position: Array, velocity: Array
+    ) -> tuple[Array, Array] | None:
+        """Return places (n, 3) after a drift, and velocities along it (GD24)."""
+        code = kernel(*joint_source.drifts(self._demand), "drift")
+        rows, found = self._called(code, (time, duration), (position, velocity))
+        return None if rows == DOUBTED else (_rows(found[0]), _rows(found[1]))
+
     def _run(self, fitting: bool, time: float, *states: Array) -> tuple[int, list[Array]]:
         """Return what the rows are, and states and multipliers after a kernel."""
         rows, found = self._tried(fitting, time, *states)
@@ -98,13 +106,19 @@ class KernelJoints:
 
     def _tried(self, fitting: bool, time: float, *states: Array) -> tuple[int, list[Array]]:
         code = kernel(*joint_source.joints(self._demand), "joints")
+        return self._called(code, (fitting, time), states)
+
+    def _called(
+        self, code: Kernel, numbers: tuple[float, ...], states: Sequence[Array]
+    ) -> tuple[int, list[Array]]:
+        """Call a kernel, compiled or plain, with states that it changes."""
         compiled: Callable[..., int] | None = code.compiled(_LIKELY)
         rows = [state.T.flatten() for state in states] + [np.zeros(len(self._numbers))]
         if compiled is not None:
-            return compiled(fitting, time, *rows, *self._tables), rows
+            return compiled(*numbers, *rows, *self._tables), rows
         lists = [row.tolist() for row in rows]
         try:
-            found: int = code.plain(fitting, time, *lists, *self._lists)
+            found: int = code.plain(*numbers, *lists, *self._lists)
         except (ArithmeticError, ValueError):  # where compiled code goes on with what is not finite
             return DOUBTED, []
         return found, [np.array(row) for row in lists]

@@ -51,7 +51,7 @@ def march_by_kernels(motion: Motion, scene: Scene) -> None:
     if not isinstance(motion, IntegratedMotion):
         return
     if scene.joints:
-        motion.take_joint_codes(joint_code)
+        motion.take_joint_codes(joint_code, _makers(scene))
     else:
         motion.marching = _makers(scene)
 

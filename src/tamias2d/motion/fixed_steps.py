@@ -7,6 +7,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from tamias2d.errors import TamiasError
+from tamias2d.generated.schemes import SPLITTING
 from tamias2d.motion.loads import Field
 from tamias2d.motion.marching import Start, name_of
 from tamias2d.motion.memoised_field import MemoisedField
@@ -28,6 +29,11 @@ class FixedSteps:
     def __init__(self, scheme: Scheme, duration: float, time_step: float) -> None:
         self.scheme = scheme
         self.times = grid(duration, time_step)
+
+    @property
+    def splits(self) -> bool:
+        """Whether a step consists of kicks and drifts."""
+        return name_of(self.scheme) in SPLITTING
 
     def step(
         self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array

@@ -13,13 +13,14 @@ from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.error_equation import ErrorEquation, Watch, rule_beside
 from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.halved import Halved, Halving
+from tamias2d.motion.held_splitting import HeldSplitting
 from tamias2d.motion.integrator import Integrator
 from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import JointEvents, joint_events
 from tamias2d.motion.jointed_steps import JointedSteps
 from tamias2d.motion.law_resolution import LawResolution, States
-from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
-from tamias2d.motion.marching import Marching, Rule
+from tamias2d.motion.loads import Loads, MarchingOf, StateOf, coordinates, quicker, start_states
+from tamias2d.motion.marching import Rule
 from tamias2d.motion.mechanisms import fitted
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
@@ -28,7 +29,7 @@ from tamias2d.motion.step_batch import BatchPath, StepBatch
 from tamias2d.motion.uniform import Uniform
 from tamias2d.path import PathPiece
 from tamias2d.scene import Scene
-from tamias2d.scene.acting import felt_velocity, only_slowed
+from tamias2d.scene.acting import felt_velocity, loads_feel_velocity, only_slowed
 from tamias2d.state import Acceleration, Array, Constraint, History, SharedConstraint, State
 from tamias2d.work_limit import Work, WorkLimitError
 
@@ -61,16 +62,17 @@ class IntegratedMotion(Answers):
         self._constrained = ConstrainedMotion(scene, self._loads, self.tally, self._resolution)
         self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
         self._fields: dict[tuple[int, ...], MemoisedField] = {}
-        self.marching: Callable[[Sequence[int]], Marching | None] = lambda _: None
+        self._held: dict[tuple[int, ...], tuple[MemoisedField, HeldSplitting]] = {}
+        self.marching: MarchingOf = lambda _: None
         """What takes many steps at once of bodies that act on no others, if anything does."""
         self.moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
         """The bodies that move."""
         self.unresolved: str | None = None
         self.notes = notes + self._loads.joint_notes(self.moving)
 
-    def take_joint_codes(self, codes: JointCodes) -> None:
-        """Let code that is made for mechanisms find the reactions of their joints."""
-        self._loads.take_codes(codes)
+    def take_joint_codes(self, codes: JointCodes, makers: MarchingOf) -> None:
+        """Let code that is made for mechanisms find the reactions of their joints, and loads."""
+        self._loads.take_codes(codes, makers)
 
     def segment(
         self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]
@@ -282,7 +284,7 @@ class IntegratedMotion(Answers):
         known = self._fields.get(tuple(bodies))
         if known is None or known.constraints != held:
             marching = None if any(held) else self.marching(bodies)
-            field = _quicker(self._loads.field(bodies, held), marching)
+            field = quicker(self._loads.field(bodies, held), marching)
             known = MemoisedField(
                 field,
                 bodies,
@@ -293,6 +295,23 @@ class IntegratedMotion(Answers):
             )
             self._fields[tuple(bodies)] = known
         return known
+
+    def _stepping(self, field: MemoisedField) -> Integrator:
+        """Return what steps some bodies; the same object while their accelerations last."""
+        steps, found = self._integrator, self._loads.mechanisms(field.bodies)
+        if not (found and isinstance(steps, FixedSteps) and steps.splits):
+            return steps
+        known = self._held.get(field.bodies)
+        if known is None or known[0] is not field:
+            kicks = MemoisedField(
+                self._loads.loaded_field(field.bodies, field.constraints),
+                field.bodies,
+                field.constraints,
+                self.tally,
+                felt_velocity=loads_feel_velocity(self._scene),
+            )
+            known = self._held[field.bodies] = field, HeldSplitting(steps, found, kicks)
+        return known[1]
 
     def _note_missed(self, field: MemoisedField, times: Sequence[float], states: States) -> None:
         """Note what steps have missed of a law, where they could not be shorter for it."""
@@ -307,7 +326,7 @@ class IntegratedMotion(Answers):
         self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
     ) -> Iterator[DenseStep]:
         """Yield steps one by one, up to the first event of a joint."""
-        jointed = JointedSteps(self._loads, self._integrator, field, field.constraints)
+        jointed = JointedSteps(self._loads, self._stepping(field), field, field.constraints)
         for step in jointed.until(start, end, position, velocity):
             self._note_missed(field, (step.start, step.end), step.states)
             if jointed.mechanisms and isinstance(self._batching, ErrorEquation):
@@ -341,18 +360,6 @@ class IntegratedMotion(Answers):
                         raise
             yield batch
             start, now = batch.end, batch.last
-
-
-def _quicker(field: Field, marching: Marching | None) -> Field:
-    """Return accelerations from where they are found faster; what is wrong with them is told."""
-    if marching is None:
-        return field
-
-    def quicker(time: float, position: Array, velocity: Array) -> Array:
-        rows = marching.accelerations(time, position, velocity)
-        return field(time, position, velocity) if rows is None else rows
-
-    return quicker
 
 
 def _batching(integrator: Integrator) -> _Batching | None:

@@ -54,6 +54,11 @@ class JointCode(Protocol):
     ) -> tuple[Array, Array | None] | None:
         """Return the accelerations (n, 3) for those by the loads, and the multipliers (m,)."""
 
+    def drift(
+        self, time: float, duration: float, position: Array, velocity: Array
+    ) -> tuple[Array, Array] | None:
+        """Return places (n, 3) after a drift, and velocities along it (GD24)."""
+
     def fit(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array] | None:
         """Return places and velocities (n, 3), moved to where the joints hold (GD18)."""
 

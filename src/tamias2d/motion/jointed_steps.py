@@ -6,6 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
+from tamias2d.motion.held_splitting import HeldSplitting
 from tamias2d.motion.integrator import Integrator
 from tamias2d.motion.joint_decision import begin
 from tamias2d.motion.joint_instant import Now
@@ -93,7 +94,7 @@ class JointedSteps:
         """Return a step that ends where the joints hold."""
         with self._stepped_from(start):
             step = self._integrator.step(self._field, start, end, position, velocity)
-        if not self.mechanisms:
+        if not self.mechanisms or isinstance(self._integrator, HeldSplitting):
             return step
         return moved_end(step, *fitted(self.mechanisms, step.end, *step.last))
 
@@ -116,6 +117,8 @@ class JointedSteps:
             now = Now(start, position[own], velocity[own], pull[own])
             velocity[own] = begin(mechanism, now, anew=bool(self._pressing))
         self._field.forget()
+        if isinstance(self._integrator, HeldSplitting):
+            self._integrator.kicks.forget()
         return velocity
 
     def _event(self, step: DenseStep) -> DenseStep | None:

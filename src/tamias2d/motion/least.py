@@ -65,6 +65,12 @@ class LeastSolution:
         x: Array = self._basis @ (self._inverse.T @ scaled)
         return x
 
+    def within(self, rows: Array, wanted: Array) -> Array:
+        """Return the x (n,) made of its own rows that other weighed rows (m, n) map to wanted."""
+        shares: Array = np.linalg.lstsq(rows @ self._basis, wanted)[0]
+        x: Array = self._basis @ shares
+        return x
+
     def shares(self, x: Array) -> Array:
         """Return the least weights (m,) with which the rows add up to a solution x."""
         found = self._inverse @ (self._basis.T @ x)

@@ -231,8 +231,25 @@ class LimitedMechanism:
         Raises:
             JointError: no reactions keep the joints.
         """
-        mode = self.mode(max(time, self.stepped_from))
-        return self.accelerated(Now(time, position, velocity, free), mode)
+        return self.accelerated(Now(time, position, velocity, free), self._mode_of_step(time))
+
+    def pull(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
+        """Return the accelerations (n, 3) by the loads and by what springs and motors exert."""
+        return self.pulled(Now(time, position, velocity, free), self._mode_of_step(time))
+
+    def drifted(
+        self, time: float, duration: float, position: Array, velocity: Array
+    ) -> tuple[Array, Array]:
+        """Return places after a drift from a time on, s, and the velocities (n, 3) along it (GD24).
+
+        Raises:
+            JointError: no place near by fits.
+        """
+        now = self.within(self._mode_of_step(time))
+        return now.drifted(time, duration, position, velocity)
+
+    def _mode_of_step(self, time: float) -> Mode:
+        return self.mode(max(time, self.stepped_from))
 
     def accelerated(self, now: Now, mode: Mode) -> Array:
         """Return the accelerations (n, 3) in a mode."""

@@ -10,14 +10,17 @@ from tamias2d.generated import rotation, translation
 from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import Mode, Timeline
 from tamias2d.motion.limited_mechanism import LimitedMechanism
+from tamias2d.motion.marching import Marching
 from tamias2d.motion.mechanisms import Mechanisms, Placed
 from tamias2d.motion.terms import Term, terms
 from tamias2d.scene import Scene
-from tamias2d.scene.acting import groups, steady_load, varying_loads
+from tamias2d.scene.acting import groups, loaded_variously, steady_load, varying_loads
 from tamias2d.state import Acceleration, Array, Constraint, State
 
 Field: TypeAlias = Callable[[float, Array, Array], Array]
 """Accelerations (n, 3) from a time, the coordinates (n, 3) and their rates (n, 3)."""
+MarchingOf: TypeAlias = Callable[[Sequence[int]], Marching | None]
+"""What finds steps and accelerations of some bodies faster, if anything does."""
 StateOf: TypeAlias = Callable[[int], State]
 """The state of a body now, given by its index."""
 
@@ -31,6 +34,7 @@ class Loads:
         self._scene = scene
         self.varying = varying_loads(scene)
         """Why the loads of a body vary, for each body whose loads do."""
+        self._variously = loaded_variously(scene)
         self.group_of = {body: group for group in groups(scene) for body in group}
         """The bodies that act on each other, for each body that moves."""
         self._steady = [self._steadily(k) for k in range(len(scene))]
@@ -43,6 +47,7 @@ class Loads:
         """What has happened in joints."""
         self._mechanisms = Mechanisms(scene, self.timeline, codes)
         self._among: dict[tuple[int, ...], list[Placed]] = {}
+        self._marching: MarchingOf = lambda _: None
 
     def steady(self, body: int) -> Acceleration:
         """Return what gravity and all constant forces and torques give a body."""
@@ -64,19 +69,21 @@ class Loads:
 
         Who acts on one of the bodies must be among them (`group_of`).
         """
-        held = [(row, constraint) for row, constraint in enumerate(constraints) if constraint]
-        free = self._jointed(bodies, self.free_field(bodies))
-        if not held:
-            return free
+        return _held(self._jointed(bodies, self.free_field(bodies)), constraints)
+
+    def loaded_field(
+        self, bodies: Sequence[int], constraints: Sequence[Constraint | None]
+    ) -> Field:
+        """Return likewise what loads, springs and motors give, without reactions of joints."""
+        free, found = self.free_field(bodies), self.mechanisms(bodies)
 
         def field(time: float, position: Array, velocity: Array) -> Array:
             rows = free(time, position, velocity).copy()
-            for row, constraint in held:
-                x, y, turn = rows[row].tolist()
-                rows[row] = constraint((x, y, turn), state_of(position[row], velocity[row]))
+            for own, mechanism in found:
+                rows[own] = mechanism.pull(time, position[own], velocity[own], rows[own])
             return rows
 
-        return field
+        return _held(field, constraints)
 
     def mechanisms(self, bodies: Sequence[int]) -> list[Placed]:
         """Return the mechanisms among some bodies, each with the places of its own in `bodies`."""
@@ -86,9 +93,10 @@ class Loads:
             self._among[key] = self._mechanisms.among(bodies)
         return self._among[key]
 
-    def take_codes(self, codes: JointCodes) -> None:
-        """Let code that is made for mechanisms find their reactions from now on."""
+    def take_codes(self, codes: JointCodes, makers: MarchingOf) -> None:
+        """Let code that is made for mechanisms find their reactions, and their loads."""
         self._mechanisms = Mechanisms(self._scene, self.timeline, codes)
+        self._marching = makers
         self._among.clear()
         self._fields.clear()
 
@@ -176,10 +184,10 @@ class Loads:
 
     def free_field(self, bodies: Sequence[int]) -> Field:
         """Return the accelerations by the loads alone, whatever holds the bodies."""
-        if not any(body in self.varying for body in bodies):
+        if self._variously.isdisjoint(bodies):
             fixed = np.array([self._steady[body] for body in bodies]).reshape(-1, 3)
             return lambda time, position, velocity: fixed  # noqa: ARG005
-        return self._summed(bodies)
+        return quicker(self._summed(bodies), self._marching(bodies))
 
     def _summed(self, bodies: Sequence[int]) -> Field:
         scene = self._scene
@@ -235,6 +243,34 @@ class Loads:
         fx, fy, torque = steady_load(self._scene, k)
         x, y = translation.acceleration(self._scene.gravity, (fx, fy), body.mass)
         return float(x), float(y), float(rotation.angular_acceleration(torque, body.inertia))
+
+
+def quicker(field: Field, marching: Marching | None) -> Field:
+    """Return accelerations from where they are found faster; what is wrong with them is told."""
+    if marching is None:
+        return field
+
+    def found(time: float, position: Array, velocity: Array) -> Array:
+        rows = marching.accelerations(time, position, velocity)
+        return field(time, position, velocity) if rows is None else rows
+
+    return found
+
+
+def _held(free: Field, constraints: Sequence[Constraint | None]) -> Field:
+    """Return accelerations as the constraints on bodies leave them."""
+    held = [(row, constraint) for row, constraint in enumerate(constraints) if constraint]
+    if not held:
+        return free
+
+    def field(time: float, position: Array, velocity: Array) -> Array:
+        rows = free(time, position, velocity).copy()
+        for row, constraint in held:
+            x, y, turn = rows[row].tolist()
+            rows[row] = constraint((x, y, turn), state_of(position[row], velocity[row]))
+        return rows
+
+    return field
 
 
 def start_states(scene: Scene) -> list[State]:

@@ -123,7 +123,7 @@ class Mechanism:
         """
         if self.code and (found := self.code.react(time, position, velocity, free)):
             return found[0]
-        pulled = self._pull(time, position, velocity, free)
+        pulled = self.pull(time, position, velocity, free)
         x, _ = self._reactions(time, position, velocity, pulled)
         accelerations: Array = pulled + self._weights * x.reshape(free.shape)
         return accelerations
@@ -133,11 +133,12 @@ class Mechanism:
         found = self.code and self.code.react(time, position, velocity, free)
         if found and found[1] is not None:
             return found[1]
-        pulled = self._pull(time, position, velocity, free)
+        pulled = self.pull(time, position, velocity, free)
         x, least = self._reactions(time, position, velocity, pulled)
         return least.shares(x)
 
-    def _pull(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
+    def pull(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
+        """Return the accelerations (n, 3) by the loads and by what springs and motors exert."""
         return free if self._pulled is None else self._pulled(time, position, velocity, free)
 
     def _reactions(
@@ -196,6 +197,42 @@ class Mechanism:
             return found
         position, least = self._placed(time, position)
         return position, self._paced(time, position, velocity, least)
+
+    def drifted(
+        self, time: float, duration: float, position: Array, velocity: Array
+    ) -> tuple[Array, Array]:
+        """Return places after a drift from a time on, s, and the velocities (n, 3) along it.
+
+        Impulses along the slopes at its begin lead to where the joints hold (GD24). Those that keep
+        the rates there come first: large loads that joints bear would lead far astray.
+
+        Raises:
+            JointError: no place near by fits.
+        """
+        if self.code and (found := self.code.drift(time, duration, position, velocity)):
+            return found
+        _, least = self._factors(time, position)
+        paced = 1 - self.placed
+        wanted = paced * (self.rows.values(time, position) + duration * self.speeds)
+        along, before = self._paced(time, position, velocity, least), np.inf
+        after = position + duration * along
+        for _ in range(MOST):
+            with np.errstate(all="ignore"):
+                slopes = self.rows.slopes(time + duration, after)
+                values = self.rows.values(time + duration, after) - wanted
+            if not (np.isfinite(values).all() and np.isfinite(slopes).all()):
+                break
+            rows = slopes.reshape(len(slopes), self._weights.size) * self._weights.ravel()
+            x = least.within(rows, values)
+            back = self._weights * x.reshape(position.shape)
+            after, along = after - back, along - back / duration
+            way = float(np.abs(x).max(initial=0.0))
+            if way <= NEAR * self._size(position):
+                return after, along
+            if way > 2 * before:
+                break
+            before = way
+        raise self._torn(time, "is torn by a step", values)
 
     def paced(self, time: float, position: Array, velocity: Array) -> Array:
         """Return velocities (n, 3), moved by the least change to the rates that the joints keep."""

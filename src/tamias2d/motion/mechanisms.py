@@ -71,6 +71,20 @@ def fitted(
     return position, velocity
 
 
+def drifted(
+    found: Sequence[Placed], time: float, duration: float, position: Array, velocity: Array
+) -> tuple[Array, Array]:
+    """Return coordinates and rates (n, 3) after a drift that ends where all joints hold (GD24).
+
+    Raises:
+        JointError: no place near by fits.
+    """
+    after, along = position + duration * velocity, velocity.copy()
+    for own, mechanism in found:
+        after[own], along[own] = mechanism.drifted(time, duration, position[own], velocity[own])
+    return after, along
+
+
 def fitted_history(
     scene: Scene,
     times: Array,

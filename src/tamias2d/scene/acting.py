@@ -8,6 +8,7 @@ from tamias2d.scene.law import Law, StateLaw, value_at, varies
 from tamias2d.scene.scene_data import SceneData
 
 _VELOCITIES = {"velocity", "angular_velocity"}
+_JOINTED = "held by a joint"
 _DRAG = "drag"
 
 Load: TypeAlias = tuple[float, float, float]
@@ -59,6 +60,12 @@ def varying_loads(scene: SceneData) -> dict[int, str]:
     return {k: " and ".join(found[k]) for k in moving if k in found}
 
 
+def loaded_variously(scene: SceneData) -> set[int]:
+    """Return the bodies whose loads vary by more than what joints exert."""
+    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
+    return {k for k, why in _variations(scene, moving) if why != _JOINTED}
+
+
 def only_slowed(scene: SceneData) -> bool:
     """Return whether no load of any body varies but by drag."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
@@ -105,7 +112,7 @@ def _variations(scene: SceneData, moving: Sequence[int]) -> Iterator[tuple[int, 
     for spring in scene.springs:
         yield from ((k, "held by a spring") for k in spring.bodies)
     for joint in scene.joints:
-        yield from ((k, "held by a joint") for k in joint.bodies)
+        yield from ((k, _JOINTED) for k in joint.bodies)
     if scene.attraction is not None and len(moving) > 1:
         yield from ((k, "attracted by other bodies") for k in moving)
     for field in scene.fields:
@@ -116,10 +123,16 @@ def _variations(scene: SceneData, moving: Sequence[int]) -> Iterator[tuple[int, 
 
 
 def felt_velocity(scene: SceneData) -> bool:
-    """Return whether a load of any body depends on a velocity."""
+    """Return whether a load of any body, or what a joint exerts, depends on a velocity."""
+    return bool(scene.joints) or loads_feel_velocity(scene)
+
+
+def loads_feel_velocity(scene: SceneData) -> bool:
+    """Return whether a load of any body depends on a velocity, springs of joints among them."""
+    freedoms = (each for joint in scene.joints for each in joint.freedoms)
     laws = (law for k in range(len(scene)) for _, law in _laws_on(scene, k))
     return (
-        bool(scene.joints)
+        any(each.spring and each.spring.damping for each in freedoms)
         or any(b.linear_drag or b.quadratic_drag or b.angular_drag for b in scene.bodies)
         or any(spring.damping for spring in scene.springs)
         or any(isinstance(law, StateLaw) and law.names & _VELOCITIES for law in laws)
