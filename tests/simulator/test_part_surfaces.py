@@ -152,6 +152,18 @@ def test_parts_of_bodies_that_were_just_added_among_freed_rows_are_their_own() -
     assert kinds == [t2.Disc, t2.Disc, t2.Box]
 
 
+def test_what_parts_state_moves_with_their_shapes() -> None:
+    """Bodies that come together are put in order from left to right, and their shapes with them."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    for k, x in enumerate((9.0, 0.0, 5.0)):
+        own = {"restitution": 0.0, "friction": 0.125 * k}
+        scene.add_body(sledge(runner=0.25 * k), mass=1.0, position=(x, 0.0), **own)  # type: ignore[arg-type]
+    sim = t2.Simulator(scene)
+    sim.step()
+    told = [(sim.body(k).friction, sim.body(k).shape.parts[0].friction) for k in range(3)]  # type: ignore[union-attr]
+    assert told == [(0.0, 0.0), (0.125, 0.25), (0.25, 0.5)]
+
+
 def test_what_sleeps_wakes_where_a_part_changes() -> None:
     sim = sliding(sledge(runner=0.5), sleeping=True)
     sim.velocity[1] = 0.0
