@@ -152,6 +152,24 @@ def test_parts_of_bodies_that_were_just_added_among_freed_rows_are_their_own() -
     assert kinds == [t2.Disc, t2.Disc, t2.Box]
 
 
+def test_a_part_has_its_number_before_the_next_step() -> None:
+    """Also where the shape of a removed body left room for another part below it."""
+    parts = [t2.Part(shape=BOARD), t2.Part(shape=BALL, position=(0.0, 1.0))]
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+    sim.add(t2.Compound(parts=parts), mass=1.0, position=(0.0, 0.0), restitution=0.0)
+    sim.step()
+    sim.remove(0)
+    sim.step()
+    sim.add(t2.Compound(parts=parts[::-1]), mass=1.0, position=(0.0, 0.0), restitution=0.0)
+    sim.set_surface(0, part=0, friction=0.5)
+    found = sim.body(0).shape
+    assert isinstance(found, t2.Compound)
+    assert [(type(p.shape), p.friction) for p in found.parts] == [
+        (t2.Disc, 0.5),
+        (t2.Polygon, None),
+    ]
+
+
 def test_what_parts_state_moves_with_their_shapes() -> None:
     """Bodies that come together are put in order from left to right, and their shapes with them."""
     scene = t2.Scene(gravity=(0.0, 0.0))
