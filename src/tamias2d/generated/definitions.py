@@ -1,9 +1,9 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
 of a capsule; Bodies of several parts; Inertia in proportion to the mass; Radius of gyration;
-Acceleration by inverse mass; Flow through a step; Momentum; Restitution of a pair; Contact of
-two vertices; Tangential velocity of a contact; Friction of a pair; Kinetic energy; Potential
-energy; Energy lost in an impact; Spring along a joint; Spring about a joint; Bounded spring of
-a joint.
+Acceleration by inverse mass; Flow through a step; Impulse against drag; Momentum; Restitution
+of a pair; Contact of two vertices; Tangential velocity of a contact; Friction of a pair;
+Kinetic energy; Potential energy; Energy lost in an impact; Spring along a joint; Spring about a
+joint; Bounded spring of a joint.
 
 Generated from srs/definitions.md and srs/models/joints.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -395,9 +395,61 @@ def slowed_share(propagator_gain: Scalar, time_step: Scalar) -> Scalar:
         propagator_gain: Velocity after a step for one unit of acceleration, s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD41, srs/definitions.md:292.
+    Source: DD110, srs/definitions.md:339.
     """
     return propagator_gain / time_step
+
+
+def inverse_mass_slowed(slowed_share: Scalar, inverse_mass: Scalar) -> Scalar:
+    """One over the mass, zero for a static body; as drag leaves it of what acts evenly through a
+    step (1/kg).
+
+    inverse_mass_slowed = slowed_share*inverse_mass
+
+    Args:
+        slowed_share: Part that drag leaves of a change of velocity by an impulse that acts
+            evenly through a step, 1
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+
+    Source: DD110, srs/definitions.md:340.
+    """
+    return slowed_share * inverse_mass
+
+
+def inverse_inertia_slowed(slowed_share: Scalar, inverse_inertia: Scalar) -> Scalar:
+    """One over the inertia, zero for a body that cannot turn; as drag leaves it of what acts
+    evenly through a step (1/(kg*m^2)).
+
+    inverse_inertia_slowed = slowed_share*inverse_inertia
+
+    Args:
+        slowed_share: Part that drag leaves of a change of velocity by an impulse that acts
+            evenly through a step, 1
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+
+    Source: DD110, srs/definitions.md:341.
+    """
+    return slowed_share * inverse_inertia
+
+
+def coordinate_velocity_slowed(
+    coordinate_velocity: Scalar, slowed_share: Scalar, coordinate_velocity_given: Scalar
+) -> Scalar:
+    """Velocity along one axis; as drag leaves it of what acts evenly through a step (m/s).
+
+    coordinate_velocity_slowed = coordinate_velocity - (1 -
+    slowed_share)*coordinate_velocity_given
+
+    Args:
+        coordinate_velocity: Velocity along one axis, m/s
+        slowed_share: Part that drag leaves of a change of velocity by an impulse that acts
+            evenly through a step, 1
+        coordinate_velocity_given: What impulses add to a velocity along one axis in a step
+            without drag, m/s
+
+    Source: DD110, srs/definitions.md:342.
+    """
+    return coordinate_velocity - (1 - slowed_share) * coordinate_velocity_given
 
 
 def momentum(mass: Scalar, velocity: Vector) -> Vector:
@@ -409,7 +461,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:375.
+    Source: DD21, srs/definitions.md:438.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -424,7 +476,7 @@ def angular_momentum_own(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:376.
+    Source: DD21, srs/definitions.md:439.
     """
     return inertia * angular_velocity
 
@@ -444,7 +496,7 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:377.
+    Source: DD21, srs/definitions.md:440.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
@@ -463,7 +515,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:474.
+    Source: DD17, srs/definitions.md:537.
     """
     return least(restitution_a, restitution_b)
 
@@ -479,7 +531,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:507.
+    Source: GD11, srs/definitions.md:570.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -505,7 +557,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:533.
+    Source: DD22, srs/definitions.md:596.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -522,7 +574,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:546.
+    Source: DD23, srs/definitions.md:609.
     """
     return sqrt(friction_a * friction_b)
 
@@ -540,7 +592,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:564.
+    Source: DD15, srs/definitions.md:627.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -559,7 +611,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:597.
+    Source: DD16, srs/definitions.md:660.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -578,7 +630,7 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:614.
+    Source: DD60, srs/definitions.md:677.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
 

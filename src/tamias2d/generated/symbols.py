@@ -1503,13 +1503,29 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=940,
     ),
+    "coordinate_velocity_given": Symbol(
+        "coordinate_velocity_given",
+        "m/s",
+        "what impulses add to a velocity along one axis in a step without drag",
+        tex="\\Delta v_j",
+        file="srs/symbols.md",
+        line=944,
+    ),
+    "coordinate_impulse": Symbol(
+        "coordinate_impulse",
+        "N*s",
+        "impulse along one axis",
+        tex="j_k",
+        file="srs/symbols.md",
+        line=948,
+    ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
         "m/s",
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=944,
+        line=952,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1517,7 +1533,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=948,
+        line=956,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1525,7 +1541,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=952,
+        line=960,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1534,7 +1550,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=956,
+        line=964,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1543,7 +1559,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=961,
+        line=969,
     ),
     "slowed_share": Symbol(
         "slowed_share",
@@ -1552,7 +1568,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\bar\\epsilon",
         file="srs/symbols.md",
-        line=966,
+        line=974,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1561,7 +1577,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=973,
+        line=981,
     ),
     "shift": Symbol(
         "shift",
@@ -1570,7 +1586,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=978,
+        line=986,
     ),
     "turn": Symbol(
         "turn",
@@ -1578,7 +1594,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\Theta",
         file="srs/symbols.md",
-        line=983,
+        line=991,
     ),
     "early_share": Symbol(
         "early_share",
@@ -1587,7 +1603,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon_h",
         file="srs/symbols.md",
-        line=987,
+        line=995,
     ),
     "step_share": Symbol(
         "step_share",
@@ -1595,7 +1611,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of a step that is over",
         tex="\\sigma_h",
         file="srs/symbols.md",
-        line=994,
+        line=1002,
     ),
     "impulse_late": Symbol(
         "impulse_late",
@@ -1603,7 +1619,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sum of the impulses of a contact in a step, each times the share of the step that was over",
         tex="j_{\\mathrm{late}}",
         file="srs/symbols.md",
-        line=998,
+        line=1006,
     ),
     "impulse_turned": Symbol(
         "impulse_turned",
@@ -1612,7 +1628,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{j}",
         file="srs/symbols.md",
-        line=1004,
+        line=1012,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1621,7 +1637,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=1009,
+        line=1017,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1630,7 +1646,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1016,
+        line=1024,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1639,7 +1655,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1021,
+        line=1029,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1648,7 +1664,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1028,
+        line=1036,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1657,7 +1673,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1035,
+        line=1043,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1666,7 +1682,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=1041,
+        line=1049,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1674,7 +1690,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=1048,
+        line=1056,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1683,7 +1699,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=1061,
+        line=1069,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1691,7 +1707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=1066,
+        line=1074,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1699,7 +1715,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=1070,
+        line=1078,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1708,7 +1724,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=1076,
+        line=1084,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1716,7 +1732,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=1081,
+        line=1089,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1725,7 +1741,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=1085,
+        line=1093,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1733,7 +1749,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=1090,
+        line=1098,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1742,7 +1758,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=1094,
+        line=1102,
     ),
     "advance": Symbol(
         "advance",
@@ -1751,7 +1767,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=1099,
+        line=1107,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1759,7 +1775,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=1104,
+        line=1112,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1768,7 +1784,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=1108,
+        line=1116,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1776,7 +1792,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=1113,
+        line=1121,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1784,7 +1800,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=1117,
+        line=1125,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1793,7 +1809,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=1121,
+        line=1129,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1801,7 +1817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=1126,
+        line=1134,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1809,7 +1825,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=1130,
+        line=1138,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1817,7 +1833,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1135,
+        line=1143,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1825,7 +1841,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1141,
+        line=1149,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1834,7 +1850,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_c",
         file="srs/symbols.md",
-        line=1145,
+        line=1153,
     ),
     "slip": Symbol(
         "slip",
@@ -1842,7 +1858,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1152,
+        line=1160,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1850,7 +1866,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="\\mathcal{D}",
         file="srs/symbols.md",
-        line=1158,
+        line=1166,
     ),
     "circling": Symbol(
         "circling",
@@ -1859,7 +1875,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\chi_\\omega",
         file="srs/symbols.md",
-        line=1162,
+        line=1170,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1867,7 +1883,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1169,
+        line=1177,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1876,7 +1892,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1173,
+        line=1181,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1885,7 +1901,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1178,
+        line=1186,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1894,7 +1910,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1183,
+        line=1191,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1902,7 +1918,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1188,
+        line=1196,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1911,7 +1927,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1192,
+        line=1200,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1919,7 +1935,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1197,
+        line=1205,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1927,7 +1943,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1201,
+        line=1209,
     ),
     "arc": Symbol(
         "arc",
@@ -1936,7 +1952,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Theta_{\\max}",
         file="srs/symbols.md",
-        line=1207,
+        line=1215,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1945,7 +1961,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1212,
+        line=1220,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1953,7 +1969,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1222,
+        line=1230,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1961,7 +1977,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1226,
+        line=1234,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1970,7 +1986,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1230,
+        line=1238,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1979,7 +1995,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1235,
+        line=1243,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1988,7 +2004,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1240,
+        line=1248,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1997,7 +2013,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1245,
+        line=1253,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -2006,7 +2022,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1250,
+        line=1258,
     ),
     "quiet": Symbol(
         "quiet",
@@ -2014,7 +2030,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1255,
+        line=1263,
     ),
     "momentum": Symbol(
         "momentum",
@@ -2023,7 +2039,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1264,
+        line=1272,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -2031,7 +2047,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1269,
+        line=1277,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -2040,7 +2056,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1273,
+        line=1281,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -2048,7 +2064,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1278,
+        line=1286,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -2056,7 +2072,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1282,
+        line=1290,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -2065,7 +2081,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1286,
+        line=1294,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -2074,7 +2090,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1291,
+        line=1299,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -2083,7 +2099,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1296,
+        line=1304,
     ),
     "work": Symbol(
         "work",
@@ -2091,7 +2107,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1301,
+        line=1309,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -2100,7 +2116,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1305,
+        line=1313,
     ),
     "impact_rate": Symbol(
         "impact_rate",
@@ -2108,7 +2124,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of a contact in a substep beyond that which closes its gap, negative in an impact",
         tex="w_{\\text{impact}}",
         file="srs/symbols.md",
-        line=1310,
+        line=1318,
     ),
     "overlap_removed": Symbol(
         "overlap_removed",
@@ -2116,7 +2132,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much an overlap is less deep after a step, negative where it is deeper",
         tex="\\Delta_o",
         file="srs/symbols.md",
-        line=1314,
+        line=1322,
     ),
     "load_size": Symbol(
         "load_size",
@@ -2125,7 +2141,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="F_{\\text{load}}",
         file="srs/symbols.md",
-        line=1318,
+        line=1326,
     ),
     "impulse_way": Symbol(
         "impulse_way",
@@ -2133,7 +2149,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact times the way by which its overlap is less deep",
         tex="q_o",
         file="srs/symbols.md",
-        line=1323,
+        line=1331,
     ),
     "overlap_work": Symbol(
         "overlap_work",
@@ -2142,7 +2158,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{overlap}}",
         file="srs/symbols.md",
-        line=1327,
+        line=1335,
     ),
     "support_work": Symbol(
         "support_work",
@@ -2151,7 +2167,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1332,
+        line=1340,
     ),
     "holding_work": Symbol(
         "holding_work",
@@ -2159,7 +2175,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the torque which keeps a body from turning has given it in a step, seen from its support",
         tex="W_{\\text{hold}}",
         file="srs/symbols.md",
-        line=1337,
+        line=1345,
     ),
     "angular_impulse": Symbol(
         "angular_impulse",
@@ -2167,7 +2183,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment that the impulses of all contacts of a body have about its centre of mass",
         tex="L_{\\Sigma}",
         file="srs/symbols.md",
-        line=1343,
+        line=1351,
     ),
     "contact_arm": Symbol(
         "contact_arm",
@@ -2176,7 +2192,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_c",
         file="srs/symbols.md",
-        line=1348,
+        line=1356,
     ),
     "pressed_moment": Symbol(
         "pressed_moment",
@@ -2185,7 +2201,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}_{\\Sigma}",
         file="srs/symbols.md",
-        line=1353,
+        line=1361,
     ),
     "pressed_arm": Symbol(
         "pressed_arm",
@@ -2194,7 +2210,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_{\\Sigma}",
         file="srs/symbols.md",
-        line=1359,
+        line=1367,
     ),
     "velocity_met": Symbol(
         "velocity_met",
@@ -2203,7 +2219,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_{\\text{met}}",
         file="srs/symbols.md",
-        line=1364,
+        line=1372,
     ),
     "support_energy": Symbol(
         "support_energy",
@@ -2211,7 +2227,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a support gives by the impulses of a contact",
         tex="E_{\\text{support}}",
         file="srs/symbols.md",
-        line=1369,
+        line=1377,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -2220,7 +2236,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1373,
+        line=1381,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2228,7 +2244,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1378,
+        line=1386,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2236,7 +2252,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_{\\mathrm{sup}}",
         file="srs/symbols.md",
-        line=1382,
+        line=1390,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2245,7 +2261,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1386,
+        line=1394,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2253,7 +2269,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1392,
+        line=1400,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2262,7 +2278,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1396,
+        line=1404,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2271,7 +2287,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1401,
+        line=1409,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2280,7 +2296,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1406,
+        line=1414,
     ),
     "rising_energy_left": Symbol(
         "rising_energy_left",
@@ -2289,7 +2305,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1411,
+        line=1419,
     ),
     "velocity_rising_reduced": Symbol(
         "velocity_rising_reduced",
@@ -2298,7 +2314,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1416,
+        line=1424,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2306,7 +2322,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1421,
+        line=1429,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2315,7 +2331,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1427,
+        line=1435,
     ),
     "energy_along_given_left": Symbol(
         "energy_along_given_left",
@@ -2324,7 +2340,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1432,
+        line=1440,
     ),
     "velocity_reduced": Symbol(
         "velocity_reduced",
@@ -2333,7 +2349,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1437,
+        line=1445,
     ),
     "angular_velocity_reduced": Symbol(
         "angular_velocity_reduced",
@@ -2341,7 +2357,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1442,
+        line=1450,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2350,7 +2366,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1446,
+        line=1454,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2358,7 +2374,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1451,
+        line=1459,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2367,7 +2383,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1455,
+        line=1463,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2375,7 +2391,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1460,
+        line=1468,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2384,7 +2400,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1465,
+        line=1473,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2393,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1470,
+        line=1478,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2402,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1475,
+        line=1483,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2410,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1480,
+        line=1488,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2418,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1484,
+        line=1492,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2426,7 +2442,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1488,
+        line=1496,
     ),
     "energy_defect": Symbol(
         "energy_defect",
@@ -2434,7 +2450,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1492,
+        line=1500,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2443,7 +2459,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1498,
+        line=1506,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2452,7 +2468,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1503,
+        line=1511,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2461,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1510,
+        line=1518,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2470,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1515,
+        line=1523,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2478,7 +2494,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1520,
+        line=1528,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2486,7 +2502,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\ell_v",
         file="srs/symbols.md",
-        line=1525,
+        line=1533,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2494,7 +2510,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1531,
+        line=1539,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2503,7 +2519,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_L",
         file="srs/symbols.md",
-        line=1535,
+        line=1543,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2512,7 +2528,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1542,
+        line=1550,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2521,7 +2537,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1547,
+        line=1555,
     ),
     "energy": Symbol(
         "energy",
@@ -2529,7 +2545,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1552,
+        line=1560,
     ),
     "radius": Symbol(
         "radius",
@@ -2538,7 +2554,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1561,
+        line=1569,
     ),
     "length": Symbol(
         "length",
@@ -2547,7 +2563,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1566,
+        line=1574,
     ),
     "width": Symbol(
         "width",
@@ -2556,7 +2572,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1573,
+        line=1581,
     ),
     "height": Symbol(
         "height",
@@ -2565,7 +2581,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1578,
+        line=1586,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2574,7 +2590,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1583,
+        line=1591,
     ),
     "center": Symbol(
         "center",
@@ -2583,7 +2599,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1588,
+        line=1596,
     ),
     "offset": Symbol(
         "offset",
@@ -2591,7 +2607,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1593,
+        line=1601,
     ),
     "area": Symbol(
         "area",
@@ -2600,7 +2616,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1597,
+        line=1605,
     ),
     "way": Symbol(
         "way",
@@ -2609,7 +2625,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_c",
         file="srs/symbols.md",
-        line=1602,
+        line=1610,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2617,7 +2633,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha_c",
         file="srs/symbols.md",
-        line=1607,
+        line=1615,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2626,7 +2642,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1611,
+        line=1619,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2635,7 +2651,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1616,
+        line=1624,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2643,7 +2659,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta_e",
         file="srs/symbols.md",
-        line=1621,
+        line=1629,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2651,7 +2667,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1625,
+        line=1633,
     ),
     "lean": Symbol(
         "lean",
@@ -2659,7 +2675,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1629,
+        line=1637,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2667,7 +2683,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho_c",
         file="srs/symbols.md",
-        line=1633,
+        line=1641,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2675,7 +2691,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1637,
+        line=1645,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2684,7 +2700,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1643,
+        line=1651,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2692,7 +2708,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1656,
+        line=1664,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2700,7 +2716,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1660,
+        line=1668,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2708,7 +2724,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1664,
+        line=1672,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2716,7 +2732,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1668,
+        line=1676,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2725,7 +2741,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta_C",
         file="srs/symbols.md",
-        line=1672,
+        line=1680,
     ),
     "slope": Symbol(
         "slope",
@@ -2734,7 +2750,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}",
         file="srs/symbols.md",
-        line=1677,
+        line=1685,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2743,7 +2759,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}_0",
         file="srs/symbols.md",
-        line=1682,
+        line=1690,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2752,7 +2768,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta G^2",
         file="srs/symbols.md",
-        line=1687,
+        line=1695,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2761,7 +2777,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="G^2",
         file="srs/symbols.md",
-        line=1692,
+        line=1700,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2769,7 +2785,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="G_\\varphi",
         file="srs/symbols.md",
-        line=1697,
+        line=1705,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2777,7 +2793,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1701,
+        line=1709,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2785,7 +2801,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e_G",
         file="srs/symbols.md",
-        line=1705,
+        line=1713,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2794,7 +2810,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_G",
         file="srs/symbols.md",
-        line=1709,
+        line=1717,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2802,7 +2818,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="G_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1714,
+        line=1722,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2810,7 +2826,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_G",
         file="srs/symbols.md",
-        line=1718,
+        line=1726,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2818,7 +2834,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1722,
+        line=1730,
     ),
     "inertia_factor_most": Symbol(
         "inertia_factor_most",
@@ -2826,7 +2842,7 @@ SYMBOLS: dict[str, Symbol] = {
         "most times its own inertia with which a body counts in joints",
         tex="\\kappa_{\\max}",
         file="srs/symbols.md",
-        line=1726,
+        line=1734,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2834,7 +2850,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1730,
+        line=1738,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2842,7 +2858,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1734,
+        line=1742,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2850,7 +2866,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1738,
+        line=1746,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2858,7 +2874,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1742,
+        line=1750,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2866,7 +2882,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1746,
+        line=1754,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2874,7 +2890,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1750,
+        line=1758,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2883,7 +2899,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1754,
+        line=1762,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2891,7 +2907,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda_l",
         file="srs/symbols.md",
-        line=1759,
+        line=1767,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2900,7 +2916,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1763,
+        line=1771,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2908,7 +2924,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1768,
+        line=1776,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2917,7 +2933,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1772,
+        line=1780,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2926,7 +2942,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1777,
+        line=1785,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2935,7 +2951,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1782,
+        line=1790,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2944,7 +2960,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1787,
+        line=1795,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2952,7 +2968,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1792,
+        line=1800,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2961,7 +2977,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1796,
+        line=1804,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2969,7 +2985,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1801,
+        line=1809,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2977,7 +2993,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1805,
+        line=1813,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2986,7 +3002,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1809,
+        line=1817,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2995,7 +3011,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1814,
+        line=1822,
     ),
     "row_pull": Symbol(
         "row_pull",
@@ -3003,7 +3019,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row's spring and damper without their maximum",
         tex="P_C",
         file="srs/symbols.md",
-        line=1819,
+        line=1827,
     ),
     "row_pull_across": Symbol(
         "row_pull_across",
@@ -3011,7 +3027,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the same of the other row of a target",
         tex="P_\\bot",
         file="srs/symbols.md",
-        line=1823,
+        line=1831,
     ),
     "row_pull_size": Symbol(
         "row_pull_size",
@@ -3020,7 +3036,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_\\sigma",
         file="srs/symbols.md",
-        line=1827,
+        line=1835,
     ),
     "row_share": Symbol(
         "row_share",
@@ -3029,7 +3045,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=1832,
+        line=1840,
     ),
     "whole_impulse": Symbol(
         "whole_impulse",
@@ -3037,7 +3053,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a spring at a joint for all of a substep",
         tex="\\Lambda_\\Theta",
         file="srs/symbols.md",
-        line=1837,
+        line=1845,
     ),
     "impulse_left": Symbol(
         "impulse_left",
@@ -3046,7 +3062,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_<",
         file="srs/symbols.md",
-        line=1841,
+        line=1849,
     ),
     "impulse_room": Symbol(
         "impulse_room",
@@ -3055,7 +3071,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{room}",
         file="srs/symbols.md",
-        line=1846,
+        line=1854,
     ),
     "row_energy_bounded": Symbol(
         "row_energy_bounded",
@@ -3064,7 +3080,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\sigma",
         file="srs/symbols.md",
-        line=1851,
+        line=1859,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -3072,7 +3088,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1856,
+        line=1864,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -3081,7 +3097,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1860,
+        line=1868,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -3089,7 +3105,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1865,
+        line=1873,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -3097,7 +3113,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1869,
+        line=1877,
     ),
     "amplification": Symbol(
         "amplification",
@@ -3106,7 +3122,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1873,
+        line=1881,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -3115,7 +3131,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1878,
+        line=1886,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -3124,7 +3140,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1883,
+        line=1891,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -3133,7 +3149,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1888,
+        line=1896,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -3142,7 +3158,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1893,
+        line=1901,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -3151,7 +3167,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1898,
+        line=1906,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -3160,7 +3176,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=1903,
+        line=1911,
     ),
     "change_most": Symbol(
         "change_most",
@@ -3169,7 +3185,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=1908,
+        line=1916,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -3178,7 +3194,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=1913,
+        line=1921,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -3187,7 +3203,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1918,
+        line=1926,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -3196,7 +3212,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1923,
+        line=1931,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -3204,7 +3220,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1928,
+        line=1936,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -3213,7 +3229,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1932,
+        line=1940,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -3222,7 +3238,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1937,
+        line=1945,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -3231,7 +3247,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1942,
+        line=1950,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -3239,7 +3255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1947,
+        line=1955,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -3248,7 +3264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=1951,
+        line=1959,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -3256,7 +3272,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1956,
+        line=1964,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3264,7 +3280,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=1960,
+        line=1968,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3273,7 +3289,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1964,
+        line=1972,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3282,7 +3298,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1969,
+        line=1977,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3291,7 +3307,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1974,
+        line=1982,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3299,7 +3315,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1979,
+        line=1987,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3307,7 +3323,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1983,
+        line=1991,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3315,7 +3331,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1987,
+        line=1995,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3324,7 +3340,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=1991,
+        line=1999,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3333,7 +3349,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=1996,
+        line=2004,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3342,7 +3358,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=2001,
+        line=2009,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3351,7 +3367,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=2006,
+        line=2014,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3360,7 +3376,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=2011,
+        line=2019,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3369,7 +3385,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=2016,
+        line=2024,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3378,7 +3394,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=2021,
+        line=2029,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3387,7 +3403,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=2026,
+        line=2034,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3395,7 +3411,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=2031,
+        line=2039,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3404,7 +3420,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=2035,
+        line=2043,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3412,7 +3428,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=2040,
+        line=2048,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3421,7 +3437,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=2044,
+        line=2052,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3430,7 +3446,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=2049,
+        line=2057,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3439,7 +3455,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=2054,
+        line=2062,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3448,7 +3464,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=2059,
+        line=2067,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3457,7 +3473,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=2064,
+        line=2072,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3465,7 +3481,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=2069,
+        line=2077,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3474,7 +3490,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=2073,
+        line=2081,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3483,7 +3499,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=2078,
+        line=2086,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3492,7 +3508,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=2083,
+        line=2091,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3501,7 +3517,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=2088,
+        line=2096,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3509,7 +3525,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=2093,
+        line=2101,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3517,7 +3533,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=2097,
+        line=2105,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3526,7 +3542,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=2101,
+        line=2109,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3535,7 +3551,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=2106,
+        line=2114,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3544,7 +3560,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=2111,
+        line=2119,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3553,7 +3569,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=2116,
+        line=2124,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3562,7 +3578,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=2121,
+        line=2129,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3571,7 +3587,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=2126,
+        line=2134,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3580,7 +3596,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=2131,
+        line=2139,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3589,7 +3605,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=2136,
+        line=2144,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3598,7 +3614,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=2141,
+        line=2149,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3606,7 +3622,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2146,
+        line=2154,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3614,7 +3630,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2150,
+        line=2158,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3623,7 +3639,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2154,
+        line=2162,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3631,7 +3647,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2159,
+        line=2167,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3639,7 +3655,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2163,
+        line=2171,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3648,7 +3664,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2167,
+        line=2175,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3657,7 +3673,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2172,
+        line=2180,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3666,7 +3682,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2177,
+        line=2185,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3674,7 +3690,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2182,
+        line=2190,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3683,7 +3699,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2186,
+        line=2194,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3691,7 +3707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2191,
+        line=2199,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3700,7 +3716,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2195,
+        line=2203,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3708,7 +3724,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2200,
+        line=2208,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3717,7 +3733,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2204,
+        line=2212,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3725,7 +3741,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2209,
+        line=2217,
     ),
     "change": Symbol(
         "change",
@@ -3734,7 +3750,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2213,
+        line=2221,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3743,7 +3759,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2218,
+        line=2226,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3752,7 +3768,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2223,
+        line=2231,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3760,7 +3776,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2228,
+        line=2236,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3769,7 +3785,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2232,
+        line=2240,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3777,7 +3793,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2237,
+        line=2245,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3785,7 +3801,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2241,
+        line=2249,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3793,7 +3809,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2245,
+        line=2253,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3802,7 +3818,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2249,
+        line=2257,
     ),
     "slowed_mean": Symbol(
         "slowed_mean",
@@ -3811,7 +3827,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\bar\\epsilon_h",
         file="srs/symbols.md",
-        line=2254,
+        line=2262,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3819,7 +3835,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2260,
+        line=2268,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3828,6 +3844,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2264,
+        line=2272,
     ),
 }
