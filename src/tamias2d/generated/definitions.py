@@ -1,9 +1,9 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
 of a capsule; Bodies of several parts; Inertia in proportion to the mass; Radius of gyration;
-Acceleration by inverse mass; Flow through a step; Impulse against drag; Momentum; Restitution
-of a pair; Contact of two vertices; Tangential velocity of a contact; Friction of a pair;
-Kinetic energy; Potential energy; Energy lost in an impact; Spring along a joint; Spring about a
-joint; Bounded spring of a joint.
+Acceleration by inverse mass; Reaction by its acceleration; Flow through a step; Impulse against
+drag; Momentum; Restitution of a pair; Contact of two vertices; Tangential velocity of a
+contact; Friction of a pair; Kinetic energy; Potential energy; Energy lost in an impact; Spring
+along a joint; Spring about a joint; Bounded spring of a joint.
 
 Generated from srs/definitions.md and srs/models/joints.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -328,6 +328,48 @@ def angular_acceleration(torque: Scalar, inverse_inertia: Scalar) -> Scalar:
     return inverse_inertia * torque
 
 
+def reaction_force(
+    acceleration_constrained: Vector, acceleration: Vector, inverse_mass: Scalar
+) -> Vector:
+    """Force by which what holds a body changes its acceleration (N).
+
+    reaction_force = (acceleration_constrained - acceleration)/inverse_mass
+
+    Args:
+        acceleration_constrained: Acceleration of the centre of mass; with what holds the body,
+            m/s^2
+        acceleration: Acceleration of the centre of mass, m/s^2
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+
+    Source: DD111, srs/definitions.md:286.
+    """
+    acceleration_constrained_x, acceleration_constrained_y = acceleration_constrained
+    acceleration_x, acceleration_y = acceleration
+    return (
+        (acceleration_constrained_x - acceleration_x) / inverse_mass,
+        (acceleration_constrained_y - acceleration_y) / inverse_mass,
+    )
+
+
+def reaction_torque(
+    angular_acceleration_constrained: Scalar, angular_acceleration: Scalar, inverse_inertia: Scalar
+) -> Scalar:
+    """Torque about the centre of mass by which what holds a body changes its turning (N*m).
+
+    reaction_torque = (angular_acceleration_constrained -
+    angular_acceleration)/inverse_inertia
+
+    Args:
+        angular_acceleration_constrained: Rate of change of the angular velocity; with what
+            holds the body, rad/s^2
+        angular_acceleration: Rate of change of the angular velocity, rad/s^2
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+
+    Source: DD111, srs/definitions.md:287.
+    """
+    return (angular_acceleration_constrained - angular_acceleration) / inverse_inertia
+
+
 def coordinate_velocity_gain(propagator_gain: Scalar, coordinate_acceleration: Scalar) -> Scalar:
     """What an acceleration adds to a velocity along one axis in a step (m/s).
 
@@ -338,7 +380,7 @@ def coordinate_velocity_gain(propagator_gain: Scalar, coordinate_acceleration: S
         coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
             m/s^2
 
-    Source: DD41, srs/definitions.md:286.
+    Source: DD41, srs/definitions.md:326.
     """
     return propagator_gain * coordinate_acceleration
 
@@ -357,7 +399,7 @@ def coordinate_velocity_later(
         coordinate_velocity_gain: What an acceleration adds to a velocity along one axis in a
             step, m/s
 
-    Source: DD41, srs/definitions.md:287.
+    Source: DD41, srs/definitions.md:327.
     """
     return propagator_decay * coordinate_velocity + coordinate_velocity_gain
 
@@ -380,7 +422,7 @@ def coordinate_displacement(
         coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
             m/s^2
 
-    Source: DD41, srs/definitions.md:289.
+    Source: DD41, srs/definitions.md:329.
     """
     return propagator_gain * coordinate_velocity + propagator_lift * coordinate_acceleration
 
@@ -395,7 +437,7 @@ def slowed_share(propagator_gain: Scalar, time_step: Scalar) -> Scalar:
         propagator_gain: Velocity after a step for one unit of acceleration, s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD110, srs/definitions.md:339.
+    Source: DD110, srs/definitions.md:379.
     """
     return propagator_gain / time_step
 
@@ -411,7 +453,7 @@ def inverse_mass_slowed(slowed_share: Scalar, inverse_mass: Scalar) -> Scalar:
             evenly through a step, 1
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD110, srs/definitions.md:340.
+    Source: DD110, srs/definitions.md:380.
     """
     return slowed_share * inverse_mass
 
@@ -427,7 +469,7 @@ def inverse_inertia_slowed(slowed_share: Scalar, inverse_inertia: Scalar) -> Sca
             evenly through a step, 1
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD110, srs/definitions.md:341.
+    Source: DD110, srs/definitions.md:381.
     """
     return slowed_share * inverse_inertia
 
@@ -447,7 +489,7 @@ def coordinate_velocity_slowed(
         coordinate_velocity_given: What impulses add to a velocity along one axis in a step
             without drag, m/s
 
-    Source: DD110, srs/definitions.md:342.
+    Source: DD110, srs/definitions.md:382.
     """
     return coordinate_velocity - (1 - slowed_share) * coordinate_velocity_given
 
@@ -461,7 +503,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:438.
+    Source: DD21, srs/definitions.md:478.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -476,7 +518,7 @@ def angular_momentum_own(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:439.
+    Source: DD21, srs/definitions.md:479.
     """
     return inertia * angular_velocity
 
@@ -496,7 +538,7 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:440.
+    Source: DD21, srs/definitions.md:480.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
@@ -515,7 +557,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:537.
+    Source: DD17, srs/definitions.md:577.
     """
     return least(restitution_a, restitution_b)
 
@@ -531,7 +573,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:570.
+    Source: GD11, srs/definitions.md:610.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -557,7 +599,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:596.
+    Source: DD22, srs/definitions.md:636.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -574,7 +616,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:609.
+    Source: DD23, srs/definitions.md:649.
     """
     return sqrt(friction_a * friction_b)
 
@@ -592,7 +634,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:627.
+    Source: DD15, srs/definitions.md:667.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -611,7 +653,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:660.
+    Source: DD16, srs/definitions.md:700.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -630,7 +672,7 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:677.
+    Source: DD60, srs/definitions.md:717.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
 

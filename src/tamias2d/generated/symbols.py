@@ -283,6 +283,23 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=207,
     ),
+    "reaction_force": Symbol(
+        "reaction_force",
+        "N",
+        "force by which what holds a body changes its acceleration",
+        shape="vector",
+        tex="\\boldsymbol{R}",
+        file="srs/symbols.md",
+        line=213,
+    ),
+    "reaction_torque": Symbol(
+        "reaction_torque",
+        "N*m",
+        "torque about the centre of mass by which what holds a body changes its turning",
+        tex="\\tau_R",
+        file="srs/symbols.md",
+        line=218,
+    ),
     "attraction": Symbol(
         "attraction",
         "N",
@@ -290,7 +307,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=222,
+        line=231,
     ),
     "gravitational_energy": Symbol(
         "gravitational_energy",
@@ -298,7 +315,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of two bodies that attract each other, zero when far apart",
         tex="U^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=227,
+        line=236,
     ),
     "linear_drag": Symbol(
         "linear_drag",
@@ -308,7 +325,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_1",
         typical="0.5 kg/s",
         file="srs/symbols.md",
-        line=231,
+        line=240,
     ),
     "quadratic_drag": Symbol(
         "quadratic_drag",
@@ -318,7 +335,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_2",
         typical="0.05 kg/m",
         file="srs/symbols.md",
-        line=237,
+        line=246,
     ),
     "linear_drag_force": Symbol(
         "linear_drag_force",
@@ -327,7 +344,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=243,
+        line=252,
     ),
     "quadratic_drag_force": Symbol(
         "quadratic_drag_force",
@@ -336,7 +353,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{quad}}",
         file="srs/symbols.md",
-        line=248,
+        line=257,
     ),
     "angular_drag": Symbol(
         "angular_drag",
@@ -346,7 +363,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_\\omega",
         typical="0.1 kg*m^2/s",
         file="srs/symbols.md",
-        line=253,
+        line=262,
     ),
     "angular_drag_torque": Symbol(
         "angular_drag_torque",
@@ -354,7 +371,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of angular drag on a body",
         tex="\\tau^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=259,
+        line=268,
     ),
     "angular_drag_rate": Symbol(
         "angular_drag_rate",
@@ -363,7 +380,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma_\\omega",
         file="srs/symbols.md",
-        line=263,
+        line=272,
     ),
     "drag_rate": Symbol(
         "drag_rate",
@@ -372,7 +389,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma",
         file="srs/symbols.md",
-        line=270,
+        line=279,
     ),
     "speed": Symbol(
         "speed",
@@ -381,7 +398,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="v",
         file="srs/symbols.md",
-        line=275,
+        line=284,
     ),
     "stiffness": Symbol(
         "stiffness",
@@ -391,7 +408,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\kappa",
         typical="100 N/m",
         file="srs/symbols.md",
-        line=280,
+        line=289,
     ),
     "rest_length": Symbol(
         "rest_length",
@@ -401,7 +418,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\ell_0",
         typical="0.5 m",
         file="srs/symbols.md",
-        line=286,
+        line=295,
     ),
     "damping": Symbol(
         "damping",
@@ -411,7 +428,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\eta",
         typical="2 kg/s",
         file="srs/symbols.md",
-        line=292,
+        line=301,
     ),
     "point": Symbol(
         "point",
@@ -420,7 +437,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}^P",
         file="srs/symbols.md",
-        line=298,
+        line=307,
     ),
     "span": Symbol(
         "span",
@@ -429,7 +446,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\ell}",
         file="srs/symbols.md",
-        line=303,
+        line=312,
     ),
     "distance": Symbol(
         "distance",
@@ -438,7 +455,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell",
         file="srs/symbols.md",
-        line=308,
+        line=317,
     ),
     "axis": Symbol(
         "axis",
@@ -447,7 +464,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=313,
+        line=322,
     ),
     "extension": Symbol(
         "extension",
@@ -455,7 +472,7 @@ SYMBOLS: dict[str, Symbol] = {
         "excess of a spring's length over its rest length",
         tex="\\delta",
         file="srs/symbols.md",
-        line=318,
+        line=327,
     ),
     "extension_rate": Symbol(
         "extension_rate",
@@ -463,7 +480,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a spring's extension",
         tex="\\dot{\\delta}",
         file="srs/symbols.md",
-        line=322,
+        line=331,
     ),
     "tension": Symbol(
         "tension",
@@ -471,7 +488,7 @@ SYMBOLS: dict[str, Symbol] = {
         "pull of a spring and its damper, negative where it pushes",
         tex="S",
         file="srs/symbols.md",
-        line=326,
+        line=335,
     ),
     "spring_force": Symbol(
         "spring_force",
@@ -480,7 +497,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=330,
+        line=339,
     ),
     "spring_energy": Symbol(
         "spring_energy",
@@ -489,7 +506,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="U^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=335,
+        line=344,
     ),
     "half_turn": Symbol(
         "half_turn",
@@ -497,7 +514,7 @@ SYMBOLS: dict[str, Symbol] = {
         "half of the angle by which a body turns in a step",
         tex="\\vartheta",
         file="srs/symbols.md",
-        line=340,
+        line=349,
     ),
     "half_turn_sine": Symbol(
         "half_turn_sine",
@@ -505,7 +522,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of half of the angle by which a body turns in a step",
         tex="\\sin\\vartheta",
         file="srs/symbols.md",
-        line=344,
+        line=353,
     ),
     "damping_step": Symbol(
         "damping_step",
@@ -514,7 +531,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="z_\\eta",
         file="srs/symbols.md",
-        line=348,
+        line=357,
     ),
     "resistance_along": Symbol(
         "resistance_along",
@@ -523,7 +540,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{\\parallel}",
         file="srs/symbols.md",
-        line=355,
+        line=364,
     ),
     "resistance_across": Symbol(
         "resistance_across",
@@ -532,7 +549,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{\\perp}",
         file="srs/symbols.md",
-        line=360,
+        line=369,
     ),
     "velocity_along": Symbol(
         "velocity_along",
@@ -540,7 +557,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which the ends of a spring part",
         tex="u_{\\parallel}",
         file="srs/symbols.md",
-        line=365,
+        line=374,
     ),
     "end_velocity": Symbol(
         "end_velocity",
@@ -549,7 +566,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=369,
+        line=378,
     ),
     "spring_impulse": Symbol(
         "spring_impulse",
@@ -558,7 +575,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=374,
+        line=383,
     ),
     "resisting_impulse": Symbol(
         "resisting_impulse",
@@ -567,7 +584,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}^{\\mathrm{res}}",
         file="srs/symbols.md",
-        line=379,
+        line=388,
     ),
     "critical_step": Symbol(
         "critical_step",
@@ -576,7 +593,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="h_{\\mathrm{crit}}",
         file="srs/symbols.md",
-        line=384,
+        line=393,
     ),
     "angular_frequency": Symbol(
         "angular_frequency",
@@ -585,7 +602,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\Omega",
         file="srs/symbols.md",
-        line=389,
+        line=398,
     ),
     "equilibrium": Symbol(
         "equilibrium",
@@ -594,7 +611,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{p}}",
         file="srs/symbols.md",
-        line=394,
+        line=403,
     ),
     "field_force": Symbol(
         "field_force",
@@ -603,7 +620,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=399,
+        line=408,
     ),
     "field_torque": Symbol(
         "field_torque",
@@ -611,7 +628,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of the fields of a scene about the body's centre of mass",
         tex="\\tau^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=404,
+        line=413,
     ),
     "anchor": Symbol(
         "anchor",
@@ -620,7 +637,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{b}",
         file="srs/symbols.md",
-        line=416,
+        line=425,
     ),
     "post": Symbol(
         "post",
@@ -629,7 +646,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{b}_w",
         file="srs/symbols.md",
-        line=423,
+        line=432,
     ),
     "guide": Symbol(
         "guide",
@@ -638,7 +655,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\hat{\\boldsymbol{g}}",
         file="srs/symbols.md",
-        line=430,
+        line=439,
     ),
     "joint_length": Symbol(
         "joint_length",
@@ -647,7 +664,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\ell_J",
         file="srs/symbols.md",
-        line=435,
+        line=444,
     ),
     "joint_angle": Symbol(
         "joint_angle",
@@ -655,7 +672,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle that a joint keeps between two bodies",
         tex="\\theta_J",
         file="srs/symbols.md",
-        line=440,
+        line=449,
     ),
     "gear_ratio": Symbol(
         "gear_ratio",
@@ -663,7 +680,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how often one side of a joint moves for once that the other does",
         tex="\\rho_J",
         file="srs/symbols.md",
-        line=444,
+        line=453,
     ),
     "joint_travel": Symbol(
         "joint_travel",
@@ -671,7 +688,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is along the line on which a joint lets it slide",
         tex="z",
         file="srs/symbols.md",
-        line=448,
+        line=457,
     ),
     "stretch": Symbol(
         "stretch",
@@ -679,7 +696,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a joint is beyond the place at which its spring is at rest",
         tex="\\xi",
         file="srs/symbols.md",
-        line=452,
+        line=461,
     ),
     "stretch_rate": Symbol(
         "stretch_rate",
@@ -687,7 +704,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a joint's stretch",
         tex="\\dot{\\xi}",
         file="srs/symbols.md",
-        line=456,
+        line=465,
     ),
     "twist": Symbol(
         "twist",
@@ -695,7 +712,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a joint is turned beyond the angle at which its spring is at rest",
         tex="\\psi",
         file="srs/symbols.md",
-        line=460,
+        line=469,
     ),
     "twist_rate": Symbol(
         "twist_rate",
@@ -703,7 +720,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a joint's twist",
         tex="\\dot{\\psi}",
         file="srs/symbols.md",
-        line=464,
+        line=473,
     ),
     "joint_stiffness": Symbol(
         "joint_stiffness",
@@ -712,7 +729,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\xi",
         file="srs/symbols.md",
-        line=468,
+        line=477,
     ),
     "rotary_stiffness": Symbol(
         "rotary_stiffness",
@@ -721,7 +738,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\theta",
         file="srs/symbols.md",
-        line=473,
+        line=482,
     ),
     "rotary_damping": Symbol(
         "rotary_damping",
@@ -730,7 +747,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\eta_\\theta",
         file="srs/symbols.md",
-        line=478,
+        line=487,
     ),
     "joint_spring_force": Symbol(
         "joint_spring_force",
@@ -738,7 +755,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a joint's spring and damper, by which its stretch grows",
         tex="F^\\xi",
         file="srs/symbols.md",
-        line=483,
+        line=492,
     ),
     "joint_spring_torque": Symbol(
         "joint_spring_torque",
@@ -746,7 +763,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of a joint's spring and damper, by which its twist grows",
         tex="\\tau^\\psi",
         file="srs/symbols.md",
-        line=487,
+        line=496,
     ),
     "joint_spring_energy": Symbol(
         "joint_spring_energy",
@@ -754,7 +771,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is stretched",
         tex="E^\\xi",
         file="srs/symbols.md",
-        line=491,
+        line=500,
     ),
     "rotary_spring_energy": Symbol(
         "rotary_spring_energy",
@@ -762,7 +779,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is twisted",
         tex="E^\\psi",
         file="srs/symbols.md",
-        line=495,
+        line=504,
     ),
     "joint_pull": Symbol(
         "joint_pull",
@@ -771,7 +788,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=499,
+        line=508,
     ),
     "pull_along": Symbol(
         "pull_along",
@@ -779,7 +796,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of the first of them without their maximum",
         tex="P_\\parallel",
         file="srs/symbols.md",
-        line=504,
+        line=513,
     ),
     "pull_across": Symbol(
         "pull_across",
@@ -787,7 +804,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a target's other one likewise",
         tex="P_\\perp",
         file="srs/symbols.md",
-        line=508,
+        line=517,
     ),
     "joint_twisting": Symbol(
         "joint_twisting",
@@ -796,7 +813,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_\\psi",
         file="srs/symbols.md",
-        line=512,
+        line=521,
     ),
     "force_share": Symbol(
         "force_share",
@@ -805,7 +822,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_F",
         file="srs/symbols.md",
-        line=517,
+        line=526,
     ),
     "torque_share": Symbol(
         "torque_share",
@@ -814,7 +831,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\tau",
         file="srs/symbols.md",
-        line=522,
+        line=531,
     ),
     "bounded_spring_energy": Symbol(
         "bounded_spring_energy",
@@ -822,7 +839,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring with a maximum that is stretched",
         tex="E^\\xi_\\sigma",
         file="srs/symbols.md",
-        line=527,
+        line=536,
     ),
     "bounded_rotary_energy": Symbol(
         "bounded_rotary_energy",
@@ -830,7 +847,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring with a maximum that is twisted",
         tex="E^\\psi_\\sigma",
         file="srs/symbols.md",
-        line=531,
+        line=540,
     ),
     "motor_speed": Symbol(
         "motor_speed",
@@ -838,7 +855,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed that a motor gives to a joint",
         tex="v_m",
         file="srs/symbols.md",
-        line=535,
+        line=544,
     ),
     "motor_spin": Symbol(
         "motor_spin",
@@ -846,7 +863,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that a motor gives to a joint",
         tex="\\omega_m",
         file="srs/symbols.md",
-        line=539,
+        line=548,
     ),
     "joint_force_most": Symbol(
         "joint_force_most",
@@ -855,7 +872,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="F^{\\max}",
         file="srs/symbols.md",
-        line=543,
+        line=552,
     ),
     "joint_torque_most": Symbol(
         "joint_torque_most",
@@ -864,7 +881,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tau^{\\max}",
         file="srs/symbols.md",
-        line=548,
+        line=557,
     ),
     "tooth_pitch": Symbol(
         "tooth_pitch",
@@ -873,7 +890,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\theta_p",
         file="srs/symbols.md",
-        line=553,
+        line=562,
     ),
     "normal": Symbol(
         "normal",
@@ -882,7 +899,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=567,
+        line=576,
     ),
     "tangent": Symbol(
         "tangent",
@@ -891,7 +908,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=572,
+        line=581,
     ),
     "direction": Symbol(
         "direction",
@@ -899,7 +916,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi_n",
         file="srs/symbols.md",
-        line=577,
+        line=586,
     ),
     "arm": Symbol(
         "arm",
@@ -908,7 +925,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=581,
+        line=590,
     ),
     "separation": Symbol(
         "separation",
@@ -916,7 +933,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=587,
+        line=596,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -924,7 +941,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=591,
+        line=600,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -932,7 +949,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=597,
+        line=606,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -940,7 +957,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=603,
+        line=612,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -948,7 +965,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=607,
+        line=616,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -957,7 +974,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=611,
+        line=620,
     ),
     "coupling": Symbol(
         "coupling",
@@ -965,7 +982,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=616,
+        line=625,
     ),
     "impulse": Symbol(
         "impulse",
@@ -974,7 +991,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=622,
+        line=631,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -982,7 +999,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=627,
+        line=636,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -990,7 +1007,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=631,
+        line=640,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -999,7 +1016,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=637,
+        line=646,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -1008,7 +1025,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=642,
+        line=651,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -1016,7 +1033,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=649,
+        line=658,
     ),
     "inverse_rolling_mass": Symbol(
         "inverse_rolling_mass",
@@ -1025,7 +1042,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_r",
         file="srs/symbols.md",
-        line=655,
+        line=664,
     ),
     "disc_force": Symbol(
         "disc_force",
@@ -1033,7 +1050,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force along the normal that holds a disc up",
         tex="F_d",
         file="srs/symbols.md",
-        line=662,
+        line=671,
     ),
     "rolling_friction": Symbol(
         "rolling_friction",
@@ -1041,7 +1058,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force along the tangent with which a disc does not begin to slide",
         tex="F_r",
         file="srs/symbols.md",
-        line=666,
+        line=675,
     ),
     "settling_impulse": Symbol(
         "settling_impulse",
@@ -1050,7 +1067,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="j_r",
         file="srs/symbols.md",
-        line=670,
+        line=679,
     ),
     "bounced_impulse": Symbol(
         "bounced_impulse",
@@ -1059,7 +1076,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_b",
         file="srs/symbols.md",
-        line=677,
+        line=686,
     ),
     "creep": Symbol(
         "creep",
@@ -1067,7 +1084,7 @@ SYMBOLS: dict[str, Symbol] = {
         "way along the tangent in the bounces that are left, at each of which a contact sticks",
         tex="s_b",
         file="srs/symbols.md",
-        line=682,
+        line=691,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -1075,7 +1092,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=688,
+        line=697,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -1083,7 +1100,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=692,
+        line=701,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -1092,7 +1109,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=696,
+        line=705,
     ),
     "share": Symbol(
         "share",
@@ -1101,7 +1118,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma",
         file="srs/symbols.md",
-        line=701,
+        line=710,
     ),
     "sense": Symbol(
         "sense",
@@ -1110,7 +1127,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=708,
+        line=717,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -1119,7 +1136,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=715,
+        line=724,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -1128,7 +1145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=720,
+        line=729,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -1136,7 +1153,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=725,
+        line=734,
     ),
     "overlap": Symbol(
         "overlap",
@@ -1144,7 +1161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=729,
+        line=738,
     ),
     "line": Symbol(
         "line",
@@ -1153,7 +1170,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=741,
+        line=750,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -1161,7 +1178,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=746,
+        line=755,
     ),
     "bend": Symbol(
         "bend",
@@ -1169,7 +1186,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=751,
+        line=760,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -1177,7 +1194,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=756,
+        line=765,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -1186,7 +1203,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=760,
+        line=769,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -1194,7 +1211,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=765,
+        line=774,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -1203,7 +1220,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=769,
+        line=778,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -1212,7 +1229,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=774,
+        line=783,
     ),
     "substeps": Symbol(
         "substeps",
@@ -1221,7 +1238,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="n_h",
         file="srs/symbols.md",
-        line=779,
+        line=788,
     ),
     "slowest_impact": Symbol(
         "slowest_impact",
@@ -1230,7 +1247,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_{\\min}",
         file="srs/symbols.md",
-        line=784,
+        line=793,
     ),
     "surface_speed": Symbol(
         "surface_speed",
@@ -1238,7 +1255,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed at which the surface of a body runs along itself, counter-clockwise around the body",
         tex="w_s",
         file="srs/symbols.md",
-        line=789,
+        line=798,
     ),
     "surface_speed_both": Symbol(
         "surface_speed_both",
@@ -1246,7 +1263,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed at which the surfaces of two bodies run along the tangent of their contact, in sum",
         tex="w_{AB}",
         file="srs/symbols.md",
-        line=793,
+        line=802,
     ),
     "surface_slip": Symbol(
         "surface_slip",
@@ -1254,7 +1271,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's surface seen from A's at a contact, along the tangent",
         tex="v_w",
         file="srs/symbols.md",
-        line=797,
+        line=806,
     ),
     "row_velocity_driven": Symbol(
         "row_velocity_driven",
@@ -1262,7 +1279,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of a row after a substep in which forces act and contacts do not",
         tex="u_F",
         file="srs/symbols.md",
-        line=801,
+        line=810,
     ),
     "row_acceleration": Symbol(
         "row_acceleration",
@@ -1270,10 +1287,10 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration of a row by forces",
         tex="a_u",
         file="srs/symbols.md",
-        line=805,
+        line=814,
     ),
     "row_shift": Symbol(
-        "row_shift", "m", "way of a row along its line", tex="s_u", file="srs/symbols.md", line=809
+        "row_shift", "m", "way of a row along its line", tex="s_u", file="srs/symbols.md", line=818
     ),
     "impact_velocity": Symbol(
         "impact_velocity",
@@ -1281,7 +1298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along the normal with which a gap closes",
         tex="u_{\\mathrm{hit}}",
         file="srs/symbols.md",
-        line=813,
+        line=822,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -1290,7 +1307,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=817,
+        line=826,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -1298,7 +1315,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=822,
+        line=831,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -1306,7 +1323,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=826,
+        line=835,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -1315,7 +1332,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=830,
+        line=839,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -1324,7 +1341,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=835,
+        line=844,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -1332,7 +1349,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=840,
+        line=849,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -1341,7 +1358,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=844,
+        line=853,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -1350,7 +1367,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=849,
+        line=858,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -1359,7 +1376,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=854,
+        line=863,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -1368,7 +1385,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=861,
+        line=870,
     ),
     "extent": Symbol(
         "extent",
@@ -1377,7 +1394,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=868,
+        line=877,
     ),
     "firmest": Symbol(
         "firmest",
@@ -1386,7 +1403,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=875,
+        line=884,
     ),
     "preload": Symbol(
         "preload",
@@ -1395,7 +1412,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=880,
+        line=889,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -1404,7 +1421,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=885,
+        line=894,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1413,7 +1430,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=890,
+        line=899,
     ),
     "gap_share": Symbol(
         "gap_share",
@@ -1422,7 +1439,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=895,
+        line=904,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1431,7 +1448,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=900,
+        line=909,
     ),
     "half_width": Symbol(
         "half_width",
@@ -1440,7 +1457,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\bar{w}",
         file="srs/symbols.md",
-        line=905,
+        line=914,
     ),
     "corner_fall": Symbol(
         "corner_fall",
@@ -1449,7 +1466,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_f",
         file="srs/symbols.md",
-        line=910,
+        line=919,
     ),
     "extent_thin": Symbol(
         "extent_thin",
@@ -1458,7 +1475,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=916,
+        line=925,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1467,7 +1484,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=921,
+        line=930,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1476,7 +1493,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=926,
+        line=935,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1485,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=931,
+        line=940,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1493,7 +1510,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=936,
+        line=945,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1501,7 +1518,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=940,
+        line=949,
     ),
     "coordinate_velocity_given": Symbol(
         "coordinate_velocity_given",
@@ -1509,7 +1526,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what impulses add to a velocity along one axis in a step without drag",
         tex="\\Delta v_j",
         file="srs/symbols.md",
-        line=944,
+        line=953,
     ),
     "coordinate_impulse": Symbol(
         "coordinate_impulse",
@@ -1517,7 +1534,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse along one axis",
         tex="j_k",
         file="srs/symbols.md",
-        line=948,
+        line=957,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1525,7 +1542,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=952,
+        line=961,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1533,7 +1550,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=956,
+        line=965,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1541,7 +1558,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=960,
+        line=969,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1550,7 +1567,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=964,
+        line=973,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1559,7 +1576,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=969,
+        line=978,
     ),
     "slowed_share": Symbol(
         "slowed_share",
@@ -1568,7 +1585,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\bar\\epsilon",
         file="srs/symbols.md",
-        line=974,
+        line=983,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1577,7 +1594,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=981,
+        line=990,
     ),
     "shift": Symbol(
         "shift",
@@ -1586,7 +1603,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=986,
+        line=995,
     ),
     "turn": Symbol(
         "turn",
@@ -1594,7 +1611,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\Theta",
         file="srs/symbols.md",
-        line=991,
+        line=1000,
     ),
     "early_share": Symbol(
         "early_share",
@@ -1603,7 +1620,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon_h",
         file="srs/symbols.md",
-        line=995,
+        line=1004,
     ),
     "step_share": Symbol(
         "step_share",
@@ -1611,7 +1628,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of a step that is over",
         tex="\\sigma_h",
         file="srs/symbols.md",
-        line=1002,
+        line=1011,
     ),
     "impulse_late": Symbol(
         "impulse_late",
@@ -1619,7 +1636,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sum of the impulses of a contact in a step, each times the share of the step that was over",
         tex="j_{\\mathrm{late}}",
         file="srs/symbols.md",
-        line=1006,
+        line=1015,
     ),
     "impulse_turned": Symbol(
         "impulse_turned",
@@ -1628,7 +1645,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{j}",
         file="srs/symbols.md",
-        line=1012,
+        line=1021,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1637,7 +1654,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=1017,
+        line=1026,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1646,7 +1663,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1024,
+        line=1033,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1655,7 +1672,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1029,
+        line=1038,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1664,7 +1681,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1036,
+        line=1045,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1673,7 +1690,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1043,
+        line=1052,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1682,7 +1699,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=1049,
+        line=1058,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1690,7 +1707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=1056,
+        line=1065,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1699,7 +1716,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=1069,
+        line=1078,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1707,7 +1724,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=1074,
+        line=1083,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1715,7 +1732,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=1078,
+        line=1087,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1724,7 +1741,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=1084,
+        line=1093,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1732,7 +1749,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=1089,
+        line=1098,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1741,7 +1758,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=1093,
+        line=1102,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1749,7 +1766,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=1098,
+        line=1107,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1758,7 +1775,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=1102,
+        line=1111,
     ),
     "advance": Symbol(
         "advance",
@@ -1767,7 +1784,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=1107,
+        line=1116,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1775,7 +1792,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=1112,
+        line=1121,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1784,7 +1801,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=1116,
+        line=1125,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1792,7 +1809,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=1121,
+        line=1130,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1800,7 +1817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=1125,
+        line=1134,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1809,7 +1826,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=1129,
+        line=1138,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1817,7 +1834,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=1134,
+        line=1143,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1825,7 +1842,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=1138,
+        line=1147,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1833,7 +1850,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1143,
+        line=1152,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1841,7 +1858,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1149,
+        line=1158,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1850,7 +1867,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_c",
         file="srs/symbols.md",
-        line=1153,
+        line=1162,
     ),
     "slip": Symbol(
         "slip",
@@ -1858,7 +1875,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1160,
+        line=1169,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1866,7 +1883,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="\\mathcal{D}",
         file="srs/symbols.md",
-        line=1166,
+        line=1175,
     ),
     "circling": Symbol(
         "circling",
@@ -1875,7 +1892,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\chi_\\omega",
         file="srs/symbols.md",
-        line=1170,
+        line=1179,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1883,7 +1900,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1177,
+        line=1186,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1892,7 +1909,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1181,
+        line=1190,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1901,7 +1918,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1186,
+        line=1195,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1910,7 +1927,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1191,
+        line=1200,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1918,7 +1935,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1196,
+        line=1205,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1927,7 +1944,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1200,
+        line=1209,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1935,7 +1952,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1205,
+        line=1214,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1943,7 +1960,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1209,
+        line=1218,
     ),
     "arc": Symbol(
         "arc",
@@ -1952,7 +1969,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Theta_{\\max}",
         file="srs/symbols.md",
-        line=1215,
+        line=1224,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1961,7 +1978,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1220,
+        line=1229,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1969,7 +1986,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1230,
+        line=1239,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1977,7 +1994,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1234,
+        line=1243,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1986,7 +2003,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1238,
+        line=1247,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1995,7 +2012,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1243,
+        line=1252,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -2004,7 +2021,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1248,
+        line=1257,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -2013,7 +2030,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1253,
+        line=1262,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -2022,7 +2039,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1258,
+        line=1267,
     ),
     "quiet": Symbol(
         "quiet",
@@ -2030,7 +2047,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1263,
+        line=1272,
     ),
     "momentum": Symbol(
         "momentum",
@@ -2039,7 +2056,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1272,
+        line=1281,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -2047,7 +2064,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1277,
+        line=1286,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -2056,7 +2073,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1281,
+        line=1290,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -2064,7 +2081,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1286,
+        line=1295,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -2072,7 +2089,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1290,
+        line=1299,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -2081,7 +2098,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1294,
+        line=1303,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -2090,7 +2107,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1299,
+        line=1308,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -2099,7 +2116,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1304,
+        line=1313,
     ),
     "work": Symbol(
         "work",
@@ -2107,7 +2124,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1309,
+        line=1318,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -2116,7 +2133,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1313,
+        line=1322,
     ),
     "impact_rate": Symbol(
         "impact_rate",
@@ -2124,7 +2141,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of a contact in a substep beyond that which closes its gap, negative in an impact",
         tex="w_{\\text{impact}}",
         file="srs/symbols.md",
-        line=1318,
+        line=1327,
     ),
     "overlap_removed": Symbol(
         "overlap_removed",
@@ -2132,7 +2149,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much an overlap is less deep after a step, negative where it is deeper",
         tex="\\Delta_o",
         file="srs/symbols.md",
-        line=1322,
+        line=1331,
     ),
     "load_size": Symbol(
         "load_size",
@@ -2141,7 +2158,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="F_{\\text{load}}",
         file="srs/symbols.md",
-        line=1326,
+        line=1335,
     ),
     "impulse_way": Symbol(
         "impulse_way",
@@ -2149,7 +2166,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact times the way by which its overlap is less deep",
         tex="q_o",
         file="srs/symbols.md",
-        line=1331,
+        line=1340,
     ),
     "overlap_work": Symbol(
         "overlap_work",
@@ -2158,7 +2175,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{overlap}}",
         file="srs/symbols.md",
-        line=1335,
+        line=1344,
     ),
     "support_work": Symbol(
         "support_work",
@@ -2167,7 +2184,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1340,
+        line=1349,
     ),
     "holding_work": Symbol(
         "holding_work",
@@ -2175,7 +2192,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the torque which keeps a body from turning has given it in a step, seen from its support",
         tex="W_{\\text{hold}}",
         file="srs/symbols.md",
-        line=1345,
+        line=1354,
     ),
     "angular_impulse": Symbol(
         "angular_impulse",
@@ -2183,7 +2200,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment that the impulses of all contacts of a body have about its centre of mass",
         tex="L_{\\Sigma}",
         file="srs/symbols.md",
-        line=1351,
+        line=1360,
     ),
     "contact_arm": Symbol(
         "contact_arm",
@@ -2192,7 +2209,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_c",
         file="srs/symbols.md",
-        line=1356,
+        line=1365,
     ),
     "pressed_moment": Symbol(
         "pressed_moment",
@@ -2201,7 +2218,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}_{\\Sigma}",
         file="srs/symbols.md",
-        line=1361,
+        line=1370,
     ),
     "pressed_arm": Symbol(
         "pressed_arm",
@@ -2210,7 +2227,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_{\\Sigma}",
         file="srs/symbols.md",
-        line=1367,
+        line=1376,
     ),
     "velocity_met": Symbol(
         "velocity_met",
@@ -2219,7 +2236,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_{\\text{met}}",
         file="srs/symbols.md",
-        line=1372,
+        line=1381,
     ),
     "support_energy": Symbol(
         "support_energy",
@@ -2227,7 +2244,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a support gives by the impulses of a contact",
         tex="E_{\\text{support}}",
         file="srs/symbols.md",
-        line=1377,
+        line=1386,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -2236,7 +2253,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1381,
+        line=1390,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2244,7 +2261,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1386,
+        line=1395,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2252,7 +2269,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_{\\mathrm{sup}}",
         file="srs/symbols.md",
-        line=1390,
+        line=1399,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2261,7 +2278,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1394,
+        line=1403,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2269,7 +2286,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1400,
+        line=1409,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2278,7 +2295,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1404,
+        line=1413,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2287,7 +2304,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1409,
+        line=1418,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2296,7 +2313,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1414,
+        line=1423,
     ),
     "rising_energy_left": Symbol(
         "rising_energy_left",
@@ -2305,7 +2322,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1419,
+        line=1428,
     ),
     "velocity_rising_reduced": Symbol(
         "velocity_rising_reduced",
@@ -2314,7 +2331,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1424,
+        line=1433,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2322,7 +2339,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1429,
+        line=1438,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2331,7 +2348,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1435,
+        line=1444,
     ),
     "energy_along_given_left": Symbol(
         "energy_along_given_left",
@@ -2340,7 +2357,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1440,
+        line=1449,
     ),
     "velocity_reduced": Symbol(
         "velocity_reduced",
@@ -2349,7 +2366,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1445,
+        line=1454,
     ),
     "angular_velocity_reduced": Symbol(
         "angular_velocity_reduced",
@@ -2357,7 +2374,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1450,
+        line=1459,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2366,7 +2383,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1454,
+        line=1463,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2374,7 +2391,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1459,
+        line=1468,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2383,7 +2400,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1463,
+        line=1472,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2391,7 +2408,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1468,
+        line=1477,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2400,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1473,
+        line=1482,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2409,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1478,
+        line=1487,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2418,7 +2435,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1483,
+        line=1492,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2426,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1488,
+        line=1497,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2434,7 +2451,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1492,
+        line=1501,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2442,7 +2459,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1496,
+        line=1505,
     ),
     "energy_defect": Symbol(
         "energy_defect",
@@ -2450,7 +2467,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1500,
+        line=1509,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2459,7 +2476,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1506,
+        line=1515,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2468,7 +2485,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1511,
+        line=1520,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2477,7 +2494,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1518,
+        line=1527,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2486,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1523,
+        line=1532,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2494,7 +2511,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1528,
+        line=1537,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2502,7 +2519,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\ell_v",
         file="srs/symbols.md",
-        line=1533,
+        line=1542,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2510,7 +2527,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1539,
+        line=1548,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2519,7 +2536,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_L",
         file="srs/symbols.md",
-        line=1543,
+        line=1552,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2528,7 +2545,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1550,
+        line=1559,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2537,7 +2554,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1555,
+        line=1564,
     ),
     "energy": Symbol(
         "energy",
@@ -2545,7 +2562,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1560,
+        line=1569,
     ),
     "radius": Symbol(
         "radius",
@@ -2554,7 +2571,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1569,
+        line=1578,
     ),
     "length": Symbol(
         "length",
@@ -2563,7 +2580,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1574,
+        line=1583,
     ),
     "width": Symbol(
         "width",
@@ -2572,7 +2589,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1581,
+        line=1590,
     ),
     "height": Symbol(
         "height",
@@ -2581,7 +2598,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1586,
+        line=1595,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2590,7 +2607,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1591,
+        line=1600,
     ),
     "center": Symbol(
         "center",
@@ -2599,7 +2616,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1596,
+        line=1605,
     ),
     "offset": Symbol(
         "offset",
@@ -2607,7 +2624,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1601,
+        line=1610,
     ),
     "area": Symbol(
         "area",
@@ -2616,7 +2633,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1605,
+        line=1614,
     ),
     "way": Symbol(
         "way",
@@ -2625,7 +2642,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_c",
         file="srs/symbols.md",
-        line=1610,
+        line=1619,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2633,7 +2650,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha_c",
         file="srs/symbols.md",
-        line=1615,
+        line=1624,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2642,7 +2659,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1619,
+        line=1628,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2651,7 +2668,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1624,
+        line=1633,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2659,7 +2676,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta_e",
         file="srs/symbols.md",
-        line=1629,
+        line=1638,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2667,7 +2684,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1633,
+        line=1642,
     ),
     "lean": Symbol(
         "lean",
@@ -2675,7 +2692,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1637,
+        line=1646,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2683,7 +2700,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho_c",
         file="srs/symbols.md",
-        line=1641,
+        line=1650,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2691,7 +2708,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1645,
+        line=1654,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2700,7 +2717,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1651,
+        line=1660,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2708,7 +2725,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1664,
+        line=1673,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2716,7 +2733,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1668,
+        line=1677,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2724,7 +2741,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1672,
+        line=1681,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2732,7 +2749,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1676,
+        line=1685,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2741,7 +2758,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta_C",
         file="srs/symbols.md",
-        line=1680,
+        line=1689,
     ),
     "slope": Symbol(
         "slope",
@@ -2750,7 +2767,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}",
         file="srs/symbols.md",
-        line=1685,
+        line=1694,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2759,7 +2776,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}_0",
         file="srs/symbols.md",
-        line=1690,
+        line=1699,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2768,7 +2785,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta G^2",
         file="srs/symbols.md",
-        line=1695,
+        line=1704,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2777,7 +2794,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="G^2",
         file="srs/symbols.md",
-        line=1700,
+        line=1709,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2785,7 +2802,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="G_\\varphi",
         file="srs/symbols.md",
-        line=1705,
+        line=1714,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2793,7 +2810,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1709,
+        line=1718,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2801,7 +2818,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e_G",
         file="srs/symbols.md",
-        line=1713,
+        line=1722,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2810,7 +2827,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_G",
         file="srs/symbols.md",
-        line=1717,
+        line=1726,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2818,7 +2835,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="G_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1722,
+        line=1731,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2826,7 +2843,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_G",
         file="srs/symbols.md",
-        line=1726,
+        line=1735,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2834,7 +2851,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1730,
+        line=1739,
     ),
     "inertia_factor_most": Symbol(
         "inertia_factor_most",
@@ -2842,7 +2859,7 @@ SYMBOLS: dict[str, Symbol] = {
         "most times its own inertia with which a body counts in joints",
         tex="\\kappa_{\\max}",
         file="srs/symbols.md",
-        line=1734,
+        line=1743,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2850,7 +2867,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1738,
+        line=1747,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2858,7 +2875,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1742,
+        line=1751,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2866,7 +2883,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1746,
+        line=1755,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2874,7 +2891,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1750,
+        line=1759,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2882,7 +2899,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1754,
+        line=1763,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2890,7 +2907,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1758,
+        line=1767,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2899,7 +2916,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1762,
+        line=1771,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2907,7 +2924,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda_l",
         file="srs/symbols.md",
-        line=1767,
+        line=1776,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2916,7 +2933,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1771,
+        line=1780,
     ),
     "bounce_rate": Symbol(
         "bounce_rate",
@@ -2924,7 +2941,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a row leaves a limit that bounces",
         tex="\\dot{C}_b",
         file="srs/symbols.md",
-        line=1776,
+        line=1785,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2933,7 +2950,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1780,
+        line=1789,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2942,7 +2959,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1785,
+        line=1794,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2951,7 +2968,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1790,
+        line=1799,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2960,7 +2977,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1795,
+        line=1804,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2968,7 +2985,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1800,
+        line=1809,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2977,7 +2994,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1804,
+        line=1813,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2985,7 +3002,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1809,
+        line=1818,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2993,7 +3010,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1813,
+        line=1822,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -3002,7 +3019,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1817,
+        line=1826,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -3011,7 +3028,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1822,
+        line=1831,
     ),
     "row_pull": Symbol(
         "row_pull",
@@ -3019,7 +3036,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row's spring and damper without their maximum",
         tex="P_C",
         file="srs/symbols.md",
-        line=1827,
+        line=1836,
     ),
     "row_pull_across": Symbol(
         "row_pull_across",
@@ -3027,7 +3044,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the same of the other row of a target",
         tex="P_\\bot",
         file="srs/symbols.md",
-        line=1831,
+        line=1840,
     ),
     "row_pull_size": Symbol(
         "row_pull_size",
@@ -3036,7 +3053,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_\\sigma",
         file="srs/symbols.md",
-        line=1835,
+        line=1844,
     ),
     "row_share": Symbol(
         "row_share",
@@ -3045,7 +3062,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=1840,
+        line=1849,
     ),
     "whole_impulse": Symbol(
         "whole_impulse",
@@ -3053,7 +3070,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a spring at a joint for all of a substep",
         tex="\\Lambda_\\Theta",
         file="srs/symbols.md",
-        line=1845,
+        line=1854,
     ),
     "impulse_left": Symbol(
         "impulse_left",
@@ -3062,7 +3079,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_<",
         file="srs/symbols.md",
-        line=1849,
+        line=1858,
     ),
     "impulse_room": Symbol(
         "impulse_room",
@@ -3071,7 +3088,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{room}",
         file="srs/symbols.md",
-        line=1854,
+        line=1863,
     ),
     "row_energy_bounded": Symbol(
         "row_energy_bounded",
@@ -3080,7 +3097,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\sigma",
         file="srs/symbols.md",
-        line=1859,
+        line=1868,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -3088,7 +3105,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1864,
+        line=1873,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -3097,7 +3114,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1868,
+        line=1877,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -3105,7 +3122,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1873,
+        line=1882,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -3113,7 +3130,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1877,
+        line=1886,
     ),
     "amplification": Symbol(
         "amplification",
@@ -3122,7 +3139,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1881,
+        line=1890,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -3131,7 +3148,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1886,
+        line=1895,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -3140,7 +3157,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1891,
+        line=1900,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -3149,7 +3166,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1896,
+        line=1905,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -3158,7 +3175,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1901,
+        line=1910,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -3167,7 +3184,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1906,
+        line=1915,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -3176,7 +3193,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=1911,
+        line=1920,
     ),
     "change_most": Symbol(
         "change_most",
@@ -3185,7 +3202,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=1916,
+        line=1925,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -3194,7 +3211,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=1921,
+        line=1930,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -3203,7 +3220,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1926,
+        line=1935,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -3212,7 +3229,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1931,
+        line=1940,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -3220,7 +3237,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1936,
+        line=1945,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -3229,7 +3246,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1940,
+        line=1949,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -3238,7 +3255,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1945,
+        line=1954,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -3247,7 +3264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1950,
+        line=1959,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -3255,7 +3272,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1955,
+        line=1964,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -3264,7 +3281,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=1959,
+        line=1968,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -3272,7 +3289,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1964,
+        line=1973,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3280,7 +3297,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=1968,
+        line=1977,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3289,7 +3306,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1972,
+        line=1981,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3298,7 +3315,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1977,
+        line=1986,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3307,7 +3324,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1982,
+        line=1991,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3315,7 +3332,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1987,
+        line=1996,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3323,7 +3340,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1991,
+        line=2000,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3331,7 +3348,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1995,
+        line=2004,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3340,7 +3357,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=1999,
+        line=2008,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3349,7 +3366,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=2004,
+        line=2013,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3358,7 +3375,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=2009,
+        line=2018,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3367,7 +3384,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=2014,
+        line=2023,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3376,7 +3393,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=2019,
+        line=2028,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3385,7 +3402,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=2024,
+        line=2033,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3394,7 +3411,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=2029,
+        line=2038,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3403,7 +3420,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=2034,
+        line=2043,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3411,7 +3428,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=2039,
+        line=2048,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3420,7 +3437,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=2043,
+        line=2052,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3428,7 +3445,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=2048,
+        line=2057,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3437,7 +3454,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=2052,
+        line=2061,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3446,7 +3463,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=2057,
+        line=2066,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3455,7 +3472,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=2062,
+        line=2071,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3464,7 +3481,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=2067,
+        line=2076,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3473,7 +3490,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=2072,
+        line=2081,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3481,7 +3498,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=2077,
+        line=2086,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3490,7 +3507,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=2081,
+        line=2090,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3499,7 +3516,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=2086,
+        line=2095,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3508,7 +3525,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=2091,
+        line=2100,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3517,7 +3534,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=2096,
+        line=2105,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3525,7 +3542,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=2101,
+        line=2110,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3533,7 +3550,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=2105,
+        line=2114,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3542,7 +3559,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=2109,
+        line=2118,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3551,7 +3568,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=2114,
+        line=2123,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3560,7 +3577,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=2119,
+        line=2128,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3569,7 +3586,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=2124,
+        line=2133,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3578,7 +3595,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=2129,
+        line=2138,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3587,7 +3604,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=2134,
+        line=2143,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3596,7 +3613,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=2139,
+        line=2148,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3605,7 +3622,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=2144,
+        line=2153,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3614,7 +3631,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=2149,
+        line=2158,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3622,7 +3639,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2154,
+        line=2163,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3630,7 +3647,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2158,
+        line=2167,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3639,7 +3656,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2162,
+        line=2171,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3647,7 +3664,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2167,
+        line=2176,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3655,7 +3672,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2171,
+        line=2180,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3664,7 +3681,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2175,
+        line=2184,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3673,7 +3690,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2180,
+        line=2189,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3682,7 +3699,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2185,
+        line=2194,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3690,7 +3707,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2190,
+        line=2199,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3699,7 +3716,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2194,
+        line=2203,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3707,7 +3724,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2199,
+        line=2208,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3716,7 +3733,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2203,
+        line=2212,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3724,7 +3741,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2208,
+        line=2217,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3733,7 +3750,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2212,
+        line=2221,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3741,7 +3758,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2217,
+        line=2226,
     ),
     "change": Symbol(
         "change",
@@ -3750,7 +3767,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2221,
+        line=2230,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3759,7 +3776,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2226,
+        line=2235,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3768,7 +3785,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2231,
+        line=2240,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3776,7 +3793,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2236,
+        line=2245,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3785,7 +3802,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2240,
+        line=2249,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3793,7 +3810,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2245,
+        line=2254,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3801,7 +3818,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2249,
+        line=2258,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3809,7 +3826,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2253,
+        line=2262,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3818,7 +3835,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2257,
+        line=2266,
     ),
     "slowed_mean": Symbol(
         "slowed_mean",
@@ -3827,7 +3844,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\bar\\epsilon_h",
         file="srs/symbols.md",
-        line=2262,
+        line=2271,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3835,7 +3852,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2268,
+        line=2277,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3844,6 +3861,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2272,
+        line=2281,
     ),
 }
