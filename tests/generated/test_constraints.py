@@ -26,7 +26,7 @@ from tests.support import Value, follows, values
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_revolute_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:181."""
+    """srs/models/joints.md:203."""
     follows(CONSTRAINTS["revolute"], given)
 
 
@@ -48,7 +48,7 @@ def test_revolute_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_distance_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:195."""
+    """srs/models/joints.md:217."""
     follows(CONSTRAINTS["distance"], given)
 
 
@@ -70,7 +70,7 @@ def test_distance_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_weld_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:212."""
+    """srs/models/joints.md:234."""
     follows(CONSTRAINTS["weld"], given)
 
 
@@ -93,7 +93,7 @@ def test_weld_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_prismatic_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:225."""
+    """srs/models/joints.md:247."""
     follows(CONSTRAINTS["prismatic"], given)
 
 
@@ -115,7 +115,7 @@ def test_prismatic_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_groove_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:242."""
+    """srs/models/joints.md:264."""
     follows(CONSTRAINTS["groove"], given)
 
 
@@ -136,7 +136,7 @@ def test_groove_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_gear_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:258."""
+    """srs/models/joints.md:280."""
     follows(CONSTRAINTS["gear"], given)
 
 
@@ -161,7 +161,7 @@ def test_gear_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_pulley_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:276."""
+    """srs/models/joints.md:298."""
     follows(CONSTRAINTS["pulley"], given)
 
 
@@ -181,7 +181,7 @@ def test_pulley_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_angle_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:308."""
+    """srs/models/joints.md:330."""
     follows(CONSTRAINTS["angle"], given)
 
 
@@ -204,5 +204,5 @@ def test_angle_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_travel_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:318."""
+    """srs/models/joints.md:340."""
     follows(CONSTRAINTS["travel"], given)

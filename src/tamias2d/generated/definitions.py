@@ -1,15 +1,17 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
 of a capsule; Bodies of several parts; Inertia in proportion to the mass; Radius of gyration;
 Acceleration by inverse mass; Reaction by its acceleration; Flow through a step; Impulse against
-drag; Momentum; Restitution of a pair; Contact of two vertices; Tangential velocity of a
-contact; Friction of a pair; Kinetic energy; Potential energy; Energy lost in an impact; Spring
-along a joint; Spring about a joint; Bounded spring of a joint.
+drag; Momentum; Coefficient of restitution; Restitution of a pair; Contact of two vertices;
+Tangential velocity of a contact; Friction of a pair; Kinetic energy; Potential energy; Energy
+lost in an impact; Share that no world has shown; What a joint is said to exert; Motor of a
+joint; Spring along a joint; Spring about a joint; Bounded spring of a joint; Breaking of a
+joint.
 
 Generated from srs/definitions.md and srs/models/joints.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, largest, least, pi, sqrt, total
+from tamias2d.spec.functions import Scalar, Vector, largest, least, log, phi1, pi, sqrt, total
 
 
 def point_velocity(velocity: Vector, angular_velocity: Scalar, arm: Vector) -> Vector:
@@ -546,6 +548,23 @@ def angular_momentum(
     return mass * (position_x * velocity_y - position_y * velocity_x) + angular_momentum_own
 
 
+def normal_velocity_after(restitution: Scalar, normal_velocity_before: Scalar) -> Scalar:
+    """Rate at which the contact opens, along the normal; negative when the bodies approach; just
+    after the impact (m/s).
+
+    normal_velocity_after = -restitution*normal_velocity_before
+
+    Args:
+        restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
+            energy is lost), 1
+        normal_velocity_before: Rate at which the contact opens, along the normal; negative when
+            the bodies approach; just before the impact, m/s
+
+    Source: DD12, srs/definitions.md:560.
+    """
+    return (-restitution) * normal_velocity_before
+
+
 def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
     """The coefficient of restitution that holds between two bodies (1).
 
@@ -557,7 +576,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:577.
+    Source: DD17, srs/definitions.md:580.
     """
     return least(restitution_a, restitution_b)
 
@@ -573,7 +592,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:610.
+    Source: GD11, srs/definitions.md:613.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -599,7 +618,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:636.
+    Source: DD22, srs/definitions.md:639.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -616,7 +635,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:649.
+    Source: DD23, srs/definitions.md:652.
     """
     return sqrt(friction_a * friction_b)
 
@@ -634,7 +653,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:667.
+    Source: DD15, srs/definitions.md:670.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -653,7 +672,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:700.
+    Source: DD16, srs/definitions.md:703.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -672,9 +691,115 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:717.
+    Source: DD60, srs/definitions.md:720.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
+
+
+def unseen_share(confidence: Scalar, worlds: Scalar) -> Scalar:
+    """Share of all worlds that may have what no world has shown (1).
+
+    unseen_share = -log(1 - confidence)/worlds*phi1(log(1 - confidence)/worlds)
+
+    Args:
+        confidence: Chance with which what is said of all worlds holds, 1
+        worlds: Number of worlds that were drawn, 1
+
+    Source: DD115, srs/definitions.md:752.
+    """
+    return (-log(1 - confidence)) / worlds * phi1(log(1 - confidence) / worlds)
+
+
+def total_order_most(
+    unseen_share: Scalar, quantity_range: Scalar, quantity_variance: Scalar
+) -> Scalar:
+    """Index of total order that what varies may have, at most (1).
+
+    total_order_most = min(unseen_share*quantity_range**2/(2*quantity_variance), 1)
+
+    Args:
+        unseen_share: Share of all worlds that may have what no world has shown, 1
+        quantity_range: What a quantity differs by among all worlds, 1
+        quantity_variance: Variance of a quantity, 1
+
+    Source: DD115, srs/definitions.md:754.
+    """
+    return least(unseen_share * quantity_range * quantity_range / (2 * quantity_variance), 1)
+
+
+def anchor_torque(torque: Scalar, arm: Vector, force: Vector) -> Scalar:
+    """Torque of a reaction about the anchor of its joint (N*m).
+
+    anchor_torque = torque - cross(arm, force)
+
+    Args:
+        torque: Applied torque about the centre of mass, positive counter-clockwise, N*m
+        arm: Lever arm, from the centre of mass to the point where something acts on a body, m
+        force: Applied force on a body, without its weight, N
+
+    Source: DD112, srs/models/joints.md:75.
+    """
+    arm_x, arm_y = arm
+    force_x, force_y = force
+    return torque - (arm_x * force_y - arm_y * force_x)
+
+
+def mean_force(impulse_vector: Vector, time_step: Scalar) -> Vector:
+    """Mean of a force over a step (N).
+
+    mean_force = impulse_vector/time_step
+
+    Args:
+        impulse_vector: Integral of a force over the time in which it acts, N*s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD112, srs/models/joints.md:76.
+    """
+    impulse_vector_x, impulse_vector_y = impulse_vector
+    return (impulse_vector_x / time_step, impulse_vector_y / time_step)
+
+
+def mean_torque(angular_impulse: Scalar, time_step: Scalar) -> Scalar:
+    """Mean of a torque over a step (N*m).
+
+    mean_torque = angular_impulse/time_step
+
+    Args:
+        angular_impulse: Moment that the impulses on a body have about its centre of mass,
+            kg*m^2/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD112, srs/models/joints.md:77.
+    """
+    return angular_impulse / time_step
+
+
+def mean_row_force(row_impulse: Scalar, time_step: Scalar) -> Scalar:
+    """Mean over a step of the force of a row of a joint (N).
+
+    mean_row_force = row_impulse/time_step
+
+    Args:
+        row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD112, srs/models/joints.md:78.
+    """
+    return row_impulse / time_step
+
+
+def motor_power(row_force: Scalar, row_rate: Scalar) -> Scalar:
+    """Power of a motor (J/s).
+
+    motor_power = row_force*row_rate
+
+    Args:
+        row_force: Force of a row of a joint, for slopes of length one, N
+        row_rate: Rate of a row's value, or a body's part in it, m/s
+
+    Source: GD22, srs/models/joints.md:389.
+    """
+    return row_force * row_rate
 
 
 def joint_spring_force(
@@ -690,7 +815,7 @@ def joint_spring_force(
         damping: Force of a spring's damper for each unit of the extension's rate, kg/s
         stretch_rate: Rate of a joint's stretch, m/s
 
-    Source: DD64, srs/models/joints.md:385.
+    Source: DD64, srs/models/joints.md:413.
     """
     return (-joint_stiffness) * stretch - damping * stretch_rate
 
@@ -704,7 +829,7 @@ def joint_spring_energy(joint_stiffness: Scalar, stretch: Scalar) -> Scalar:
         joint_stiffness: Force of a joint's spring for each unit of its stretch, N/m
         stretch: How far a joint is beyond the place at which its spring is at rest, m
 
-    Source: DD64, srs/models/joints.md:386.
+    Source: DD64, srs/models/joints.md:414.
     """
     return joint_stiffness * stretch * stretch / 2
 
@@ -722,7 +847,7 @@ def joint_spring_torque(
         rotary_damping: Torque of a joint's damper for each unit of the twist's rate, N*m*s/rad
         twist_rate: Rate of a joint's twist, rad/s
 
-    Source: DD65, srs/models/joints.md:400.
+    Source: DD65, srs/models/joints.md:428.
     """
     return (-rotary_stiffness) * twist - rotary_damping * twist_rate
 
@@ -736,7 +861,7 @@ def rotary_spring_energy(rotary_stiffness: Scalar, twist: Scalar) -> Scalar:
         rotary_stiffness: Torque of a joint's spring for each unit of its twist, N*m/rad
         twist: How far a joint is turned beyond the angle at which its spring is at rest, rad
 
-    Source: DD65, srs/models/joints.md:401.
+    Source: DD65, srs/models/joints.md:429.
     """
     return rotary_stiffness * twist * twist / 2
 
@@ -750,7 +875,7 @@ def joint_pull(pull_along: Scalar, pull_across: Scalar) -> Scalar:
         pull_along: Force of the first of them without their maximum, N
         pull_across: Force of a target's other one likewise, N
 
-    Source: DD103, srs/models/joints.md:422.
+    Source: DD103, srs/models/joints.md:450.
     """
     return sqrt(pull_along * pull_along + pull_across * pull_across)
 
@@ -764,7 +889,7 @@ def force_share(joint_force_most: Scalar, joint_pull: Scalar) -> Scalar:
         joint_force_most: Largest force of a motor or a spring, or that a joint bears, N
         joint_pull: Size of the force of a joint's springs and dampers without their maximum, N
 
-    Source: DD103, srs/models/joints.md:423.
+    Source: DD103, srs/models/joints.md:451.
     """
     return joint_force_most / largest(joint_pull, joint_force_most)
 
@@ -779,7 +904,7 @@ def torque_share(joint_torque_most: Scalar, joint_twisting: Scalar) -> Scalar:
         joint_twisting: Size of the torque of a joint's spring and damper without its maximum,
             N*m
 
-    Source: DD103, srs/models/joints.md:424.
+    Source: DD103, srs/models/joints.md:452.
     """
     return joint_torque_most / largest(joint_twisting, joint_torque_most)
 
@@ -793,7 +918,7 @@ def bounded_spring_energy(force_share: Scalar, joint_spring_energy: Scalar) -> S
         force_share: Share of its force that a spring with a maximum exerts, 1
         joint_spring_energy: Energy in a joint's spring that is stretched, J
 
-    Source: DD103, srs/models/joints.md:425.
+    Source: DD103, srs/models/joints.md:453.
     """
     return force_share * (2 - force_share) * joint_spring_energy
 
@@ -807,6 +932,38 @@ def bounded_rotary_energy(torque_share: Scalar, rotary_spring_energy: Scalar) ->
         torque_share: Share of its torque that a spring with a maximum exerts, 1
         rotary_spring_energy: Energy in a joint's spring that is twisted, J
 
-    Source: DD103, srs/models/joints.md:426.
+    Source: DD103, srs/models/joints.md:454.
     """
     return torque_share * (2 - torque_share) * rotary_spring_energy
+
+
+def force_load(reaction_force: Vector, joint_force_most: Scalar) -> Scalar:
+    """Force of a reaction, as a share of the largest that the joint bears (1).
+
+    force_load = norm(reaction_force)/joint_force_most
+
+    Args:
+        reaction_force: Force by which what holds a body changes its acceleration, N
+        joint_force_most: Largest force of a motor or a spring, or that a joint bears, N
+
+    Source: GD23, srs/models/joints.md:485.
+    """
+    reaction_force_x, reaction_force_y = reaction_force
+    return (
+        sqrt(reaction_force_x * reaction_force_x + reaction_force_y * reaction_force_y)
+        / joint_force_most
+    )
+
+
+def torque_load(anchor_torque: Scalar, joint_torque_most: Scalar) -> Scalar:
+    """Torque of a reaction, as a share of the largest that the joint bears (1).
+
+    torque_load = abs(anchor_torque)/joint_torque_most
+
+    Args:
+        anchor_torque: Torque of a reaction about the anchor of its joint, N*m
+        joint_torque_most: Largest torque of a motor or a spring, or that a joint bears, N*m
+
+    Source: GD23, srs/models/joints.md:486.
+    """
+    return abs(anchor_torque) / joint_torque_most
