@@ -825,52 +825,6 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
     return (1 - implicit_share) / implicit_share * row_given
 
 
-def row_pull(
-    row_stiffness: Scalar, row_value: Scalar, row_damping: Scalar, row_rate: Scalar
-) -> Scalar:
-    """Force of a row's spring and damper without their maximum (N).
-
-    row_pull = -row_stiffness*row_value - row_damping*row_rate
-
-    Args:
-        row_stiffness: Force of a spring for a row's value, N/m
-        row_value: Number of a joint's equation that is zero where it holds, m
-        row_damping: Force of a damper for a row's rate, kg/s
-        row_rate: Rate of a row's value, or a body's part in it, m/s
-
-    Source: DD105, srs/models/joint_step.md:593.
-    """
-    return (-row_stiffness) * row_value - row_damping * row_rate
-
-
-def row_pull_size(row_pull: Scalar, row_pull_across: Scalar) -> Scalar:
-    """Size of that of both (N).
-
-    row_pull_size = sqrt(row_pull**2 + row_pull_across**2)
-
-    Args:
-        row_pull: Force of a row's spring and damper without their maximum, N
-        row_pull_across: The same of the other row of a target, N
-
-    Source: DD105, srs/models/joint_step.md:594.
-    """
-    return sqrt(row_pull * row_pull + row_pull_across * row_pull_across)
-
-
-def row_share(row_force_most: Scalar, row_pull_size: Scalar) -> Scalar:
-    """Share of its pull that a row's spring with a maximum exerts (1).
-
-    row_share = row_force_most/max(row_pull_size, row_force_most)
-
-    Args:
-        row_force_most: The most that a motor or a spring exerts, for slopes of length one, N
-        row_pull_size: Size of that of both, N
-
-    Source: DD105, srs/models/joint_step.md:595.
-    """
-    return row_force_most / largest(row_pull_size, row_force_most)
-
-
 def whole_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
     """Impulse of a spring at a joint for all of a substep (N*s).
 
@@ -880,7 +834,7 @@ def whole_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: DD105, srs/models/joint_step.md:596.
+    Source: DD105, srs/models/joint_step.md:594.
     """
     return row_given / implicit_share
 
@@ -895,51 +849,37 @@ def impulse_room(row_impulse_most: Scalar, impulse_left: Scalar) -> Scalar:
             length one, N*s
         impulse_left: Size of what a spring at a joint had left of the substep before, N*s
 
-    Source: DD105, srs/models/joint_step.md:597.
+    Source: DD105, srs/models/joint_step.md:595.
     """
     return row_impulse_most - least(impulse_left, row_impulse_most / 2)
 
 
-def row_energy_bounded(row_share: Scalar, row_energy: Scalar) -> Scalar:
-    """Energy of a row's spring that has a maximum (J).
-
-    row_energy_bounded = row_share*(2 - row_share)*row_energy
-
-    Args:
-        row_share: Share of its pull that a row's spring with a maximum exerts, 1
-        row_energy: Energy of a spring at a joint, J
-
-    Source: DD105, srs/models/joint_step.md:598.
-    """
-    return row_share * (2 - row_share) * row_energy
-
-
-def row_stiffness_softer(row_share: Scalar, row_stiffness: Scalar) -> Scalar:
+def row_stiffness_softer(force_share: Scalar, row_stiffness: Scalar) -> Scalar:
     """Force of a spring for a row's value; of a spring that exerts its share (N/m).
 
-    row_stiffness_softer = row_share*row_stiffness
+    row_stiffness_softer = force_share*row_stiffness
 
     Args:
-        row_share: Share of its pull that a row's spring with a maximum exerts, 1
+        force_share: Share of its force that a spring with a maximum exerts, 1
         row_stiffness: Force of a spring for a row's value, N/m
 
-    Source: DD105, srs/models/joint_step.md:599.
+    Source: DD105, srs/models/joint_step.md:596.
     """
-    return row_share * row_stiffness
+    return force_share * row_stiffness
 
 
-def row_damping_softer(row_share: Scalar, row_damping: Scalar) -> Scalar:
+def row_damping_softer(force_share: Scalar, row_damping: Scalar) -> Scalar:
     """Force of a damper for a row's rate; of a spring that exerts its share (kg/s).
 
-    row_damping_softer = row_share*row_damping
+    row_damping_softer = force_share*row_damping
 
     Args:
-        row_share: Share of its pull that a row's spring with a maximum exerts, 1
+        force_share: Share of its force that a spring with a maximum exerts, 1
         row_damping: Force of a damper for a row's rate, kg/s
 
-    Source: DD105, srs/models/joint_step.md:600.
+    Source: DD105, srs/models/joint_step.md:597.
     """
-    return row_share * row_damping
+    return force_share * row_damping
 
 
 def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
@@ -951,7 +891,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:639.
+    Source: DD79, srs/models/joint_step.md:632.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -965,7 +905,7 @@ def drive_work(row_impulse: Scalar, drive_rate: Scalar) -> Scalar:
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: DD79, srs/models/joint_step.md:640.
+    Source: DD79, srs/models/joint_step.md:633.
     """
     return row_impulse * drive_rate
 
@@ -990,7 +930,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
             is negative, J
 
-    Source: DD79, srs/models/joint_step.md:641.
+    Source: DD79, srs/models/joint_step.md:634.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -1009,7 +949,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:643.
+    Source: DD79, srs/models/joint_step.md:636.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -1033,7 +973,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:645.
+    Source: DD79, srs/models/joint_step.md:638.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -1048,7 +988,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:647.
+    Source: DD79, srs/models/joint_step.md:640.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -1064,6 +1004,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
             is negative, J
 
-    Source: DD79, srs/models/joint_step.md:648.
+    Source: DD79, srs/models/joint_step.md:641.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

@@ -3207,47 +3207,13 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1929,
     ),
-    "row_pull": Symbol(
-        "row_pull",
-        "N",
-        "force of a row's spring and damper without their maximum",
-        tex="P_C",
-        file="srs/symbols.md",
-        line=1934,
-    ),
-    "row_pull_across": Symbol(
-        "row_pull_across",
-        "N",
-        "the same of the other row of a target",
-        tex="P_\\bot",
-        file="srs/symbols.md",
-        line=1938,
-    ),
-    "row_pull_size": Symbol(
-        "row_pull_size",
-        "N",
-        "size of that of both",
-        range=Range(">= 0", low=0.0, low_open=False),
-        tex="P_\\sigma",
-        file="srs/symbols.md",
-        line=1942,
-    ),
-    "row_share": Symbol(
-        "row_share",
-        "1",
-        "share of its pull that a row's spring with a maximum exerts",
-        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
-        tex="\\sigma_P",
-        file="srs/symbols.md",
-        line=1947,
-    ),
     "whole_impulse": Symbol(
         "whole_impulse",
         "N*s",
         "impulse of a spring at a joint for all of a substep",
         tex="\\Lambda_\\Theta",
         file="srs/symbols.md",
-        line=1952,
+        line=1934,
     ),
     "impulse_left": Symbol(
         "impulse_left",
@@ -3256,7 +3222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_<",
         file="srs/symbols.md",
-        line=1956,
+        line=1938,
     ),
     "impulse_room": Symbol(
         "impulse_room",
@@ -3265,16 +3231,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{room}",
         file="srs/symbols.md",
-        line=1961,
-    ),
-    "row_energy_bounded": Symbol(
-        "row_energy_bounded",
-        "J",
-        "energy of a row's spring that has a maximum",
-        range=Range(">= 0", low=0.0, low_open=False),
-        tex="E_\\sigma",
-        file="srs/symbols.md",
-        line=1966,
+        line=1943,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -3282,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1971,
+        line=1948,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -3291,7 +3248,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1975,
+        line=1952,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -3299,7 +3256,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1980,
+        line=1957,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -3307,7 +3264,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1984,
+        line=1961,
     ),
     "amplification": Symbol(
         "amplification",
@@ -3316,7 +3273,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1988,
+        line=1965,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -3325,7 +3282,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1993,
+        line=1970,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -3334,7 +3291,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1998,
+        line=1975,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -3343,7 +3300,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=2003,
+        line=1980,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -3352,7 +3309,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=2008,
+        line=1985,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -3361,7 +3318,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=2013,
+        line=1990,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -3370,7 +3327,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=2018,
+        line=1995,
     ),
     "change_most": Symbol(
         "change_most",
@@ -3379,7 +3336,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=2023,
+        line=2000,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -3388,7 +3345,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=2028,
+        line=2005,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -3397,7 +3354,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=2033,
+        line=2010,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -3406,7 +3363,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=2038,
+        line=2015,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -3414,7 +3371,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=2043,
+        line=2020,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -3423,7 +3380,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=2047,
+        line=2024,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -3432,7 +3389,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=2052,
+        line=2029,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -3441,7 +3398,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=2057,
+        line=2034,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -3449,7 +3406,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=2062,
+        line=2039,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -3458,7 +3415,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=2066,
+        line=2043,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -3466,7 +3423,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=2071,
+        line=2048,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3474,7 +3431,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=2075,
+        line=2052,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3483,7 +3440,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=2079,
+        line=2056,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3492,7 +3449,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=2084,
+        line=2061,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3501,7 +3458,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=2089,
+        line=2066,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3509,7 +3466,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=2094,
+        line=2071,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3517,7 +3474,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=2098,
+        line=2075,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3525,7 +3482,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=2102,
+        line=2079,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3534,7 +3491,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=2106,
+        line=2083,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3543,7 +3500,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=2111,
+        line=2088,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3552,7 +3509,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=2116,
+        line=2093,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3561,7 +3518,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=2121,
+        line=2098,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3570,7 +3527,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=2126,
+        line=2103,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3579,7 +3536,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=2131,
+        line=2108,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3588,7 +3545,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=2136,
+        line=2113,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3597,7 +3554,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=2141,
+        line=2118,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3605,7 +3562,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=2146,
+        line=2123,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3614,7 +3571,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=2150,
+        line=2127,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3622,7 +3579,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=2155,
+        line=2132,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3631,7 +3588,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=2159,
+        line=2136,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3640,7 +3597,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=2164,
+        line=2141,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3649,7 +3606,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=2169,
+        line=2146,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3658,7 +3615,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=2174,
+        line=2151,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3667,7 +3624,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=2179,
+        line=2156,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3675,7 +3632,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=2184,
+        line=2161,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3684,7 +3641,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=2188,
+        line=2165,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3693,7 +3650,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=2193,
+        line=2170,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3702,7 +3659,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=2198,
+        line=2175,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3711,7 +3668,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=2203,
+        line=2180,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3719,7 +3676,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=2208,
+        line=2185,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3727,7 +3684,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=2212,
+        line=2189,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3736,7 +3693,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=2216,
+        line=2193,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3745,7 +3702,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=2221,
+        line=2198,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3754,7 +3711,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=2226,
+        line=2203,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3763,7 +3720,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=2231,
+        line=2208,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3772,7 +3729,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=2236,
+        line=2213,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3781,7 +3738,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=2241,
+        line=2218,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3790,7 +3747,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=2246,
+        line=2223,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3799,7 +3756,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=2251,
+        line=2228,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3808,7 +3765,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=2256,
+        line=2233,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3816,7 +3773,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2261,
+        line=2238,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3824,7 +3781,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2265,
+        line=2242,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3833,7 +3790,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2269,
+        line=2246,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3841,7 +3798,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2274,
+        line=2251,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3849,7 +3806,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2278,
+        line=2255,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3858,7 +3815,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2282,
+        line=2259,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3867,7 +3824,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2287,
+        line=2264,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3876,7 +3833,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2292,
+        line=2269,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3884,7 +3841,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2297,
+        line=2274,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3893,7 +3850,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2301,
+        line=2278,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3901,7 +3858,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2306,
+        line=2283,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3910,7 +3867,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2310,
+        line=2287,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3918,7 +3875,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2315,
+        line=2292,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3927,7 +3884,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2319,
+        line=2296,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3935,7 +3892,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2324,
+        line=2301,
     ),
     "change": Symbol(
         "change",
@@ -3944,7 +3901,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2328,
+        line=2305,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3953,7 +3910,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2333,
+        line=2310,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3962,7 +3919,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2338,
+        line=2315,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3970,7 +3927,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2343,
+        line=2320,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3979,7 +3936,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2347,
+        line=2324,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3987,7 +3944,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2352,
+        line=2329,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3995,7 +3952,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2356,
+        line=2333,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -4003,7 +3960,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2360,
+        line=2337,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -4012,7 +3969,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2364,
+        line=2341,
     ),
     "slowed_mean": Symbol(
         "slowed_mean",
@@ -4021,7 +3978,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\bar\\epsilon_h",
         file="srs/symbols.md",
-        line=2369,
+        line=2346,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -4029,7 +3986,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2375,
+        line=2352,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -4038,7 +3995,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2379,
+        line=2356,
     ),
     "worlds": Symbol(
         "worlds",
@@ -4047,7 +4004,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=2391,
+        line=2368,
     ),
     "confidence": Symbol(
         "confidence",
@@ -4056,7 +4013,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 0.999999]", low=0.0, high=0.999999, low_open=False, high_open=False),
         tex="\\beta_w",
         file="srs/symbols.md",
-        line=2396,
+        line=2373,
     ),
     "unseen_share": Symbol(
         "unseen_share",
@@ -4065,7 +4022,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="s_w",
         file="srs/symbols.md",
-        line=2401,
+        line=2378,
     ),
     "quantity_range": Symbol(
         "quantity_range",
@@ -4074,7 +4031,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Q_r",
         file="srs/symbols.md",
-        line=2406,
+        line=2383,
     ),
     "quantity_variance": Symbol(
         "quantity_variance",
@@ -4083,7 +4040,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="Q_v",
         file="srs/symbols.md",
-        line=2411,
+        line=2388,
     ),
     "total_order_most": Symbol(
         "total_order_most",
@@ -4092,6 +4049,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="S_T^{\\max}",
         file="srs/symbols.md",
-        line=2416,
+        line=2393,
     ),
 }
