@@ -26,7 +26,7 @@ from tests.support import Value, follows, values
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_revolute_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:205."""
+    """srs/models/joints.md:227."""
     follows(CONSTRAINTS["revolute"], given)
 
 
@@ -48,7 +48,7 @@ def test_revolute_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_distance_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:219."""
+    """srs/models/joints.md:241."""
     follows(CONSTRAINTS["distance"], given)
 
 
@@ -70,7 +70,7 @@ def test_distance_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_weld_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:236."""
+    """srs/models/joints.md:258."""
     follows(CONSTRAINTS["weld"], given)
 
 
@@ -93,7 +93,7 @@ def test_weld_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_prismatic_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:249."""
+    """srs/models/joints.md:271."""
     follows(CONSTRAINTS["prismatic"], given)
 
 
@@ -115,7 +115,7 @@ def test_prismatic_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_groove_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:266."""
+    """srs/models/joints.md:288."""
     follows(CONSTRAINTS["groove"], given)
 
 
@@ -136,7 +136,7 @@ def test_groove_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_gear_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:282."""
+    """srs/models/joints.md:304."""
     follows(CONSTRAINTS["gear"], given)
 
 
@@ -161,7 +161,7 @@ def test_gear_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_pulley_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:300."""
+    """srs/models/joints.md:322."""
     follows(CONSTRAINTS["pulley"], given)
 
 
@@ -181,7 +181,7 @@ def test_pulley_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_angle_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:332."""
+    """srs/models/joints.md:354."""
     follows(CONSTRAINTS["angle"], given)
 
 
@@ -204,5 +204,5 @@ def test_angle_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_travel_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:342."""
+    """srs/models/joints.md:364."""
     follows(CONSTRAINTS["travel"], given)

@@ -6,9 +6,9 @@ import numpy as np
 
 from tamias2d.contact.active_contacts import ActiveContacts
 from tamias2d.contact.core import Core
-from tamias2d.contact.mobility import inverse_masses
+from tamias2d.generated import definitions
 from tamias2d.path import Paths
-from tamias2d.state import Array, Constraint, ExertingConstraint, History, State
+from tamias2d.state import Acceleration, Array, Constraint, ExertingConstraint, History, State
 
 
 def contact_loads(
@@ -24,11 +24,24 @@ def contact_loads(
                 states = [at(body) for body in bodies]
                 found[sample, bodies] = constraint.exerted(time, free, states)
             else:
-                inverse = inverse_masses(cores, bodies)
                 x, y, turn = free[0].tolist()
-                change = np.array(constraint((x, y, turn), at(bodies[0]))) - free[0]
-                np.divide(change, inverse, out=found[sample, bodies[0]], where=inverse > 0)
+                constrained = constraint((x, y, turn), at(bodies[0]))
+                found[sample, bodies[0]] = _reaction(cores[bodies[0]], (x, y, turn), constrained)
     return found
+
+
+def _reaction(
+    core: Core, free: Acceleration, constrained: Acceleration
+) -> tuple[float, float, float]:
+    """Return what holds a body, N, N and N m, by its accelerations without and with it (DD111).
+
+    The torque on a body that nothing turns is not told: it is zero.
+    """
+    force = definitions.reaction_force(constrained[:2], free[:2], core.inverse_mass)
+    if core.inverse_inertia == 0.0:
+        return (*force, 0.0)
+    torque = definitions.reaction_torque(constrained[2], free[2], core.inverse_inertia)
+    return (*force, float(torque))
 
 
 def _held(active: ActiveContacts, time: float, count: int) -> list[tuple[list[int], Constraint]]:

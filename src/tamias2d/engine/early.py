@@ -5,6 +5,7 @@ Each substep begins with its kick; bodies in closed form get theirs all along.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.tables import World
+from tamias2d.generated.spring_step import early_share_whole
 
 
 def add_early(world: World) -> None:
@@ -15,7 +16,7 @@ def add_early(world: World) -> None:
     length = control.progress[tb.PART_TIME] / control.settings[tb.TIME_STEP]
     for i in range(len(early)):
         before = 0.0 if control.counts[tb.TICK] == 0 else early[i, tb.SHARE_OF_STEP]
-        early[i, tb.SHARE_OF_STEP] = before + length * length * early[i, tb.SHARE_OF_PART]
+        early[i, tb.SHARE_OF_STEP] = early_share_whole(before, length, early[i, tb.SHARE_OF_PART])
 
 
 def note_early_joined(world: World) -> None:

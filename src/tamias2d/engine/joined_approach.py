@@ -4,7 +4,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.joined import is_held
 from tamias2d.engine.tables import Bodies, Control, Integers
 from tamias2d.generated.definitions import coordinate_velocity_later
-from tamias2d.generated.joint_step import impact_rate
+from tamias2d.generated.joint_step import blow_velocity, impact_rate
 from tamias2d.generated.soft_contact import impact_velocity, row_acceleration, row_velocity
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
@@ -52,7 +52,7 @@ def judge_blow(
         (row[tb.R_NX + m], row[tb.R_NY + m]),
     )  # fmt: skip
     by_loads = gain_by_loads(i, j, control, bodies)
-    given = row[at + tb.P_NORMAL_IMPULSE] * (row[tb.R_MASS_A + m] + row[tb.R_MASS_B + m])
+    given = blow_velocity(row[at + tb.P_NORMAL_IMPULSE], row[tb.R_MASS_A + m], row[tb.R_MASS_B + m])
     if speed > max(BLOW_IS_OVER * given, by_loads):
         row[at + tb.P_NORMAL_IMPULSE] = row[at + tb.P_TANGENT_IMPULSE] = 0.0
     if impact_rate(speed, row[at + tb.P_GAP], control.progress[tb.PART_TIME]) < -by_loads:

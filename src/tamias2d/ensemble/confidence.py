@@ -15,6 +15,7 @@ import math
 
 import numpy as np
 
+from tamias2d.generated import definitions
 from tamias2d.state import Array
 
 CONFIDENCE = 0.99
@@ -48,5 +49,5 @@ def is_one_value(values: Array) -> bool:
 
 
 def most_others(count: int) -> float:
-    """Return the share of worlds that may be otherwise, if so many are all the same."""
-    return -math.expm1(math.log1p(-CONFIDENCE) / count)
+    """Return the share of worlds that may be otherwise, if so many are all the same (DD115)."""
+    return float(definitions.unseen_share(CONFIDENCE, count))

@@ -19,6 +19,7 @@ from tamias2d.ensemble.run_ensemble import ensemble
 from tamias2d.ensemble.sampling import checked_seed, inverse_of
 from tamias2d.ensemble.solving import REFUSED
 from tamias2d.errors import SimulationError
+from tamias2d.generated import definitions
 from tamias2d.motion import Method
 from tamias2d.record.dataset import extra
 from tamias2d.scene import Scene
@@ -125,14 +126,11 @@ def _intervals(
 
 
 def _unseen_share(samples: tuple[Array, ...], confidence: float) -> float:
-    """Return the share that a place may have, with a confidence, if it changed no world.
-
-    It then changes fewer than a share of all worlds, and none by more than all that were seen.
-    """
+    """Return the share that a place may have, with a confidence, if it changed no world (DD115)."""
     f_a, f_b, _ = samples
-    changed = -np.expm1(np.log1p(-confidence) / f_a.size)
-    largest = np.ptp(np.concatenate([sample.ravel() for sample in samples]))
-    return min(1.0, float(0.5 * changed * largest**2 / np.var([f_a, f_b])))
+    changed = definitions.unseen_share(confidence, f_a.size)
+    largest = float(np.ptp(np.concatenate([sample.ravel() for sample in samples])))
+    return float(definitions.total_order_most(changed, largest, float(np.var([f_a, f_b]))))
 
 
 def _bootstrapped(samples: tuple[Array, ...], confidence: float, seeds: np.random.Generator) -> Any:

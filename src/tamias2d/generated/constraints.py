@@ -37,7 +37,7 @@ def revolute_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: revolute, srs/models/joints.md:205.
+    Source: revolute, srs/models/joints.md:227.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -81,7 +81,7 @@ def revolute_slopes_a(
         orientation_a: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body A, rad
 
-    Source: revolute, srs/models/joints.md:205.
+    Source: revolute, srs/models/joints.md:227.
     """
     anchor_a_x, anchor_a_y = anchor_a
     arm_a_x, arm_a_y = (
@@ -118,7 +118,7 @@ def revolute_slopes_b(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: revolute, srs/models/joints.md:205.
+    Source: revolute, srs/models/joints.md:227.
     """
     anchor_b_x, anchor_b_y = anchor_b
     arm_b_x, arm_b_y = (
@@ -169,7 +169,7 @@ def revolute_rate(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: revolute, srs/models/joints.md:205.
+    Source: revolute, srs/models/joints.md:227.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -227,7 +227,7 @@ def revolute_convective(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: revolute, srs/models/joints.md:205.
+    Source: revolute, srs/models/joints.md:227.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -289,7 +289,7 @@ def distance_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: distance, srs/models/joints.md:219.
+    Source: distance, srs/models/joints.md:241.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -341,7 +341,7 @@ def distance_slopes_a(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: distance, srs/models/joints.md:219.
+    Source: distance, srs/models/joints.md:241.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -397,7 +397,7 @@ def distance_slopes_b(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: distance, srs/models/joints.md:219.
+    Source: distance, srs/models/joints.md:241.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -463,7 +463,7 @@ def distance_rate(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: distance, srs/models/joints.md:219.
+    Source: distance, srs/models/joints.md:241.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -539,7 +539,7 @@ def distance_convective(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: distance, srs/models/joints.md:219.
+    Source: distance, srs/models/joints.md:241.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -621,7 +621,7 @@ def weld_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: weld, srs/models/joints.md:236.
+    Source: weld, srs/models/joints.md:258.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -669,7 +669,7 @@ def weld_slopes_a(
         orientation_a: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body A, rad
 
-    Source: weld, srs/models/joints.md:236.
+    Source: weld, srs/models/joints.md:258.
     """
     anchor_a_x, anchor_a_y = anchor_a
     arm_a_x, arm_a_y = (
@@ -712,7 +712,7 @@ def weld_slopes_b(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: weld, srs/models/joints.md:236.
+    Source: weld, srs/models/joints.md:258.
     """
     anchor_b_x, anchor_b_y = anchor_b
     arm_b_x, arm_b_y = (
@@ -767,7 +767,7 @@ def weld_rate(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: weld, srs/models/joints.md:236.
+    Source: weld, srs/models/joints.md:258.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -827,7 +827,7 @@ def weld_convective(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: weld, srs/models/joints.md:236.
+    Source: weld, srs/models/joints.md:258.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -893,7 +893,7 @@ def prismatic_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: prismatic, srs/models/joints.md:249.
+    Source: prismatic, srs/models/joints.md:271.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -957,7 +957,7 @@ def prismatic_slopes_a(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: prismatic, srs/models/joints.md:249.
+    Source: prismatic, srs/models/joints.md:271.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1016,7 +1016,7 @@ def prismatic_slopes_b(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: prismatic, srs/models/joints.md:249.
+    Source: prismatic, srs/models/joints.md:271.
     """
     guide_a_x, guide_a_y = guide_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -1081,7 +1081,7 @@ def prismatic_rate(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: prismatic, srs/models/joints.md:249.
+    Source: prismatic, srs/models/joints.md:271.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1170,7 +1170,7 @@ def prismatic_convective(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: prismatic, srs/models/joints.md:249.
+    Source: prismatic, srs/models/joints.md:271.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1261,7 +1261,7 @@ def groove_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: groove, srs/models/joints.md:266.
+    Source: groove, srs/models/joints.md:288.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1319,7 +1319,7 @@ def groove_slopes_a(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: groove, srs/models/joints.md:266.
+    Source: groove, srs/models/joints.md:288.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1372,7 +1372,7 @@ def groove_slopes_b(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: groove, srs/models/joints.md:266.
+    Source: groove, srs/models/joints.md:288.
     """
     guide_a_x, guide_a_y = guide_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -1433,7 +1433,7 @@ def groove_rate(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: groove, srs/models/joints.md:266.
+    Source: groove, srs/models/joints.md:288.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1520,7 +1520,7 @@ def groove_convective(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: groove, srs/models/joints.md:266.
+    Source: groove, srs/models/joints.md:288.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1601,7 +1601,7 @@ def gear_constraint(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: gear, srs/models/joints.md:282.
+    Source: gear, srs/models/joints.md:304.
     """
     return (
         orientation_b - orientation_c - gear_ratio * (orientation_a - orientation_c) - joint_angle,
@@ -1620,7 +1620,7 @@ def gear_slopes_a(
     Args:
         gear_ratio: How often one side of a joint moves for once that the other does, 1
 
-    Source: gear, srs/models/joints.md:282.
+    Source: gear, srs/models/joints.md:304.
     """
     return (
         0,
@@ -1636,7 +1636,7 @@ def gear_slopes_b() -> tuple[Scalar, ...]:
     0
     1
 
-    Source: gear, srs/models/joints.md:282.
+    Source: gear, srs/models/joints.md:304.
     """
     return (
         0,
@@ -1657,7 +1657,7 @@ def gear_slopes_c(
     Args:
         gear_ratio: How often one side of a joint moves for once that the other does, 1
 
-    Source: gear, srs/models/joints.md:282.
+    Source: gear, srs/models/joints.md:304.
     """
     return (
         0,
@@ -1683,7 +1683,7 @@ def gear_rate(
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
         angular_velocity_c: Rate of turning, positive counter-clockwise; of a third body, rad/s
 
-    Source: gear, srs/models/joints.md:282.
+    Source: gear, srs/models/joints.md:304.
     """
     return (
         angular_velocity_b
@@ -1697,7 +1697,7 @@ def gear_convective() -> tuple[Scalar, ...]:
 
     0
 
-    Source: gear, srs/models/joints.md:282.
+    Source: gear, srs/models/joints.md:304.
     """
     return (0,)
 
@@ -1749,7 +1749,7 @@ def pulley_constraint(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:300.
+    Source: pulley, srs/models/joints.md:322.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -1817,7 +1817,7 @@ def pulley_slopes_a(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:300.
+    Source: pulley, srs/models/joints.md:322.
     """
     anchor_a_x, anchor_a_y = anchor_a
     post_a_x, post_a_y = post_a
@@ -1875,7 +1875,7 @@ def pulley_slopes_b(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:300.
+    Source: pulley, srs/models/joints.md:322.
     """
     anchor_b_x, anchor_b_y = anchor_b
     post_b_x, post_b_y = post_b
@@ -1949,7 +1949,7 @@ def pulley_slopes_c(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:300.
+    Source: pulley, srs/models/joints.md:322.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -2057,7 +2057,7 @@ def pulley_rate(
             position, unbounded; of a third body, rad
         angular_velocity_c: Rate of turning, positive counter-clockwise; of a third body, rad/s
 
-    Source: pulley, srs/models/joints.md:300.
+    Source: pulley, srs/models/joints.md:322.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -2195,7 +2195,7 @@ def pulley_convective(
             position, unbounded; of a third body, rad
         angular_velocity_c: Rate of turning, positive counter-clockwise; of a third body, rad/s
 
-    Source: pulley, srs/models/joints.md:300.
+    Source: pulley, srs/models/joints.md:322.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -2312,7 +2312,7 @@ def angle_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: angle, srs/models/joints.md:332.
+    Source: angle, srs/models/joints.md:354.
     """
     return (orientation_b - orientation_a - joint_angle,)
 
@@ -2324,7 +2324,7 @@ def angle_slopes_a() -> tuple[Scalar, ...]:
     0
     -1
 
-    Source: angle, srs/models/joints.md:332.
+    Source: angle, srs/models/joints.md:354.
     """
     return (
         0,
@@ -2340,7 +2340,7 @@ def angle_slopes_b() -> tuple[Scalar, ...]:
     0
     1
 
-    Source: angle, srs/models/joints.md:332.
+    Source: angle, srs/models/joints.md:354.
     """
     return (
         0,
@@ -2361,7 +2361,7 @@ def angle_rate(
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: angle, srs/models/joints.md:332.
+    Source: angle, srs/models/joints.md:354.
     """
     return (angular_velocity_b - angular_velocity_a,)
 
@@ -2371,7 +2371,7 @@ def angle_convective() -> tuple[Scalar, ...]:
 
     0
 
-    Source: angle, srs/models/joints.md:332.
+    Source: angle, srs/models/joints.md:354.
     """
     return (0,)
 
@@ -2408,7 +2408,7 @@ def travel_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: travel, srs/models/joints.md:342.
+    Source: travel, srs/models/joints.md:364.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -2466,7 +2466,7 @@ def travel_slopes_a(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: travel, srs/models/joints.md:342.
+    Source: travel, srs/models/joints.md:364.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -2519,7 +2519,7 @@ def travel_slopes_b(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: travel, srs/models/joints.md:342.
+    Source: travel, srs/models/joints.md:364.
     """
     guide_a_x, guide_a_y = guide_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -2580,7 +2580,7 @@ def travel_rate(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: travel, srs/models/joints.md:342.
+    Source: travel, srs/models/joints.md:364.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -2667,7 +2667,7 @@ def travel_convective(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: travel, srs/models/joints.md:342.
+    Source: travel, srs/models/joints.md:364.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a

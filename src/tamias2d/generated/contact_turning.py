@@ -19,7 +19,7 @@ def impulse_late_later(impulse_late: Scalar, step_share: Scalar, normal_impulse:
         step_share: Share of a step that is over, 1
         normal_impulse: Impulse along the normal of a contact with friction, N*s
 
-    Source: DD84, srs/models/spring_step.md:305.
+    Source: DD84, srs/models/spring_step.md:373.
     """
     return impulse_late + step_share * normal_impulse
 
@@ -36,7 +36,7 @@ def impulse_turned(impulse_late: Scalar, normal: Vector, normal_later: Vector) -
         normal_later: Unit normal of a contact, from body A to body B; after the bodies have
             moved, 1
 
-    Source: DD84, srs/models/spring_step.md:306.
+    Source: DD84, srs/models/spring_step.md:374.
     """
     normal_x, normal_y = normal
     normal_later_x, normal_later_y = normal_later
@@ -53,7 +53,7 @@ def velocity_a_after(velocity_a: Vector, inverse_mass_a: Scalar, impulse_turned:
         inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
         impulse_turned: What the impulses of a contact in a step change as its normal turns, N*s
 
-    Source: DD84, srs/models/spring_step.md:307.
+    Source: DD84, srs/models/spring_step.md:375.
     """
     velocity_a_x, velocity_a_y = velocity_a
     impulse_turned_x, impulse_turned_y = impulse_turned
@@ -73,7 +73,7 @@ def velocity_b_after(velocity_b: Vector, inverse_mass_b: Scalar, impulse_turned:
         inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
         impulse_turned: What the impulses of a contact in a step change as its normal turns, N*s
 
-    Source: DD84, srs/models/spring_step.md:308.
+    Source: DD84, srs/models/spring_step.md:376.
     """
     velocity_b_x, velocity_b_y = velocity_b
     impulse_turned_x, impulse_turned_y = impulse_turned

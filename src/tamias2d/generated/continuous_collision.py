@@ -133,7 +133,7 @@ def coordinate_bend(
         time_step: Length of one step of a stepped scheme, s
         fraction: Part of a step that has passed, 1
 
-    Source: DD61, srs/models/continuous_collision.md:71.
+    Source: DD61, srs/models/continuous_collision.md:72.
     """
     return (-coordinate_velocity_gain) * time_step * fraction * (1 - fraction) / 2
 
@@ -152,9 +152,28 @@ def coordinate_rest_gain(
         time_step: Length of one step of a stepped scheme, s
         fraction: Part of a step that has passed, 1
 
-    Source: DD61, srs/models/continuous_collision.md:73.
+    Source: DD61, srs/models/continuous_collision.md:74.
     """
     return coordinate_velocity_gain * time_step * fraction / 2
+
+
+def coordinate_velocity_instant(
+    coordinate_velocity_later: Scalar, rest_share: Scalar, coordinate_velocity_gain: Scalar
+) -> Scalar:
+    """Velocity along one axis; at an instant within a step (m/s).
+
+    coordinate_velocity_instant = coordinate_velocity_later -
+    rest_share*coordinate_velocity_gain
+
+    Args:
+        coordinate_velocity_later: Velocity along one axis after a step, m/s
+        rest_share: Part of a step that is left, 1
+        coordinate_velocity_gain: What an acceleration adds to a velocity along one axis in a
+            step, m/s
+
+    Source: DD61, srs/models/continuous_collision.md:75.
+    """
+    return coordinate_velocity_later - rest_share * coordinate_velocity_gain
 
 
 def motion_bound(shift: Vector, turn: Scalar, extent: Scalar) -> Scalar:
@@ -168,7 +187,7 @@ def motion_bound(shift: Vector, turn: Scalar, extent: Scalar) -> Scalar:
         extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
             does, m
 
-    Source: DD44, srs/models/continuous_collision.md:112.
+    Source: DD44, srs/models/continuous_collision.md:117.
     """
     shift_x, shift_y = shift
     return abs(shift_x) + abs(shift_y) + abs(turn) * extent
@@ -188,7 +207,7 @@ def distance_bound(
         fraction: Part of a step that has passed, 1
         motion_bound: How far any point of a body goes in a step, at most, m
 
-    Source: DD44, srs/models/continuous_collision.md:113.
+    Source: DD44, srs/models/continuous_collision.md:118.
     """
     return distance + extent + fraction * motion_bound
 
@@ -219,7 +238,7 @@ def closing_bound(
         width: Extent of a box along its own x axis, m
         distance: Distance between two places, m
 
-    Source: DD63, srs/models/continuous_collision.md:133.
+    Source: DD63, srs/models/continuous_collision.md:138.
     """
     return (
         largest(0, -separation_change)
@@ -238,7 +257,7 @@ def miss_distance(span: Vector, shift: Vector) -> Scalar:
         span: Vector from one place to another, m
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD45, srs/models/continuous_collision.md:165.
+    Source: DD45, srs/models/continuous_collision.md:170.
     """
     span_x, span_y = span
     shift_x, shift_y = shift
@@ -254,7 +273,7 @@ def fraction_closest(span: Vector, shift: Vector) -> Scalar:
         span: Vector from one place to another, m
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD45, srs/models/continuous_collision.md:166.
+    Source: DD45, srs/models/continuous_collision.md:171.
     """
     span_x, span_y = span
     shift_x, shift_y = shift
@@ -272,7 +291,7 @@ def half_interval(extent: Scalar, miss_distance: Scalar, shift: Vector) -> Scala
         miss_distance: Distance at which one of two centres passes the other, m
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD45, srs/models/continuous_collision.md:167.
+    Source: DD45, srs/models/continuous_collision.md:172.
     """
     shift_x, shift_y = shift
     return sqrt(extent * extent - miss_distance * miss_distance) / sqrt(
@@ -292,7 +311,7 @@ def discriminant(
         separation_rate: Rate of change of a gap, m/s
         gap_acceleration_least: Second derivative of a gap; the least that there can be, m/s^2
 
-    Source: DD46, srs/models/continuous_collision.md:207.
+    Source: DD46, srs/models/continuous_collision.md:212.
     """
     return separation_rate * separation_rate - 2 * gap_acceleration_least * separation
 
@@ -309,7 +328,7 @@ def advance_opening(
         gap_acceleration_least: Second derivative of a gap; the least that there can be, m/s^2
         discriminant: What has to be positive for a gap to close, m^2/s^2
 
-    Source: DD46, srs/models/continuous_collision.md:208.
+    Source: DD46, srs/models/continuous_collision.md:213.
     """
     return (separation_rate + sqrt(discriminant)) / (-gap_acceleration_least)
 
@@ -324,7 +343,7 @@ def advance_closing(separation: Scalar, separation_rate: Scalar, discriminant: S
         separation_rate: Rate of change of a gap, m/s
         discriminant: What has to be positive for a gap to close, m^2/s^2
 
-    Source: DD46, srs/models/continuous_collision.md:210.
+    Source: DD46, srs/models/continuous_collision.md:215.
     """
     return 2 * separation / (sqrt(discriminant) - separation_rate)
 
@@ -339,7 +358,7 @@ def reach_gap(span: Vector, extent: Scalar) -> Scalar:
         extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
             does, m
 
-    Source: DD80, srs/models/continuous_collision.md:238.
+    Source: DD80, srs/models/continuous_collision.md:243.
     """
     span_x, span_y = span
     return span_x * span_x + span_y * span_y - extent * extent
@@ -354,7 +373,7 @@ def reach_gap_rate(span: Vector, span_rate: Vector) -> Scalar:
         span: Vector from one place to another, m
         span_rate: Rate of change of the vector from one place to another, m/s
 
-    Source: DD80, srs/models/continuous_collision.md:239.
+    Source: DD80, srs/models/continuous_collision.md:244.
     """
     span_x, span_y = span
     span_rate_x, span_rate_y = span_rate
@@ -369,7 +388,7 @@ def reach_gap_acceleration(span_rate: Vector) -> Scalar:
     Args:
         span_rate: Rate of change of the vector from one place to another, m/s
 
-    Source: DD80, srs/models/continuous_collision.md:240.
+    Source: DD80, srs/models/continuous_collision.md:245.
     """
     span_rate_x, span_rate_y = span_rate
     return 2 * (span_rate_x * span_rate_x + span_rate_y * span_rate_y)
@@ -385,7 +404,7 @@ def circling(angular_speed: Scalar, angular_acceleration: Scalar) -> Scalar:
         angular_speed: Size of the angular velocity, at most, rad/s
         angular_acceleration: Rate of change of the angular velocity, rad/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:265.
+    Source: DD47, srs/models/continuous_collision.md:270.
     """
     return angular_speed * angular_speed + angular_acceleration
 
@@ -404,7 +423,7 @@ def centre_acceleration_least(
         normal: Unit normal of a contact, from body A to body B, 1
         deviation: How far the relative acceleration is from the given one, at most, m/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:266.
+    Source: DD47, srs/models/continuous_collision.md:271.
     """
     acceleration_a_x, acceleration_a_y = acceleration_a
     acceleration_b_x, acceleration_b_y = acceleration_b
@@ -442,7 +461,7 @@ def centre_acceleration_turning(
         turn: How far a body has turned since the step began, rad
         acceleration_size: Size of the relative acceleration of two bodies, at most, m/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:268.
+    Source: DD47, srs/models/continuous_collision.md:273.
     """
     return (
         centre_acceleration_least
@@ -476,7 +495,7 @@ def gap_acceleration_least(
         circling_b: Acceleration of a point of a body that turns, at most, for one unit of its
             distance from the centre; of body B, 1/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:271.
+    Source: DD47, srs/models/continuous_collision.md:276.
     """
     return centre_acceleration_least - extent_a * circling_a - extent_b * circling_b
 
@@ -491,7 +510,7 @@ def normal_turned(normal: Vector, turn: Scalar, fraction: Scalar) -> Vector:
         turn: How far a body has turned since the step began, rad
         fraction: Part of a step that has passed, 1
 
-    Source: DD48, srs/models/continuous_collision.md:310.
+    Source: DD48, srs/models/continuous_collision.md:315.
     """
     normal_x, normal_y = normal
     return (normal_x + fraction * turn * normal_y, normal_y - fraction * turn * normal_x)
@@ -508,7 +527,7 @@ def gap_change(shift: Vector, normal: Vector, turn: Scalar, span: Vector) -> Sca
         turn: How far a body has turned since the step began, rad
         span: Vector from one place to another, m
 
-    Source: DD48, srs/models/continuous_collision.md:311.
+    Source: DD48, srs/models/continuous_collision.md:316.
     """
     shift_x, shift_y = shift
     normal_x, normal_y = normal
@@ -526,7 +545,7 @@ def arc_bend(turn: Scalar, extent: Scalar) -> Scalar:
         extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
             does, m
 
-    Source: DD48, srs/models/continuous_collision.md:312.
+    Source: DD48, srs/models/continuous_collision.md:317.
     """
     return turn * turn * extent
 
@@ -554,7 +573,7 @@ def separation_least(
         arc_bend: Second derivative of a gap from corners that circle, with time in steps, m
         fraction: Part of a step that has passed, 1
 
-    Source: DD48, srs/models/continuous_collision.md:313.
+    Source: DD48, srs/models/continuous_collision.md:318.
     """
     return (
         base_gap + corner_gap_a + corner_gap_b + fraction * (gap_change - fraction * arc_bend / 2)
@@ -573,7 +592,7 @@ def shift_shared(mass_a: Scalar, shift_a: Vector, mass_b: Scalar, shift_b: Vecto
         mass_b: Mass of a body; of body B, kg
         shift_b: How far the centre of mass has moved since the step began; of body B, m
 
-    Source: DD62, srs/models/continuous_collision.md:521.
+    Source: DD62, srs/models/continuous_collision.md:526.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -593,7 +612,7 @@ def inward_share(turn: Scalar, fraction: Scalar, arc: Scalar) -> Scalar:
         fraction: Part of a step that has passed, 1
         arc: Angle by which a wall turns before a body that it carries meets it again, rad
 
-    Source: DD49, srs/models/continuous_collision.md:536.
+    Source: DD49, srs/models/continuous_collision.md:541.
     """
     return abs(turn) * least(abs(turn) * (1 - fraction), arc / 2)
 
@@ -610,7 +629,7 @@ def shift_carried(shift: Vector, turn: Scalar, span: Vector, inward_share: Scala
         inward_share: Part of its distance by which a carried body comes nearer to its carrier,
             1
 
-    Source: DD49, srs/models/continuous_collision.md:537.
+    Source: DD49, srs/models/continuous_collision.md:542.
     """
     shift_x, shift_y = shift
     span_x, span_y = span

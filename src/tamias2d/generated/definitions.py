@@ -1,15 +1,17 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
 of a capsule; Bodies of several parts; Inertia in proportion to the mass; Radius of gyration;
-Acceleration by inverse mass; Flow through a step; Momentum; Restitution of a pair; Contact of
-two vertices; Tangential velocity of a contact; Friction of a pair; Kinetic energy; Potential
-energy; Energy lost in an impact; Spring along a joint; Spring about a joint; Bounded spring of
-a joint.
+Acceleration by inverse mass; Reaction by its acceleration; Flow through a step; Impulse against
+drag; Momentum; Coefficient of restitution; Restitution of a pair; Contact of two vertices;
+Tangential velocity of a contact; Friction of a pair; Kinetic energy; Potential energy; Energy
+lost in an impact; Share that no world has shown; What a joint is said to exert; Motor of a
+joint; Spring along a joint; Spring about a joint; Bounded spring of a joint; Breaking of a
+joint.
 
 Generated from srs/definitions.md and srs/models/joints.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, largest, least, pi, sqrt, total
+from tamias2d.spec.functions import Scalar, Vector, largest, least, log, phi1, pi, sqrt, total
 
 
 def point_velocity(velocity: Vector, angular_velocity: Scalar, arm: Vector) -> Vector:
@@ -328,6 +330,48 @@ def angular_acceleration(torque: Scalar, inverse_inertia: Scalar) -> Scalar:
     return inverse_inertia * torque
 
 
+def reaction_force(
+    acceleration_constrained: Vector, acceleration: Vector, inverse_mass: Scalar
+) -> Vector:
+    """Force by which what holds a body changes its acceleration (N).
+
+    reaction_force = (acceleration_constrained - acceleration)/inverse_mass
+
+    Args:
+        acceleration_constrained: Acceleration of the centre of mass; with what holds the body,
+            m/s^2
+        acceleration: Acceleration of the centre of mass, m/s^2
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+
+    Source: DD111, srs/definitions.md:286.
+    """
+    acceleration_constrained_x, acceleration_constrained_y = acceleration_constrained
+    acceleration_x, acceleration_y = acceleration
+    return (
+        (acceleration_constrained_x - acceleration_x) / inverse_mass,
+        (acceleration_constrained_y - acceleration_y) / inverse_mass,
+    )
+
+
+def reaction_torque(
+    angular_acceleration_constrained: Scalar, angular_acceleration: Scalar, inverse_inertia: Scalar
+) -> Scalar:
+    """Torque about the centre of mass by which what holds a body changes its turning (N*m).
+
+    reaction_torque = (angular_acceleration_constrained -
+    angular_acceleration)/inverse_inertia
+
+    Args:
+        angular_acceleration_constrained: Rate of change of the angular velocity; with what
+            holds the body, rad/s^2
+        angular_acceleration: Rate of change of the angular velocity, rad/s^2
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+
+    Source: DD111, srs/definitions.md:287.
+    """
+    return (angular_acceleration_constrained - angular_acceleration) / inverse_inertia
+
+
 def coordinate_velocity_gain(propagator_gain: Scalar, coordinate_acceleration: Scalar) -> Scalar:
     """What an acceleration adds to a velocity along one axis in a step (m/s).
 
@@ -338,7 +382,7 @@ def coordinate_velocity_gain(propagator_gain: Scalar, coordinate_acceleration: S
         coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
             m/s^2
 
-    Source: DD41, srs/definitions.md:286.
+    Source: DD41, srs/definitions.md:326.
     """
     return propagator_gain * coordinate_acceleration
 
@@ -357,7 +401,7 @@ def coordinate_velocity_later(
         coordinate_velocity_gain: What an acceleration adds to a velocity along one axis in a
             step, m/s
 
-    Source: DD41, srs/definitions.md:287.
+    Source: DD41, srs/definitions.md:327.
     """
     return propagator_decay * coordinate_velocity + coordinate_velocity_gain
 
@@ -380,7 +424,7 @@ def coordinate_displacement(
         coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
             m/s^2
 
-    Source: DD41, srs/definitions.md:289.
+    Source: DD41, srs/definitions.md:329.
     """
     return propagator_gain * coordinate_velocity + propagator_lift * coordinate_acceleration
 
@@ -395,9 +439,61 @@ def slowed_share(propagator_gain: Scalar, time_step: Scalar) -> Scalar:
         propagator_gain: Velocity after a step for one unit of acceleration, s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD41, srs/definitions.md:292.
+    Source: DD110, srs/definitions.md:379.
     """
     return propagator_gain / time_step
+
+
+def inverse_mass_slowed(slowed_share: Scalar, inverse_mass: Scalar) -> Scalar:
+    """One over the mass, zero for a static body; as drag leaves it of what acts evenly through a
+    step (1/kg).
+
+    inverse_mass_slowed = slowed_share*inverse_mass
+
+    Args:
+        slowed_share: Part that drag leaves of a change of velocity by an impulse that acts
+            evenly through a step, 1
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+
+    Source: DD110, srs/definitions.md:380.
+    """
+    return slowed_share * inverse_mass
+
+
+def inverse_inertia_slowed(slowed_share: Scalar, inverse_inertia: Scalar) -> Scalar:
+    """One over the inertia, zero for a body that cannot turn; as drag leaves it of what acts
+    evenly through a step (1/(kg*m^2)).
+
+    inverse_inertia_slowed = slowed_share*inverse_inertia
+
+    Args:
+        slowed_share: Part that drag leaves of a change of velocity by an impulse that acts
+            evenly through a step, 1
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+
+    Source: DD110, srs/definitions.md:381.
+    """
+    return slowed_share * inverse_inertia
+
+
+def coordinate_velocity_slowed(
+    coordinate_velocity: Scalar, slowed_share: Scalar, coordinate_velocity_given: Scalar
+) -> Scalar:
+    """Velocity along one axis; as drag leaves it of what acts evenly through a step (m/s).
+
+    coordinate_velocity_slowed = coordinate_velocity - (1 -
+    slowed_share)*coordinate_velocity_given
+
+    Args:
+        coordinate_velocity: Velocity along one axis, m/s
+        slowed_share: Part that drag leaves of a change of velocity by an impulse that acts
+            evenly through a step, 1
+        coordinate_velocity_given: What impulses add to a velocity along one axis in a step
+            without drag, m/s
+
+    Source: DD110, srs/definitions.md:382.
+    """
+    return coordinate_velocity - (1 - slowed_share) * coordinate_velocity_given
 
 
 def momentum(mass: Scalar, velocity: Vector) -> Vector:
@@ -409,7 +505,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:375.
+    Source: DD21, srs/definitions.md:478.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -424,7 +520,7 @@ def angular_momentum_own(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:376.
+    Source: DD21, srs/definitions.md:479.
     """
     return inertia * angular_velocity
 
@@ -444,12 +540,29 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:377.
+    Source: DD21, srs/definitions.md:480.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
     angular_momentum_own = inertia * angular_velocity
     return mass * (position_x * velocity_y - position_y * velocity_x) + angular_momentum_own
+
+
+def normal_velocity_after(restitution: Scalar, normal_velocity_before: Scalar) -> Scalar:
+    """Rate at which the contact opens, along the normal; negative when the bodies approach; just
+    after the impact (m/s).
+
+    normal_velocity_after = -restitution*normal_velocity_before
+
+    Args:
+        restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
+            energy is lost), 1
+        normal_velocity_before: Rate at which the contact opens, along the normal; negative when
+            the bodies approach; just before the impact, m/s
+
+    Source: DD12, srs/definitions.md:560.
+    """
+    return (-restitution) * normal_velocity_before
 
 
 def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
@@ -463,7 +576,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:476.
+    Source: DD17, srs/definitions.md:582.
     """
     return least(restitution_a, restitution_b)
 
@@ -479,7 +592,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:509.
+    Source: GD11, srs/definitions.md:615.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -505,7 +618,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:535.
+    Source: DD22, srs/definitions.md:641.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -522,7 +635,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:550.
+    Source: DD23, srs/definitions.md:656.
     """
     return sqrt(friction_a * friction_b)
 
@@ -540,7 +653,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:568.
+    Source: DD15, srs/definitions.md:674.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -559,7 +672,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:601.
+    Source: DD16, srs/definitions.md:707.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -578,9 +691,115 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:618.
+    Source: DD60, srs/definitions.md:724.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
+
+
+def unseen_share(confidence: Scalar, worlds: Scalar) -> Scalar:
+    """Share of all worlds that may have what no world has shown (1).
+
+    unseen_share = -log(1 - confidence)/worlds*phi1(log(1 - confidence)/worlds)
+
+    Args:
+        confidence: Chance with which what is said of all worlds holds, 1
+        worlds: Number of worlds that were drawn, 1
+
+    Source: DD115, srs/definitions.md:756.
+    """
+    return (-log(1 - confidence)) / worlds * phi1(log(1 - confidence) / worlds)
+
+
+def total_order_most(
+    unseen_share: Scalar, quantity_range: Scalar, quantity_variance: Scalar
+) -> Scalar:
+    """Index of total order that what varies may have, at most (1).
+
+    total_order_most = min(unseen_share*quantity_range**2/(2*quantity_variance), 1)
+
+    Args:
+        unseen_share: Share of all worlds that may have what no world has shown, 1
+        quantity_range: What a quantity differs by among all worlds, 1
+        quantity_variance: Variance of a quantity, 1
+
+    Source: DD115, srs/definitions.md:758.
+    """
+    return least(unseen_share * quantity_range * quantity_range / (2 * quantity_variance), 1)
+
+
+def anchor_torque(torque: Scalar, arm: Vector, force: Vector) -> Scalar:
+    """Torque of a reaction about the anchor of its joint (N*m).
+
+    anchor_torque = torque - cross(arm, force)
+
+    Args:
+        torque: Applied torque about the centre of mass, positive counter-clockwise, N*m
+        arm: Lever arm, from the centre of mass to the point where something acts on a body, m
+        force: Applied force on a body, without its weight, N
+
+    Source: DD112, srs/models/joints.md:75.
+    """
+    arm_x, arm_y = arm
+    force_x, force_y = force
+    return torque - (arm_x * force_y - arm_y * force_x)
+
+
+def mean_force(impulse_vector: Vector, time_step: Scalar) -> Vector:
+    """Mean of a force over a step (N).
+
+    mean_force = impulse_vector/time_step
+
+    Args:
+        impulse_vector: Integral of a force over the time in which it acts, N*s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD112, srs/models/joints.md:76.
+    """
+    impulse_vector_x, impulse_vector_y = impulse_vector
+    return (impulse_vector_x / time_step, impulse_vector_y / time_step)
+
+
+def mean_torque(angular_impulse: Scalar, time_step: Scalar) -> Scalar:
+    """Mean of a torque over a step (N*m).
+
+    mean_torque = angular_impulse/time_step
+
+    Args:
+        angular_impulse: Moment that the impulses on a body have about its centre of mass,
+            kg*m^2/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD112, srs/models/joints.md:77.
+    """
+    return angular_impulse / time_step
+
+
+def mean_row_force(row_impulse: Scalar, time_step: Scalar) -> Scalar:
+    """Mean over a step of the force of a row of a joint (N).
+
+    mean_row_force = row_impulse/time_step
+
+    Args:
+        row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD112, srs/models/joints.md:78.
+    """
+    return row_impulse / time_step
+
+
+def motor_power(row_force: Scalar, row_rate: Scalar) -> Scalar:
+    """Power of a motor (J/s).
+
+    motor_power = row_force*row_rate
+
+    Args:
+        row_force: Force of a row of a joint, for slopes of length one, N
+        row_rate: Rate of a row's value, or a body's part in it, m/s
+
+    Source: GD22, srs/models/joints.md:413.
+    """
+    return row_force * row_rate
 
 
 def joint_spring_force(
@@ -596,7 +815,7 @@ def joint_spring_force(
         damping: Force of a spring's damper for each unit of the extension's rate, kg/s
         stretch_rate: Rate of a joint's stretch, m/s
 
-    Source: DD64, srs/models/joints.md:409.
+    Source: DD64, srs/models/joints.md:437.
     """
     return (-joint_stiffness) * stretch - damping * stretch_rate
 
@@ -610,7 +829,7 @@ def joint_spring_energy(joint_stiffness: Scalar, stretch: Scalar) -> Scalar:
         joint_stiffness: Force of a joint's spring for each unit of its stretch, N/m
         stretch: How far a joint is beyond the place at which its spring is at rest, m
 
-    Source: DD64, srs/models/joints.md:410.
+    Source: DD64, srs/models/joints.md:438.
     """
     return joint_stiffness * stretch * stretch / 2
 
@@ -628,7 +847,7 @@ def joint_spring_torque(
         rotary_damping: Torque of a joint's damper for each unit of the twist's rate, N*m*s/rad
         twist_rate: Rate of a joint's twist, rad/s
 
-    Source: DD65, srs/models/joints.md:424.
+    Source: DD65, srs/models/joints.md:452.
     """
     return (-rotary_stiffness) * twist - rotary_damping * twist_rate
 
@@ -642,7 +861,7 @@ def rotary_spring_energy(rotary_stiffness: Scalar, twist: Scalar) -> Scalar:
         rotary_stiffness: Torque of a joint's spring for each unit of its twist, N*m/rad
         twist: How far a joint is turned beyond the angle at which its spring is at rest, rad
 
-    Source: DD65, srs/models/joints.md:425.
+    Source: DD65, srs/models/joints.md:453.
     """
     return rotary_stiffness * twist * twist / 2
 
@@ -656,7 +875,7 @@ def joint_pull(pull_along: Scalar, pull_across: Scalar) -> Scalar:
         pull_along: Force of the first of them without their maximum, N
         pull_across: Force of a target's other one likewise, N
 
-    Source: DD103, srs/models/joints.md:446.
+    Source: DD103, srs/models/joints.md:474.
     """
     return sqrt(pull_along * pull_along + pull_across * pull_across)
 
@@ -670,7 +889,7 @@ def force_share(joint_force_most: Scalar, joint_pull: Scalar) -> Scalar:
         joint_force_most: Largest force of a motor or a spring, or that a joint bears, N
         joint_pull: Size of the force of a joint's springs and dampers without their maximum, N
 
-    Source: DD103, srs/models/joints.md:447.
+    Source: DD103, srs/models/joints.md:475.
     """
     return joint_force_most / largest(joint_pull, joint_force_most)
 
@@ -685,7 +904,7 @@ def torque_share(joint_torque_most: Scalar, joint_twisting: Scalar) -> Scalar:
         joint_twisting: Size of the torque of a joint's spring and damper without its maximum,
             N*m
 
-    Source: DD103, srs/models/joints.md:448.
+    Source: DD103, srs/models/joints.md:476.
     """
     return joint_torque_most / largest(joint_twisting, joint_torque_most)
 
@@ -699,7 +918,7 @@ def bounded_spring_energy(force_share: Scalar, joint_spring_energy: Scalar) -> S
         force_share: Share of its force that a spring with a maximum exerts, 1
         joint_spring_energy: Energy in a joint's spring that is stretched, J
 
-    Source: DD103, srs/models/joints.md:449.
+    Source: DD103, srs/models/joints.md:477.
     """
     return force_share * (2 - force_share) * joint_spring_energy
 
@@ -713,6 +932,38 @@ def bounded_rotary_energy(torque_share: Scalar, rotary_spring_energy: Scalar) ->
         torque_share: Share of its torque that a spring with a maximum exerts, 1
         rotary_spring_energy: Energy in a joint's spring that is twisted, J
 
-    Source: DD103, srs/models/joints.md:450.
+    Source: DD103, srs/models/joints.md:478.
     """
     return torque_share * (2 - torque_share) * rotary_spring_energy
+
+
+def force_load(reaction_force: Vector, joint_force_most: Scalar) -> Scalar:
+    """Force of a reaction, as a share of the largest that the joint bears (1).
+
+    force_load = norm(reaction_force)/joint_force_most
+
+    Args:
+        reaction_force: Force by which what holds a body changes its acceleration, N
+        joint_force_most: Largest force of a motor or a spring, or that a joint bears, N
+
+    Source: GD23, srs/models/joints.md:509.
+    """
+    reaction_force_x, reaction_force_y = reaction_force
+    return (
+        sqrt(reaction_force_x * reaction_force_x + reaction_force_y * reaction_force_y)
+        / joint_force_most
+    )
+
+
+def torque_load(anchor_torque: Scalar, joint_torque_most: Scalar) -> Scalar:
+    """Torque of a reaction, as a share of the largest that the joint bears (1).
+
+    torque_load = abs(anchor_torque)/joint_torque_most
+
+    Args:
+        anchor_torque: Torque of a reaction about the anchor of its joint, N*m
+        joint_torque_most: Largest torque of a motor or a spring, or that a joint bears, N*m
+
+    Source: GD23, srs/models/joints.md:510.
+    """
+    return abs(anchor_torque) / joint_torque_most

@@ -206,6 +206,25 @@ def contact_arm(bend: Scalar, turning_arm: Scalar, normal: Vector, tangent: Vect
     return (bend * normal_x - turning_arm * tangent_x, bend * normal_y - turning_arm * tangent_y)
 
 
+def impulse_moment(
+    total_impulse: Scalar, turning_arm: Scalar, tangential_impulse: Scalar, bend: Scalar
+) -> Scalar:
+    """Moment of the impulses of one contact about the centre of mass of a body (kg*m^2/s).
+
+    impulse_moment = total_impulse*turning_arm + tangential_impulse*bend
+
+    Args:
+        total_impulse: Impulse that a contact has given in a step along its normal, N*s
+        turning_arm: Part of an arm across the line, by which an impulse along it turns a body,
+            m
+        tangential_impulse: Impulse of a contact on body B along its tangent, N*s
+        bend: Part of an arm along the line, as far as it turns with its body, m
+
+    Source: DD108, srs/models/island_energy.md:114.
+    """
+    return total_impulse * turning_arm + tangential_impulse * bend
+
+
 def pressed_arm(pressed_moment: Vector, total_impulse: Scalar) -> Vector:
     """Lever arm to where the contacts of a body press it in the mean (m).
 
@@ -216,7 +235,7 @@ def pressed_arm(pressed_moment: Vector, total_impulse: Scalar) -> Vector:
             the normal, N*s*m
         total_impulse: Impulse that a contact has given in a step along its normal, N*s
 
-    Source: DD108, srs/models/island_energy.md:114.
+    Source: DD108, srs/models/island_energy.md:115.
     """
     pressed_moment_x, pressed_moment_y = pressed_moment
     return (pressed_moment_x / total_impulse, pressed_moment_y / total_impulse)
@@ -237,12 +256,12 @@ def holding_work(
     Args:
         angular_velocity_support: Rate of turning, positive counter-clockwise; of what an island
             leans on, at the body, rad/s
-        angular_impulse: Moment that the impulses of all contacts of a body have about its
-            centre of mass, kg*m^2/s
+        angular_impulse: Moment that the impulses on a body have about its centre of mass,
+            kg*m^2/s
         pressed_arm: Lever arm to where the contacts of a body press it in the mean, m
         impulse_vector: Integral of a force over the time in which it acts, N*s
 
-    Source: DD108, srs/models/island_energy.md:115.
+    Source: DD108, srs/models/island_energy.md:116.
     """
     pressed_arm_x, pressed_arm_y = pressed_arm
     impulse_vector_x, impulse_vector_y = impulse_vector
@@ -260,7 +279,7 @@ def mass_moment(mass: Scalar, position: Vector) -> Vector:
         mass: Mass of a body, kg
         position: Position of the centre of mass, m
 
-    Source: DD38, srs/models/island_energy.md:167.
+    Source: DD38, srs/models/island_energy.md:170.
     """
     position_x, position_y = position
     return (mass * position_x, mass * position_y)
@@ -276,7 +295,7 @@ def inertia_origin(mass: Scalar, position: Vector, inertia: Scalar) -> Scalar:
         position: Position of the centre of mass, m
         inertia: Moment of inertia about the centre of mass, kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:168.
+    Source: DD38, srs/models/island_energy.md:171.
     """
     position_x, position_y = position
     return inertia + mass * (position_x * position_x + position_y * position_y)
@@ -291,7 +310,7 @@ def position_island(mass_moment: Vector, mass: Scalar) -> Vector:
         mass_moment: Mass times position, kg*m
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:169.
+    Source: DD38, srs/models/island_energy.md:172.
     """
     mass_moment_x, mass_moment_y = mass_moment
     return (mass_moment_x / mass, mass_moment_y / mass)
@@ -306,7 +325,7 @@ def velocity_island(momentum: Vector, mass: Scalar) -> Vector:
         momentum: Mass times velocity, kg*m/s
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:170.
+    Source: DD38, srs/models/island_energy.md:173.
     """
     momentum_x, momentum_y = momentum
     return (momentum_x / mass, momentum_y / mass)
@@ -322,7 +341,7 @@ def inertia_island(inertia_origin: Scalar, mass: Scalar, position_island: Vector
         mass: Mass of a body, kg
         position_island: Position of the centre of mass; of an island as one body, m
 
-    Source: DD38, srs/models/island_energy.md:171.
+    Source: DD38, srs/models/island_energy.md:174.
     """
     position_island_x, position_island_y = position_island
     return inertia_origin - mass * (
@@ -350,7 +369,7 @@ def angular_velocity_island(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:172.
+    Source: DD38, srs/models/island_energy.md:175.
     """
     position_island_x, position_island_y = position_island
     velocity_island_x, velocity_island_y = velocity_island
@@ -378,7 +397,7 @@ def kinetic_energy_kept(
             J
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:227.
+    Source: GD13, srs/models/island_energy.md:230.
     """
     return (
         (1 - kept_share) * kinetic_energy_before
@@ -397,7 +416,7 @@ def velocity_kept(velocity_before: Vector, velocity_after: Vector, kept_share: S
         velocity_after: Velocity of the centre of mass; just after the impact, m/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:230.
+    Source: GD13, srs/models/island_energy.md:233.
     """
     velocity_before_x, velocity_before_y = velocity_before
     velocity_after_x, velocity_after_y = velocity_after
@@ -423,7 +442,7 @@ def angular_velocity_kept(
             impact, rad/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:231.
+    Source: GD13, srs/models/island_energy.md:234.
     """
     return angular_velocity_before + kept_share * (angular_velocity_after - angular_velocity_before)
 
@@ -441,7 +460,7 @@ def accumulated_impulse_kept(
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:234.
+    Source: GD13, srs/models/island_energy.md:237.
     """
     return accumulated_impulse - (1 - kept_share) * applied_impulse
 
@@ -459,7 +478,7 @@ def kept_share_rising(energy_room: Scalar, energy_rise: Scalar, change_energy: S
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:238.
+    Source: GD13, srs/models/island_energy.md:241.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -479,7 +498,7 @@ def kept_share_falling(energy_room: Scalar, energy_rise: Scalar, change_energy: 
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:239.
+    Source: GD13, srs/models/island_energy.md:242.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -495,7 +514,7 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM11, srs/models/island_energy.md:332.
+    Source: IM11, srs/models/island_energy.md:335.
     """
     return largest(kinetic_energy_start + work, 0.0)
 
@@ -513,7 +532,7 @@ def damped_share(
         kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
         kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
 
-    Source: IM11, srs/models/island_energy.md:333.
+    Source: IM11, srs/models/island_energy.md:336.
     """
     return least(
         sqrt(
@@ -534,7 +553,7 @@ def velocity_damped(velocity: Vector, velocity_island: Vector, damped_share: Sca
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:336.
+    Source: IM11, srs/models/island_energy.md:339.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -559,7 +578,7 @@ def angular_velocity_damped(
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:337.
+    Source: IM11, srs/models/island_energy.md:340.
     """
     return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)
 
@@ -588,7 +607,7 @@ def given_product(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD88, srs/models/island_energy.md:420.
+    Source: DD88, srs/models/island_energy.md:423.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -609,7 +628,7 @@ def energy_along_given(given_product: Scalar, change_energy: Scalar) -> Scalar:
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:423.
+    Source: DD88, srs/models/island_energy.md:426.
     """
     return given_product * given_product / (4 * change_energy)
 
@@ -634,7 +653,7 @@ def energy_along_given_left(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD88, srs/models/island_energy.md:424.
+    Source: DD88, srs/models/island_energy.md:427.
     """
     return largest(energy_along_given - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -662,7 +681,7 @@ def velocity_reduced(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:426.
+    Source: DD88, srs/models/island_energy.md:429.
     """
     velocity_x, velocity_y = velocity
     velocity_given_x, velocity_given_y = velocity_given
@@ -695,7 +714,7 @@ def angular_velocity_reduced(
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: DD88, srs/models/island_energy.md:428.
+    Source: DD88, srs/models/island_energy.md:431.
     """
     return (
         angular_velocity
@@ -713,7 +732,7 @@ def energy_given(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: Sca
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD87, srs/models/island_energy.md:477.
+    Source: DD87, srs/models/island_energy.md:480.
     """
     return kinetic_energy - kinetic_energy_start - work
 
@@ -728,7 +747,7 @@ def rising_energy(mass: Scalar, velocity: Vector, acceleration: Vector) -> Scala
         velocity: Velocity of the centre of mass, m/s
         acceleration: Acceleration of the centre of mass, m/s^2
 
-    Source: DD87, srs/models/island_energy.md:478.
+    Source: DD87, srs/models/island_energy.md:481.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -757,7 +776,7 @@ def rising_energy_left(
         energy_given_all: Energy that contacts have given those bodies of an island that got
             some, J
 
-    Source: DD87, srs/models/island_energy.md:480.
+    Source: DD87, srs/models/island_energy.md:483.
     """
     return largest(rising_energy - energy_surplus * energy_given / energy_given_all, 0.0)
 
@@ -774,7 +793,7 @@ def velocity_rising_reduced(velocity: Vector, acceleration: Vector, damped_share
         damped_share: Part that an island keeps of what differs in its velocities from its
             motion as one, 1
 
-    Source: DD87, srs/models/island_energy.md:482.
+    Source: DD87, srs/models/island_energy.md:485.
     """
     velocity_x, velocity_y = velocity
     acceleration_x, acceleration_y = acceleration
@@ -802,7 +821,7 @@ def lift_beyond_motion(energy_given: Scalar, kinetic_energy: Scalar) -> Scalar:
             it, J
         kinetic_energy: Energy of motion, turning included, J
 
-    Source: DD89, srs/models/island_energy.md:513.
+    Source: DD89, srs/models/island_energy.md:516.
     """
     return largest(energy_given - kinetic_energy, 0.0)
 
@@ -821,7 +840,7 @@ def support_work(
         support_rate: Normal velocity of a contact by the motion of its support alone, m/s
         support_slip: Tangential velocity of a contact by the motion of its support alone, m/s
 
-    Source: DD90, srs/models/island_energy.md:543.
+    Source: DD90, srs/models/island_energy.md:546.
     """
     return total_impulse * (largest(-support_rate, 0.0) + friction * abs(support_slip))
 
@@ -841,7 +860,7 @@ def moment_ahead_moved(
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD66, srs/models/island_energy.md:600.
+    Source: DD66, srs/models/island_energy.md:603.
     """
     velocity_x, velocity_y = velocity
     velocity_change_x, velocity_change_y = velocity_change
@@ -862,7 +881,7 @@ def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vec
         shift: How far the centre of mass has moved since the step began, m
         velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
 
-    Source: DD66, srs/models/island_energy.md:601.
+    Source: DD66, srs/models/island_energy.md:604.
     """
     shift_x, shift_y = shift
     velocity_change_x, velocity_change_y = velocity_change
@@ -893,7 +912,7 @@ def angular_momentum_given(
         angular_velocity_given: What contacts have changed in the angular velocity of a body in
             all substeps, rad/s
 
-    Source: DD66, srs/models/island_energy.md:602.
+    Source: DD66, srs/models/island_energy.md:605.
     """
     position_x, position_y = position
     velocity_given_x, velocity_given_y = velocity_given
@@ -920,7 +939,7 @@ def angular_velocity_island_returned(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:669.
+    Source: IM17, srs/models/island_energy.md:672.
     """
     return angular_velocity_island - angular_momentum_given / inertia_island
 
@@ -944,7 +963,7 @@ def returned_share(
             can be; with the angular momentum that the island had, J
         share_largest: The largest factor by which motion that is left may grow, 1
 
-    Source: IM17, srs/models/island_energy.md:671.
+    Source: IM17, srs/models/island_energy.md:674.
     """
     return least(
         sqrt(
@@ -973,7 +992,7 @@ def velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:674.
+    Source: IM17, srs/models/island_energy.md:677.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -1005,7 +1024,7 @@ def angular_velocity_returned(
         returned_share: Factor of what differs in the velocities of an island from its motion as
             one, where that gets back its angular momentum, 1
 
-    Source: IM17, srs/models/island_energy.md:676.
+    Source: IM17, srs/models/island_energy.md:679.
     """
     return angular_velocity_island_returned + returned_share * (
         angular_velocity - angular_velocity_island

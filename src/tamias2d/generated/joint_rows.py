@@ -46,7 +46,7 @@ ROWS_OF_KIND = (
 def revolute_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Revolute joint: how far each row is from holding.
 
-    Source: revolute, srs/models/joints.md:205.
+    Source: revolute, srs/models/joints.md:227.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -73,7 +73,7 @@ def revolute_values(given: Any, a: Any, b: Any, row: Any) -> None:
 def revolute_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Revolute joint: its rows with their slopes.
 
-    Source: revolute, srs/models/joints.md:205.
+    Source: revolute, srs/models/joints.md:227.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -118,7 +118,7 @@ def revolute_rows(given: Any, a: Any, b: Any, row: Any) -> None:
 def revolute_bends(given: Any, a: Any, b: Any, row: Any) -> None:
     """Revolute joint: second derivatives of its rows by orientations.
 
-    Source: revolute, srs/models/joints.md:205.
+    Source: revolute, srs/models/joints.md:227.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -143,7 +143,7 @@ def revolute_bends(given: Any, a: Any, b: Any, row: Any) -> None:
 def distance_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Distance joint: how far each row is from holding.
 
-    Source: distance, srs/models/joints.md:219.
+    Source: distance, srs/models/joints.md:241.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -171,7 +171,7 @@ def distance_values(given: Any, a: Any, b: Any, row: Any) -> None:
 def distance_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Distance joint: its rows with their slopes.
 
-    Source: distance, srs/models/joints.md:219.
+    Source: distance, srs/models/joints.md:241.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -208,7 +208,7 @@ def distance_rows(given: Any, a: Any, b: Any, row: Any) -> None:
 def distance_bends(given: Any, a: Any, b: Any, row: Any) -> None:
     """Distance joint: second derivatives of its rows by orientations.
 
-    Source: distance, srs/models/joints.md:219.
+    Source: distance, srs/models/joints.md:241.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -247,7 +247,7 @@ def distance_bends(given: Any, a: Any, b: Any, row: Any) -> None:
 def weld_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Weld: how far each row is from holding.
 
-    Source: weld, srs/models/joints.md:236.
+    Source: weld, srs/models/joints.md:258.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -278,7 +278,7 @@ def weld_values(given: Any, a: Any, b: Any, row: Any) -> None:
 def weld_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Weld: its rows with their slopes.
 
-    Source: weld, srs/models/joints.md:236.
+    Source: weld, srs/models/joints.md:258.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -336,7 +336,7 @@ def weld_rows(given: Any, a: Any, b: Any, row: Any) -> None:
 def weld_bends(given: Any, a: Any, b: Any, row: Any) -> None:
     """Weld: second derivatives of its rows by orientations.
 
-    Source: weld, srs/models/joints.md:236.
+    Source: weld, srs/models/joints.md:258.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -364,7 +364,7 @@ def weld_bends(given: Any, a: Any, b: Any, row: Any) -> None:
 def prismatic_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Prismatic joint: how far each row is from holding.
 
-    Source: prismatic, srs/models/joints.md:249.
+    Source: prismatic, srs/models/joints.md:271.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     guide_a_x, guide_a_y = given[2], given[3]
@@ -399,7 +399,7 @@ def prismatic_values(given: Any, a: Any, b: Any, row: Any) -> None:
 def prismatic_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Prismatic joint: its rows with their slopes.
 
-    Source: prismatic, srs/models/joints.md:249.
+    Source: prismatic, srs/models/joints.md:271.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     guide_a_x, guide_a_y = given[2], given[3]
@@ -452,7 +452,7 @@ def prismatic_rows(given: Any, a: Any, b: Any, row: Any) -> None:
 def prismatic_bends(given: Any, a: Any, b: Any, row: Any) -> None:
     """Prismatic joint: second derivatives of its rows by orientations.
 
-    Source: prismatic, srs/models/joints.md:249.
+    Source: prismatic, srs/models/joints.md:271.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     guide_a_x, guide_a_y = given[2], given[3]
@@ -493,7 +493,7 @@ def prismatic_bends(given: Any, a: Any, b: Any, row: Any) -> None:
 def groove_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Groove: how far each row is from holding.
 
-    Source: groove, srs/models/joints.md:266.
+    Source: groove, srs/models/joints.md:288.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     guide_a_x, guide_a_y = given[2], given[3]
@@ -524,7 +524,7 @@ def groove_values(given: Any, a: Any, b: Any, row: Any) -> None:
 def groove_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Groove: its rows with their slopes.
 
-    Source: groove, srs/models/joints.md:266.
+    Source: groove, srs/models/joints.md:288.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     guide_a_x, guide_a_y = given[2], given[3]
@@ -564,7 +564,7 @@ def groove_rows(given: Any, a: Any, b: Any, row: Any) -> None:
 def groove_bends(given: Any, a: Any, b: Any, row: Any) -> None:
     """Groove: second derivatives of its rows by orientations.
 
-    Source: groove, srs/models/joints.md:266.
+    Source: groove, srs/models/joints.md:288.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     guide_a_x, guide_a_y = given[2], given[3]
@@ -602,7 +602,7 @@ def groove_bends(given: Any, a: Any, b: Any, row: Any) -> None:
 def gear_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Gear: how far each row is from holding.
 
-    Source: gear, srs/models/joints.md:282.
+    Source: gear, srs/models/joints.md:304.
     """
     gear_ratio = given[0]
     joint_angle = given[1]
@@ -617,7 +617,7 @@ def gear_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
 def gear_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Gear: its rows with their slopes.
 
-    Source: gear, srs/models/joints.md:282.
+    Source: gear, srs/models/joints.md:304.
     """
     gear_ratio = given[0]
     joint_angle = given[1]
@@ -641,7 +641,7 @@ def gear_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
 def gear_bends(row: Any) -> None:
     """Gear: second derivatives of its rows by orientations.
 
-    Source: gear, srs/models/joints.md:282.
+    Source: gear, srs/models/joints.md:304.
     """
     row[0] = 0
     row[1] = 0
@@ -651,7 +651,7 @@ def gear_bends(row: Any) -> None:
 def pulley_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Pulley: how far each row is from holding.
 
-    Source: pulley, srs/models/joints.md:300.
+    Source: pulley, srs/models/joints.md:322.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -697,7 +697,7 @@ def pulley_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
 def pulley_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Pulley: its rows with their slopes.
 
-    Source: pulley, srs/models/joints.md:300.
+    Source: pulley, srs/models/joints.md:322.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -754,7 +754,7 @@ def pulley_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
 def pulley_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Pulley: second derivatives of its rows by orientations.
 
-    Source: pulley, srs/models/joints.md:300.
+    Source: pulley, srs/models/joints.md:322.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     anchor_b_x, anchor_b_y = given[2], given[3]
@@ -840,7 +840,7 @@ def pulley_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
 def angle_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Angle between two bodies: how far each row is from holding.
 
-    Source: angle, srs/models/joints.md:332.
+    Source: angle, srs/models/joints.md:354.
     """
     joint_angle = given[0]
     orientation_a = a[2]
@@ -851,7 +851,7 @@ def angle_values(given: Any, a: Any, b: Any, row: Any) -> None:
 def angle_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Angle between two bodies: its rows with their slopes.
 
-    Source: angle, srs/models/joints.md:332.
+    Source: angle, srs/models/joints.md:354.
     """
     joint_angle = given[0]
     orientation_a = a[2]
@@ -871,7 +871,7 @@ def angle_rows(given: Any, a: Any, b: Any, row: Any) -> None:
 def angle_bends(row: Any) -> None:
     """Angle between two bodies: second derivatives of its rows by orientations.
 
-    Source: angle, srs/models/joints.md:332.
+    Source: angle, srs/models/joints.md:354.
     """
     row[0] = 0
     row[1] = 0
@@ -881,7 +881,7 @@ def angle_bends(row: Any) -> None:
 def travel_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Travel along a line: how far each row is from holding.
 
-    Source: travel, srs/models/joints.md:342.
+    Source: travel, srs/models/joints.md:364.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     guide_a_x, guide_a_y = given[2], given[3]
@@ -913,7 +913,7 @@ def travel_values(given: Any, a: Any, b: Any, row: Any) -> None:
 def travel_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Travel along a line: its rows with their slopes.
 
-    Source: travel, srs/models/joints.md:342.
+    Source: travel, srs/models/joints.md:364.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     guide_a_x, guide_a_y = given[2], given[3]
@@ -954,7 +954,7 @@ def travel_rows(given: Any, a: Any, b: Any, row: Any) -> None:
 def travel_bends(given: Any, a: Any, b: Any, row: Any) -> None:
     """Travel along a line: second derivatives of its rows by orientations.
 
-    Source: travel, srs/models/joints.md:342.
+    Source: travel, srs/models/joints.md:364.
     """
     anchor_a_x, anchor_a_y = given[0], given[1]
     guide_a_x, guide_a_y = given[2], given[3]

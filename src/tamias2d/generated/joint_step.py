@@ -293,7 +293,7 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:129.
+    Source: IM15, srs/models/joint_step.md:127.
     """
     return (1 - removed_share) * row_value
 
@@ -307,7 +307,7 @@ def drive_error(row_rate: Scalar, drive_rate: Scalar) -> Scalar:
         row_rate: Rate of a row's value, or a body's part in it, m/s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: IM15, srs/models/joint_step.md:130.
+    Source: IM15, srs/models/joint_step.md:128.
     """
     return row_rate - drive_rate
 
@@ -321,7 +321,7 @@ def row_impulse_most(row_force_most: Scalar, time_step: Scalar) -> Scalar:
         row_force_most: The most that a motor or a spring exerts, for slopes of length one, N
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:131.
+    Source: IM15, srs/models/joint_step.md:129.
     """
     return time_step * row_force_most
 
@@ -336,7 +336,7 @@ def struck_share(row_value_start: Scalar, row_value: Scalar) -> Scalar:
             m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: IM15, srs/models/joint_step.md:132.
+    Source: IM15, srs/models/joint_step.md:130.
     """
     return row_value_start / (row_value_start - row_value)
 
@@ -351,24 +351,9 @@ def struck_rate(row_rate_start: Scalar, struck_share: Scalar, row_rate: Scalar) 
         struck_share: Part of a substep after which a limit is struck, 1
         row_rate: Rate of a row's value, or a body's part in it, m/s
 
-    Source: IM15, srs/models/joint_step.md:133.
+    Source: IM15, srs/models/joint_step.md:131.
     """
     return row_rate_start + struck_share * (row_rate - row_rate_start)
-
-
-def bounce_rate(restitution: Scalar, struck_rate: Scalar) -> Scalar:
-    """Rate at which a row leaves a limit that bounces (m/s).
-
-    bounce_rate = -restitution*struck_rate
-
-    Args:
-        restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
-            energy is lost), 1
-        struck_rate: Rate of a row as its limit is struck, m/s
-
-    Source: IM15, srs/models/joint_step.md:134.
-    """
-    return (-restitution) * struck_rate
 
 
 def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
@@ -380,7 +365,7 @@ def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
         row_force: Force of a row of a joint, for slopes of length one, N
         row_bend: Second derivative of a row's value by the orientation of a body, m
 
-    Source: IM15, srs/models/joint_step.md:135.
+    Source: IM15, srs/models/joint_step.md:132.
     """
     return (-row_force) * row_bend
 
@@ -398,7 +383,7 @@ def inertia_held(
         time_step: Length of one step of a stepped scheme, s
         inertia_factor_most: Most times its own inertia with which a body counts in joints, 1
 
-    Source: IM15, srs/models/joint_step.md:136.
+    Source: IM15, srs/models/joint_step.md:133.
     """
     return least(largest(inertia, time_step * time_step * leaning), inertia_factor_most * inertia)
 
@@ -411,7 +396,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:137.
+    Source: IM15, srs/models/joint_step.md:134.
     """
     return sqrt(kick_decay)
 
@@ -425,7 +410,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:138.
+    Source: IM15, srs/models/joint_step.md:135.
     """
     return kick_gain / (1 + half_decay)
 
@@ -440,7 +425,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:139.
+    Source: IM15, srs/models/joint_step.md:136.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -455,7 +440,7 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:140.
+    Source: IM15, srs/models/joint_step.md:137.
     """
     return (kick_velocity - half_gain) / half_decay
 
@@ -471,7 +456,7 @@ def slowed_mean(slowed_share: Scalar, half_decay: Scalar, substeps: Scalar) -> S
         half_decay: Factor of the velocity by drag in half a substep, 1
         substeps: Number of the substeps of a step, 1
 
-    Source: IM15, srs/models/joint_step.md:141.
+    Source: IM15, srs/models/joint_step.md:138.
     """
     return slowed_share * (1 + (2 / (1 + half_decay) - 1) / substeps)
 
@@ -486,7 +471,7 @@ def kept_way(kinetic_energy_start: Scalar, lift_work: Scalar, work: Scalar) -> S
         lift_work: Energy that overlaps under the weight of a body store and give back, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM15, srs/models/joint_step.md:142.
+    Source: IM15, srs/models/joint_step.md:139.
     """
     return least((-(kinetic_energy_start + lift_work)) / work, 1)
 
@@ -501,7 +486,7 @@ def overlap_removed(separation: Scalar, separation_later: Scalar) -> Scalar:
         separation_later: Distance between two bodies, negative where they overlap; after the
             bodies have moved, m
 
-    Source: DD106, srs/models/joint_step.md:257.
+    Source: DD106, srs/models/joint_step.md:253.
     """
     return least(separation_later, 0.0) - least(separation, 0.0)
 
@@ -516,7 +501,7 @@ def load_size(mass: Scalar, gravity: Vector, force: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         force: Applied force on a body, without its weight, N
 
-    Source: DD106, srs/models/joint_step.md:258.
+    Source: DD106, srs/models/joint_step.md:254.
     """
     gravity_x, gravity_y = gravity
     force_x, force_y = force
@@ -536,7 +521,7 @@ def impulse_way(accumulated_impulse: Scalar, overlap_removed: Scalar) -> Scalar:
         overlap_removed: By how much an overlap is less deep after a step, negative where it is
             deeper, m
 
-    Source: DD106, srs/models/joint_step.md:259.
+    Source: DD106, srs/models/joint_step.md:255.
     """
     return accumulated_impulse * overlap_removed
 
@@ -555,7 +540,7 @@ def overlap_work(
         impulse_way: Impulse of a contact times the way by which its overlap is less deep, N*s*m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD106, srs/models/joint_step.md:260.
+    Source: DD106, srs/models/joint_step.md:256.
     """
     return (
         load_size * largest(impulse_way, 0.0) / largest(accumulated_impulse, load_size * time_step)
@@ -572,7 +557,7 @@ def spring_change(row_impulse: Scalar, row_yield: Scalar) -> Scalar:
         row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
             1/kg
 
-    Source: DD86, srs/models/joint_step.md:296.
+    Source: DD86, srs/models/joint_step.md:292.
     """
     return row_impulse * row_impulse * row_yield / 2
 
@@ -592,7 +577,7 @@ def change_most(
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:297.
+    Source: DD86, srs/models/joint_step.md:293.
     """
     return amplification * amplification * mass * rates_squared / 2 + spring_change
 
@@ -608,7 +593,7 @@ def firmness_most(mass: Scalar, row_arm: Scalar, amplification: Scalar) -> Scala
         amplification: How many times the rate that rows have too much is a likely change of
             velocity, 1
 
-    Source: DD86, srs/models/joint_step.md:298.
+    Source: DD86, srs/models/joint_step.md:294.
     """
     return amplification * amplification * mass * row_arm * row_arm
 
@@ -622,7 +607,7 @@ def closing_share(row_value: Scalar, closing_way: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         closing_way: Way by which a row that has yielded may close in a substep at most, m
 
-    Source: DD86, srs/models/joint_step.md:299.
+    Source: DD86, srs/models/joint_step.md:295.
     """
     return closing_way / abs(row_value)
 
@@ -646,7 +631,7 @@ def motion_most(
         row_energy: Energy of a spring at a joint, J
         growth_ratio: By which ratio the energy of motion may grow by one solution, 1
 
-    Source: DD98, srs/models/joint_step.md:355.
+    Source: DD98, srs/models/joint_step.md:351.
     """
     return growth_ratio * kinetic_energy + mass * rates_squared / 2 + row_energy
 
@@ -662,9 +647,26 @@ def impact_rate(row_velocity: Scalar, separation: Scalar, time_step: Scalar) -> 
         separation: Distance between two bodies, negative where they overlap, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD107, srs/models/joint_step.md:397.
+    Source: DD107, srs/models/joint_step.md:394.
     """
     return row_velocity + largest(separation, 0.0) / time_step
+
+
+def blow_velocity(
+    accumulated_impulse: Scalar, inverse_mass_a: Scalar, inverse_mass_b: Scalar
+) -> Scalar:
+    """How fast an impulse lets the centres of two bodies part (m/s).
+
+    blow_velocity = accumulated_impulse*(inverse_mass_a + inverse_mass_b)
+
+    Args:
+        accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
+        inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
+        inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
+
+    Source: DD107, srs/models/joint_step.md:395.
+    """
+    return accumulated_impulse * (inverse_mass_a + inverse_mass_b)
 
 
 def lost_velocity(row_velocity: Scalar, row_velocity_before: Scalar, restitution: Scalar) -> Scalar:
@@ -679,7 +681,7 @@ def lost_velocity(row_velocity: Scalar, row_velocity_before: Scalar, restitution
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: DD96, srs/models/joint_step.md:433.
+    Source: DD96, srs/models/joint_step.md:432.
     """
     return -(row_velocity + restitution * row_velocity_before)
 
@@ -695,7 +697,7 @@ def lost_share(row_mass: Scalar, lost_velocity: Scalar, applied_impulse: Scalar)
             for, m/s
         applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
 
-    Source: DD96, srs/models/joint_step.md:434.
+    Source: DD96, srs/models/joint_step.md:433.
     """
     return row_mass * lost_velocity / applied_impulse
 
@@ -710,7 +712,7 @@ def row_mass_joined(row_mass: Scalar, lost_share: Scalar) -> Scalar:
         lost_share: Part that joints take of what an impulse changes in the velocity of a
             contact, 1
 
-    Source: DD96, srs/models/joint_step.md:435.
+    Source: DD96, srs/models/joint_step.md:434.
     """
     return row_mass / (1 - lost_share)
 
@@ -725,7 +727,7 @@ def overshot_share(lost_velocity: Scalar, lost_velocity_before: Scalar) -> Scala
             for, m/s
         lost_velocity_before: What joints had taken of it after the turn before, m/s
 
-    Source: DD96, srs/models/joint_step.md:436.
+    Source: DD96, srs/models/joint_step.md:435.
     """
     return least(lost_velocity / lost_velocity_before, 0)
 
@@ -745,7 +747,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:493.
+    Source: IM19, srs/models/joint_step.md:492.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -767,7 +769,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:497.
+    Source: IM19, srs/models/joint_step.md:496.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -802,7 +804,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:499.
+    Source: IM19, srs/models/joint_step.md:498.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -818,55 +820,9 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:500.
+    Source: IM19, srs/models/joint_step.md:499.
     """
     return (1 - implicit_share) / implicit_share * row_given
-
-
-def row_pull(
-    row_stiffness: Scalar, row_value: Scalar, row_damping: Scalar, row_rate: Scalar
-) -> Scalar:
-    """Force of a row's spring and damper without their maximum (N).
-
-    row_pull = -row_stiffness*row_value - row_damping*row_rate
-
-    Args:
-        row_stiffness: Force of a spring for a row's value, N/m
-        row_value: Number of a joint's equation that is zero where it holds, m
-        row_damping: Force of a damper for a row's rate, kg/s
-        row_rate: Rate of a row's value, or a body's part in it, m/s
-
-    Source: DD105, srs/models/joint_step.md:594.
-    """
-    return (-row_stiffness) * row_value - row_damping * row_rate
-
-
-def row_pull_size(row_pull: Scalar, row_pull_across: Scalar) -> Scalar:
-    """Size of that of both (N).
-
-    row_pull_size = sqrt(row_pull**2 + row_pull_across**2)
-
-    Args:
-        row_pull: Force of a row's spring and damper without their maximum, N
-        row_pull_across: The same of the other row of a target, N
-
-    Source: DD105, srs/models/joint_step.md:595.
-    """
-    return sqrt(row_pull * row_pull + row_pull_across * row_pull_across)
-
-
-def row_share(row_force_most: Scalar, row_pull_size: Scalar) -> Scalar:
-    """Share of its pull that a row's spring with a maximum exerts (1).
-
-    row_share = row_force_most/max(row_pull_size, row_force_most)
-
-    Args:
-        row_force_most: The most that a motor or a spring exerts, for slopes of length one, N
-        row_pull_size: Size of that of both, N
-
-    Source: DD105, srs/models/joint_step.md:596.
-    """
-    return row_force_most / largest(row_pull_size, row_force_most)
 
 
 def whole_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
@@ -878,7 +834,7 @@ def whole_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: DD105, srs/models/joint_step.md:597.
+    Source: DD105, srs/models/joint_step.md:594.
     """
     return row_given / implicit_share
 
@@ -893,23 +849,37 @@ def impulse_room(row_impulse_most: Scalar, impulse_left: Scalar) -> Scalar:
             length one, N*s
         impulse_left: Size of what a spring at a joint had left of the substep before, N*s
 
-    Source: DD105, srs/models/joint_step.md:598.
+    Source: DD105, srs/models/joint_step.md:595.
     """
     return row_impulse_most - least(impulse_left, row_impulse_most / 2)
 
 
-def row_energy_bounded(row_share: Scalar, row_energy: Scalar) -> Scalar:
-    """Energy of a row's spring that has a maximum (J).
+def row_stiffness_softer(force_share: Scalar, row_stiffness: Scalar) -> Scalar:
+    """Force of a spring for a row's value; of a spring that exerts its share (N/m).
 
-    row_energy_bounded = row_share*(2 - row_share)*row_energy
+    row_stiffness_softer = force_share*row_stiffness
 
     Args:
-        row_share: Share of its pull that a row's spring with a maximum exerts, 1
-        row_energy: Energy of a spring at a joint, J
+        force_share: Share of its force that a spring with a maximum exerts, 1
+        row_stiffness: Force of a spring for a row's value, N/m
 
-    Source: DD105, srs/models/joint_step.md:599.
+    Source: DD105, srs/models/joint_step.md:596.
     """
-    return row_share * (2 - row_share) * row_energy
+    return force_share * row_stiffness
+
+
+def row_damping_softer(force_share: Scalar, row_damping: Scalar) -> Scalar:
+    """Force of a damper for a row's rate; of a spring that exerts its share (kg/s).
+
+    row_damping_softer = force_share*row_damping
+
+    Args:
+        force_share: Share of its force that a spring with a maximum exerts, 1
+        row_damping: Force of a damper for a row's rate, kg/s
+
+    Source: DD105, srs/models/joint_step.md:597.
+    """
+    return force_share * row_damping
 
 
 def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
@@ -921,7 +891,7 @@ def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
         row_stiffness: Force of a spring for a row's value, N/m
         row_value: Number of a joint's equation that is zero where it holds, m
 
-    Source: DD79, srs/models/joint_step.md:636.
+    Source: DD79, srs/models/joint_step.md:632.
     """
     return row_stiffness * row_value * row_value / 2
 
@@ -935,7 +905,7 @@ def drive_work(row_impulse: Scalar, drive_rate: Scalar) -> Scalar:
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         drive_rate: Rate at which a motor, or the time in its equation, keeps a row, m/s
 
-    Source: DD79, srs/models/joint_step.md:637.
+    Source: DD79, srs/models/joint_step.md:633.
     """
     return row_impulse * drive_rate
 
@@ -960,7 +930,7 @@ def mechanism_energy_balance(
         energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
             is negative, J
 
-    Source: DD79, srs/models/joint_step.md:638.
+    Source: DD79, srs/models/joint_step.md:634.
     """
     return kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve
 
@@ -979,7 +949,7 @@ def energy_scale_later(
         row_energy: Energy of a spring at a joint, J
         scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
 
-    Source: DD79, srs/models/joint_step.md:640.
+    Source: DD79, srs/models/joint_step.md:636.
     """
     return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
 
@@ -1003,7 +973,7 @@ def energy_reserve_later(
         energy_scale: The most of motion and springs that a mechanism has had lately, J
         reserve_ratio: Reserve of a mechanism, of its scale at most, 1
 
-    Source: DD79, srs/models/joint_step.md:642.
+    Source: DD79, srs/models/joint_step.md:638.
     """
     return least(mechanism_energy_balance - kinetic_energy, reserve_ratio * energy_scale)
 
@@ -1018,7 +988,7 @@ def energy_regained(kinetic_energy: Scalar, kinetic_energy_start: Scalar, work: 
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: DD79, srs/models/joint_step.md:644.
+    Source: DD79, srs/models/joint_step.md:640.
     """
     return largest(kinetic_energy - kinetic_energy_start - work, 0.0)
 
@@ -1034,6 +1004,6 @@ def way_kept(kinetic_energy_start: Scalar, work: Scalar, energy_reserve: Scalar)
         energy_reserve: What a mechanism may gain of what it has lost, or has too much where it
             is negative, J
 
-    Source: DD79, srs/models/joint_step.md:645.
+    Source: DD79, srs/models/joint_step.md:641.
     """
     return (-(kinetic_energy_start + energy_reserve)) / work

@@ -20,7 +20,7 @@ def velocity_later(
         inverse_mass: One over the mass, zero for a static body, 1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD55, srs/models/spring_step.md:379.
+    Source: DD55, srs/models/spring_step.md:447.
     """
     velocity_x, velocity_y = velocity
     return (

@@ -283,6 +283,23 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=207,
     ),
+    "reaction_force": Symbol(
+        "reaction_force",
+        "N",
+        "force by which what holds a body changes its acceleration",
+        shape="vector",
+        tex="\\boldsymbol{R}",
+        file="srs/symbols.md",
+        line=213,
+    ),
+    "reaction_torque": Symbol(
+        "reaction_torque",
+        "N*m",
+        "torque about the centre of mass by which what holds a body changes its turning",
+        tex="\\tau_R",
+        file="srs/symbols.md",
+        line=218,
+    ),
     "attraction": Symbol(
         "attraction",
         "N",
@@ -290,7 +307,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=222,
+        line=231,
     ),
     "gravitational_energy": Symbol(
         "gravitational_energy",
@@ -298,7 +315,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of two bodies that attract each other, zero when far apart",
         tex="U^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=227,
+        line=236,
     ),
     "linear_drag": Symbol(
         "linear_drag",
@@ -308,7 +325,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_1",
         typical="0.5 kg/s",
         file="srs/symbols.md",
-        line=231,
+        line=240,
     ),
     "quadratic_drag": Symbol(
         "quadratic_drag",
@@ -318,7 +335,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_2",
         typical="0.05 kg/m",
         file="srs/symbols.md",
-        line=237,
+        line=246,
     ),
     "linear_drag_force": Symbol(
         "linear_drag_force",
@@ -327,7 +344,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=243,
+        line=252,
     ),
     "quadratic_drag_force": Symbol(
         "quadratic_drag_force",
@@ -336,7 +353,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{quad}}",
         file="srs/symbols.md",
-        line=248,
+        line=257,
     ),
     "angular_drag": Symbol(
         "angular_drag",
@@ -346,7 +363,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_\\omega",
         typical="0.1 kg*m^2/s",
         file="srs/symbols.md",
-        line=253,
+        line=262,
     ),
     "angular_drag_torque": Symbol(
         "angular_drag_torque",
@@ -354,7 +371,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of angular drag on a body",
         tex="\\tau^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=259,
+        line=268,
     ),
     "angular_drag_rate": Symbol(
         "angular_drag_rate",
@@ -363,7 +380,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma_\\omega",
         file="srs/symbols.md",
-        line=263,
+        line=272,
     ),
     "drag_rate": Symbol(
         "drag_rate",
@@ -372,7 +389,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma",
         file="srs/symbols.md",
-        line=270,
+        line=279,
     ),
     "speed": Symbol(
         "speed",
@@ -381,7 +398,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="v",
         file="srs/symbols.md",
-        line=275,
+        line=284,
     ),
     "stiffness": Symbol(
         "stiffness",
@@ -391,7 +408,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\kappa",
         typical="100 N/m",
         file="srs/symbols.md",
-        line=280,
+        line=289,
     ),
     "rest_length": Symbol(
         "rest_length",
@@ -401,7 +418,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\ell_0",
         typical="0.5 m",
         file="srs/symbols.md",
-        line=286,
+        line=295,
     ),
     "damping": Symbol(
         "damping",
@@ -411,7 +428,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\eta",
         typical="2 kg/s",
         file="srs/symbols.md",
-        line=292,
+        line=301,
     ),
     "point": Symbol(
         "point",
@@ -420,7 +437,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}^P",
         file="srs/symbols.md",
-        line=298,
+        line=307,
     ),
     "span": Symbol(
         "span",
@@ -429,7 +446,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\ell}",
         file="srs/symbols.md",
-        line=303,
+        line=312,
     ),
     "distance": Symbol(
         "distance",
@@ -438,7 +455,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell",
         file="srs/symbols.md",
-        line=308,
+        line=317,
     ),
     "axis": Symbol(
         "axis",
@@ -447,7 +464,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=313,
+        line=322,
     ),
     "extension": Symbol(
         "extension",
@@ -455,7 +472,7 @@ SYMBOLS: dict[str, Symbol] = {
         "excess of a spring's length over its rest length",
         tex="\\delta",
         file="srs/symbols.md",
-        line=318,
+        line=327,
     ),
     "extension_rate": Symbol(
         "extension_rate",
@@ -463,7 +480,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a spring's extension",
         tex="\\dot{\\delta}",
         file="srs/symbols.md",
-        line=322,
+        line=331,
     ),
     "tension": Symbol(
         "tension",
@@ -471,7 +488,7 @@ SYMBOLS: dict[str, Symbol] = {
         "pull of a spring and its damper, negative where it pushes",
         tex="S",
         file="srs/symbols.md",
-        line=326,
+        line=335,
     ),
     "spring_force": Symbol(
         "spring_force",
@@ -480,7 +497,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=330,
+        line=339,
     ),
     "spring_energy": Symbol(
         "spring_energy",
@@ -489,7 +506,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="U^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=335,
+        line=344,
     ),
     "half_turn": Symbol(
         "half_turn",
@@ -497,7 +514,7 @@ SYMBOLS: dict[str, Symbol] = {
         "half of the angle by which a body turns in a step",
         tex="\\vartheta",
         file="srs/symbols.md",
-        line=340,
+        line=349,
     ),
     "half_turn_sine": Symbol(
         "half_turn_sine",
@@ -505,7 +522,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of half of the angle by which a body turns in a step",
         tex="\\sin\\vartheta",
         file="srs/symbols.md",
-        line=344,
+        line=353,
     ),
     "damping_step": Symbol(
         "damping_step",
@@ -514,7 +531,104 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="z_\\eta",
         file="srs/symbols.md",
-        line=348,
+        line=357,
+    ),
+    "way_resistance": Symbol(
+        "way_resistance",
+        "N/m",
+        "force by which a body resists that its way in a step is longer, over that",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\mu_v",
+        file="srs/symbols.md",
+        line=364,
+    ),
+    "turning_resistance": Symbol(
+        "turning_resistance",
+        "N*m/rad",
+        "torque by which a body resists that it turns more in a step, over that",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\mu_\\omega",
+        file="srs/symbols.md",
+        line=369,
+    ),
+    "coordinate_resistance": Symbol(
+        "coordinate_resistance",
+        "N/m",
+        "force by which a body resists a longer way along one axis, over that",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\mu_k",
+        file="srs/symbols.md",
+        line=374,
+    ),
+    "coordinate_pull": Symbol(
+        "coordinate_pull",
+        "N",
+        "pull of all springs of a body along one axis",
+        tex="P_k",
+        file="srs/symbols.md",
+        line=379,
+    ),
+    "coordinate_missing": Symbol(
+        "coordinate_missing",
+        "N",
+        "what the pull of springs along one axis is more than a body resists",
+        tex="r_k",
+        file="srs/symbols.md",
+        line=383,
+    ),
+    "change_along": Symbol(
+        "change_along",
+        "N/m",
+        "change of a held spring's force along its axis, over that of the way of its ends",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\chi_\\parallel",
+        file="srs/symbols.md",
+        line=387,
+    ),
+    "change_across": Symbol(
+        "change_across",
+        "N/m",
+        "change of a held spring's force across its axis, over that of the way of its ends",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\chi_\\perp",
+        file="srs/symbols.md",
+        line=392,
+    ),
+    "change_leaning": Symbol(
+        "change_leaning",
+        "N*m",
+        "change of a held force's torque on its arm, over that of the turn of its body",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\chi_\\omega",
+        file="srs/symbols.md",
+        line=397,
+    ),
+    "leaning_resistance": Symbol(
+        "leaning_resistance",
+        "kg*m^2",
+        "angular impulse by which a spring resists that its end turns, over the turning",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\lambda_\\omega",
+        file="srs/symbols.md",
+        line=402,
+    ),
+    "end_yield": Symbol(
+        "end_yield",
+        "1/kg",
+        "velocity that an end of a spring gets for one unit of impulse, at most",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="y_e",
+        file="srs/symbols.md",
+        line=407,
+    ),
+    "end_pace": Symbol(
+        "end_pace",
+        "1",
+        "what an end of a spring adds to the bound of the pace of its body",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\pi_e",
+        file="srs/symbols.md",
+        line=412,
     ),
     "resistance_along": Symbol(
         "resistance_along",
@@ -523,7 +637,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{\\parallel}",
         file="srs/symbols.md",
-        line=355,
+        line=417,
     ),
     "resistance_across": Symbol(
         "resistance_across",
@@ -532,7 +646,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{\\perp}",
         file="srs/symbols.md",
-        line=360,
+        line=422,
     ),
     "velocity_along": Symbol(
         "velocity_along",
@@ -540,7 +654,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which the ends of a spring part",
         tex="u_{\\parallel}",
         file="srs/symbols.md",
-        line=365,
+        line=427,
     ),
     "end_velocity": Symbol(
         "end_velocity",
@@ -549,7 +663,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=369,
+        line=431,
     ),
     "spring_impulse": Symbol(
         "spring_impulse",
@@ -558,7 +672,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=374,
+        line=436,
     ),
     "resisting_impulse": Symbol(
         "resisting_impulse",
@@ -567,7 +681,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}^{\\mathrm{res}}",
         file="srs/symbols.md",
-        line=379,
+        line=441,
     ),
     "critical_step": Symbol(
         "critical_step",
@@ -576,7 +690,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="h_{\\mathrm{crit}}",
         file="srs/symbols.md",
-        line=384,
+        line=446,
     ),
     "angular_frequency": Symbol(
         "angular_frequency",
@@ -585,7 +699,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\Omega",
         file="srs/symbols.md",
-        line=389,
+        line=451,
     ),
     "equilibrium": Symbol(
         "equilibrium",
@@ -594,7 +708,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{p}}",
         file="srs/symbols.md",
-        line=394,
+        line=456,
     ),
     "field_force": Symbol(
         "field_force",
@@ -603,7 +717,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=399,
+        line=461,
     ),
     "field_torque": Symbol(
         "field_torque",
@@ -611,7 +725,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of the fields of a scene about the body's centre of mass",
         tex="\\tau^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=404,
+        line=466,
     ),
     "anchor": Symbol(
         "anchor",
@@ -620,7 +734,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{b}",
         file="srs/symbols.md",
-        line=416,
+        line=478,
     ),
     "post": Symbol(
         "post",
@@ -629,7 +743,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{b}_w",
         file="srs/symbols.md",
-        line=423,
+        line=485,
     ),
     "guide": Symbol(
         "guide",
@@ -638,7 +752,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\hat{\\boldsymbol{g}}",
         file="srs/symbols.md",
-        line=430,
+        line=492,
     ),
     "joint_length": Symbol(
         "joint_length",
@@ -647,7 +761,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\ell_J",
         file="srs/symbols.md",
-        line=435,
+        line=497,
     ),
     "joint_angle": Symbol(
         "joint_angle",
@@ -655,7 +769,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle that a joint keeps between two bodies",
         tex="\\theta_J",
         file="srs/symbols.md",
-        line=440,
+        line=502,
     ),
     "gear_ratio": Symbol(
         "gear_ratio",
@@ -663,7 +777,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how often one side of a joint moves for once that the other does",
         tex="\\rho_J",
         file="srs/symbols.md",
-        line=444,
+        line=506,
     ),
     "joint_travel": Symbol(
         "joint_travel",
@@ -671,7 +785,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is along the line on which a joint lets it slide",
         tex="z",
         file="srs/symbols.md",
-        line=448,
+        line=510,
     ),
     "stretch": Symbol(
         "stretch",
@@ -679,7 +793,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a joint is beyond the place at which its spring is at rest",
         tex="\\xi",
         file="srs/symbols.md",
-        line=452,
+        line=514,
     ),
     "stretch_rate": Symbol(
         "stretch_rate",
@@ -687,7 +801,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a joint's stretch",
         tex="\\dot{\\xi}",
         file="srs/symbols.md",
-        line=456,
+        line=518,
     ),
     "twist": Symbol(
         "twist",
@@ -695,7 +809,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a joint is turned beyond the angle at which its spring is at rest",
         tex="\\psi",
         file="srs/symbols.md",
-        line=460,
+        line=522,
     ),
     "twist_rate": Symbol(
         "twist_rate",
@@ -703,7 +817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a joint's twist",
         tex="\\dot{\\psi}",
         file="srs/symbols.md",
-        line=464,
+        line=526,
     ),
     "joint_stiffness": Symbol(
         "joint_stiffness",
@@ -712,7 +826,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\xi",
         file="srs/symbols.md",
-        line=468,
+        line=530,
     ),
     "rotary_stiffness": Symbol(
         "rotary_stiffness",
@@ -721,7 +835,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\theta",
         file="srs/symbols.md",
-        line=473,
+        line=535,
     ),
     "rotary_damping": Symbol(
         "rotary_damping",
@@ -730,7 +844,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\eta_\\theta",
         file="srs/symbols.md",
-        line=478,
+        line=540,
     ),
     "joint_spring_force": Symbol(
         "joint_spring_force",
@@ -738,7 +852,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a joint's spring and damper, by which its stretch grows",
         tex="F^\\xi",
         file="srs/symbols.md",
-        line=483,
+        line=545,
     ),
     "joint_spring_torque": Symbol(
         "joint_spring_torque",
@@ -746,7 +860,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of a joint's spring and damper, by which its twist grows",
         tex="\\tau^\\psi",
         file="srs/symbols.md",
-        line=487,
+        line=549,
     ),
     "joint_spring_energy": Symbol(
         "joint_spring_energy",
@@ -754,7 +868,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is stretched",
         tex="E^\\xi",
         file="srs/symbols.md",
-        line=491,
+        line=553,
     ),
     "rotary_spring_energy": Symbol(
         "rotary_spring_energy",
@@ -762,7 +876,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is twisted",
         tex="E^\\psi",
         file="srs/symbols.md",
-        line=495,
+        line=557,
     ),
     "joint_pull": Symbol(
         "joint_pull",
@@ -771,7 +885,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=499,
+        line=561,
     ),
     "pull_along": Symbol(
         "pull_along",
@@ -779,7 +893,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of the first of them without their maximum",
         tex="P_\\parallel",
         file="srs/symbols.md",
-        line=504,
+        line=566,
     ),
     "pull_across": Symbol(
         "pull_across",
@@ -787,7 +901,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a target's other one likewise",
         tex="P_\\perp",
         file="srs/symbols.md",
-        line=508,
+        line=570,
     ),
     "joint_twisting": Symbol(
         "joint_twisting",
@@ -796,7 +910,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_\\psi",
         file="srs/symbols.md",
-        line=512,
+        line=574,
     ),
     "force_share": Symbol(
         "force_share",
@@ -805,7 +919,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_F",
         file="srs/symbols.md",
-        line=517,
+        line=579,
     ),
     "torque_share": Symbol(
         "torque_share",
@@ -814,7 +928,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\tau",
         file="srs/symbols.md",
-        line=522,
+        line=584,
     ),
     "bounded_spring_energy": Symbol(
         "bounded_spring_energy",
@@ -822,7 +936,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring with a maximum that is stretched",
         tex="E^\\xi_\\sigma",
         file="srs/symbols.md",
-        line=527,
+        line=589,
     ),
     "bounded_rotary_energy": Symbol(
         "bounded_rotary_energy",
@@ -830,7 +944,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring with a maximum that is twisted",
         tex="E^\\psi_\\sigma",
         file="srs/symbols.md",
-        line=531,
+        line=593,
     ),
     "motor_speed": Symbol(
         "motor_speed",
@@ -838,7 +952,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed that a motor gives to a joint",
         tex="v_m",
         file="srs/symbols.md",
-        line=535,
+        line=597,
     ),
     "motor_spin": Symbol(
         "motor_spin",
@@ -846,7 +960,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that a motor gives to a joint",
         tex="\\omega_m",
         file="srs/symbols.md",
-        line=539,
+        line=601,
     ),
     "joint_force_most": Symbol(
         "joint_force_most",
@@ -855,7 +969,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="F^{\\max}",
         file="srs/symbols.md",
-        line=543,
+        line=605,
     ),
     "joint_torque_most": Symbol(
         "joint_torque_most",
@@ -864,7 +978,61 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tau^{\\max}",
         file="srs/symbols.md",
-        line=548,
+        line=610,
+    ),
+    "anchor_torque": Symbol(
+        "anchor_torque",
+        "N*m",
+        "torque of a reaction about the anchor of its joint",
+        tex="\\tau_b",
+        file="srs/symbols.md",
+        line=615,
+    ),
+    "mean_force": Symbol(
+        "mean_force",
+        "N",
+        "mean of a force over a step",
+        shape="vector",
+        tex="\\langle\\boldsymbol{F}\\rangle",
+        file="srs/symbols.md",
+        line=619,
+    ),
+    "mean_torque": Symbol(
+        "mean_torque",
+        "N*m",
+        "mean of a torque over a step",
+        tex="\\langle\\tau\\rangle",
+        file="srs/symbols.md",
+        line=624,
+    ),
+    "mean_row_force": Symbol(
+        "mean_row_force",
+        "N",
+        "mean over a step of the force of a row of a joint",
+        tex="\\langle f\\rangle",
+        file="srs/symbols.md",
+        line=628,
+    ),
+    "motor_power": Symbol(
+        "motor_power", "J/s", "power of a motor", tex="\\Pi_m", file="srs/symbols.md", line=632
+    ),
+    "force_load": Symbol(
+        "force_load",
+        "1",
+        "force of a reaction, as a share of the largest that the joint bears",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\lambda_F",
+        file="srs/symbols.md",
+        line=636,
+    ),
+    "torque_load": Symbol(
+        "torque_load",
+        "1",
+        "torque of a reaction, as a share of the largest that the joint bears",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\lambda_\\tau",
+        file="srs/symbols.md",
+        line=641,
     ),
     "tooth_pitch": Symbol(
         "tooth_pitch",
@@ -873,7 +1041,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\theta_p",
         file="srs/symbols.md",
-        line=553,
+        line=646,
     ),
     "normal": Symbol(
         "normal",
@@ -882,7 +1050,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=567,
+        line=660,
     ),
     "tangent": Symbol(
         "tangent",
@@ -891,7 +1059,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=572,
+        line=665,
     ),
     "direction": Symbol(
         "direction",
@@ -899,7 +1067,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi_n",
         file="srs/symbols.md",
-        line=577,
+        line=670,
     ),
     "arm": Symbol(
         "arm",
@@ -908,7 +1076,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=581,
+        line=674,
     ),
     "separation": Symbol(
         "separation",
@@ -916,7 +1084,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=587,
+        line=680,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -924,7 +1092,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=591,
+        line=684,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -932,7 +1100,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=597,
+        line=690,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -940,7 +1108,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=603,
+        line=696,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -948,7 +1116,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=607,
+        line=700,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -957,7 +1125,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=611,
+        line=704,
     ),
     "coupling": Symbol(
         "coupling",
@@ -965,7 +1133,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=616,
+        line=709,
     ),
     "impulse": Symbol(
         "impulse",
@@ -974,7 +1142,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=622,
+        line=715,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -982,7 +1150,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=627,
+        line=720,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -990,7 +1158,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=631,
+        line=724,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -999,7 +1167,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=637,
+        line=730,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -1008,7 +1176,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=642,
+        line=735,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -1016,7 +1184,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=649,
+        line=742,
     ),
     "inverse_rolling_mass": Symbol(
         "inverse_rolling_mass",
@@ -1025,7 +1193,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_r",
         file="srs/symbols.md",
-        line=655,
+        line=748,
     ),
     "disc_force": Symbol(
         "disc_force",
@@ -1033,7 +1201,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force along the normal that holds a disc up",
         tex="F_d",
         file="srs/symbols.md",
-        line=662,
+        line=755,
     ),
     "rolling_friction": Symbol(
         "rolling_friction",
@@ -1041,7 +1209,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force along the tangent with which a disc does not begin to slide",
         tex="F_r",
         file="srs/symbols.md",
-        line=666,
+        line=759,
     ),
     "settling_impulse": Symbol(
         "settling_impulse",
@@ -1050,7 +1218,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="j_r",
         file="srs/symbols.md",
-        line=670,
+        line=763,
     ),
     "bounced_impulse": Symbol(
         "bounced_impulse",
@@ -1059,7 +1227,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_b",
         file="srs/symbols.md",
-        line=677,
+        line=770,
     ),
     "creep": Symbol(
         "creep",
@@ -1067,7 +1235,7 @@ SYMBOLS: dict[str, Symbol] = {
         "way along the tangent in the bounces that are left, at each of which a contact sticks",
         tex="s_b",
         file="srs/symbols.md",
-        line=682,
+        line=775,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -1075,7 +1243,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=688,
+        line=781,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -1083,7 +1251,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=692,
+        line=785,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -1092,7 +1260,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=696,
+        line=789,
     ),
     "share": Symbol(
         "share",
@@ -1101,7 +1269,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma",
         file="srs/symbols.md",
-        line=701,
+        line=794,
     ),
     "sense": Symbol(
         "sense",
@@ -1110,7 +1278,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=708,
+        line=801,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -1119,7 +1287,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=715,
+        line=808,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -1128,7 +1296,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=720,
+        line=813,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -1136,7 +1304,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=725,
+        line=818,
     ),
     "overlap": Symbol(
         "overlap",
@@ -1144,7 +1312,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=729,
+        line=822,
     ),
     "line": Symbol(
         "line",
@@ -1153,7 +1321,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=741,
+        line=834,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -1161,7 +1329,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=746,
+        line=839,
     ),
     "bend": Symbol(
         "bend",
@@ -1169,7 +1337,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=751,
+        line=844,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -1177,7 +1345,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=756,
+        line=849,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -1186,7 +1354,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=760,
+        line=853,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -1194,7 +1362,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=765,
+        line=858,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -1203,7 +1371,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=769,
+        line=862,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -1212,7 +1380,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=774,
+        line=867,
     ),
     "substeps": Symbol(
         "substeps",
@@ -1221,7 +1389,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="n_h",
         file="srs/symbols.md",
-        line=779,
+        line=872,
     ),
     "slowest_impact": Symbol(
         "slowest_impact",
@@ -1230,7 +1398,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_{\\min}",
         file="srs/symbols.md",
-        line=784,
+        line=877,
     ),
     "surface_speed": Symbol(
         "surface_speed",
@@ -1238,7 +1406,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed at which the surface of a body runs along itself, counter-clockwise around the body",
         tex="w_s",
         file="srs/symbols.md",
-        line=789,
+        line=882,
     ),
     "surface_speed_both": Symbol(
         "surface_speed_both",
@@ -1246,7 +1414,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed at which the surfaces of two bodies run along the tangent of their contact, in sum",
         tex="w_{AB}",
         file="srs/symbols.md",
-        line=793,
+        line=886,
     ),
     "surface_slip": Symbol(
         "surface_slip",
@@ -1254,7 +1422,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's surface seen from A's at a contact, along the tangent",
         tex="v_w",
         file="srs/symbols.md",
-        line=797,
+        line=890,
     ),
     "row_velocity_driven": Symbol(
         "row_velocity_driven",
@@ -1262,7 +1430,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of a row after a substep in which forces act and contacts do not",
         tex="u_F",
         file="srs/symbols.md",
-        line=801,
+        line=894,
     ),
     "row_acceleration": Symbol(
         "row_acceleration",
@@ -1270,10 +1438,10 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration of a row by forces",
         tex="a_u",
         file="srs/symbols.md",
-        line=805,
+        line=898,
     ),
     "row_shift": Symbol(
-        "row_shift", "m", "way of a row along its line", tex="s_u", file="srs/symbols.md", line=809
+        "row_shift", "m", "way of a row along its line", tex="s_u", file="srs/symbols.md", line=902
     ),
     "impact_velocity": Symbol(
         "impact_velocity",
@@ -1281,7 +1449,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along the normal with which a gap closes",
         tex="u_{\\mathrm{hit}}",
         file="srs/symbols.md",
-        line=813,
+        line=906,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -1290,7 +1458,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=817,
+        line=910,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -1298,7 +1466,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=822,
+        line=915,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -1306,7 +1474,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=826,
+        line=919,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -1315,7 +1483,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=830,
+        line=923,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -1324,7 +1492,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=835,
+        line=928,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -1332,7 +1500,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=840,
+        line=933,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -1341,7 +1509,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=844,
+        line=937,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -1350,7 +1518,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=849,
+        line=942,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -1359,7 +1527,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=854,
+        line=947,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -1368,7 +1536,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=861,
+        line=954,
     ),
     "extent": Symbol(
         "extent",
@@ -1377,7 +1545,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=868,
+        line=961,
     ),
     "firmest": Symbol(
         "firmest",
@@ -1386,7 +1554,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=875,
+        line=968,
     ),
     "preload": Symbol(
         "preload",
@@ -1395,7 +1563,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=880,
+        line=973,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -1404,7 +1572,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=885,
+        line=978,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1413,7 +1581,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=890,
+        line=983,
     ),
     "gap_share": Symbol(
         "gap_share",
@@ -1422,7 +1590,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=895,
+        line=988,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1431,7 +1599,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=900,
+        line=993,
     ),
     "half_width": Symbol(
         "half_width",
@@ -1440,7 +1608,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\bar{w}",
         file="srs/symbols.md",
-        line=905,
+        line=998,
     ),
     "corner_fall": Symbol(
         "corner_fall",
@@ -1449,7 +1617,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_f",
         file="srs/symbols.md",
-        line=910,
+        line=1003,
     ),
     "extent_thin": Symbol(
         "extent_thin",
@@ -1458,7 +1626,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=916,
+        line=1009,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1467,7 +1635,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=921,
+        line=1014,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1476,7 +1644,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=926,
+        line=1019,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1485,7 +1653,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=931,
+        line=1024,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1493,7 +1661,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=936,
+        line=1029,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1501,7 +1669,23 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=940,
+        line=1033,
+    ),
+    "coordinate_velocity_given": Symbol(
+        "coordinate_velocity_given",
+        "m/s",
+        "what impulses add to a velocity along one axis in a step without drag",
+        tex="\\Delta v_j",
+        file="srs/symbols.md",
+        line=1037,
+    ),
+    "coordinate_impulse": Symbol(
+        "coordinate_impulse",
+        "N*s",
+        "impulse along one axis",
+        tex="j_k",
+        file="srs/symbols.md",
+        line=1041,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1509,7 +1693,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=944,
+        line=1045,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1517,7 +1701,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=948,
+        line=1049,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1525,7 +1709,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=952,
+        line=1053,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1534,7 +1718,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=956,
+        line=1057,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1543,7 +1727,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=961,
+        line=1062,
     ),
     "slowed_share": Symbol(
         "slowed_share",
@@ -1552,7 +1736,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\bar\\epsilon",
         file="srs/symbols.md",
-        line=966,
+        line=1067,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1561,7 +1745,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=973,
+        line=1074,
     ),
     "shift": Symbol(
         "shift",
@@ -1570,7 +1754,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=978,
+        line=1079,
     ),
     "turn": Symbol(
         "turn",
@@ -1578,7 +1762,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\Theta",
         file="srs/symbols.md",
-        line=983,
+        line=1084,
     ),
     "early_share": Symbol(
         "early_share",
@@ -1587,7 +1771,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon_h",
         file="srs/symbols.md",
-        line=987,
+        line=1088,
+    ),
+    "part_share": Symbol(
+        "part_share",
+        "1",
+        "length of a part of a step, as a share of the step",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\sigma_p",
+        file="srs/symbols.md",
+        line=1095,
     ),
     "step_share": Symbol(
         "step_share",
@@ -1595,7 +1788,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of a step that is over",
         tex="\\sigma_h",
         file="srs/symbols.md",
-        line=994,
+        line=1100,
     ),
     "impulse_late": Symbol(
         "impulse_late",
@@ -1603,7 +1796,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sum of the impulses of a contact in a step, each times the share of the step that was over",
         tex="j_{\\mathrm{late}}",
         file="srs/symbols.md",
-        line=998,
+        line=1104,
     ),
     "impulse_turned": Symbol(
         "impulse_turned",
@@ -1612,7 +1805,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{j}",
         file="srs/symbols.md",
-        line=1004,
+        line=1110,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1621,7 +1814,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=1009,
+        line=1115,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1630,7 +1823,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1016,
+        line=1122,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1639,7 +1832,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1021,
+        line=1127,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1648,7 +1841,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1028,
+        line=1134,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1657,7 +1850,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1035,
+        line=1141,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1666,7 +1859,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=1041,
+        line=1147,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1674,7 +1867,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=1048,
+        line=1154,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1683,7 +1876,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=1061,
+        line=1167,
+    ),
+    "rest_share": Symbol(
+        "rest_share",
+        "1",
+        "part of a step that is left",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\bar\\phi",
+        file="srs/symbols.md",
+        line=1172,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1691,7 +1893,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=1066,
+        line=1177,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1699,7 +1901,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=1070,
+        line=1181,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1708,7 +1910,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=1076,
+        line=1187,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1716,7 +1918,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=1081,
+        line=1192,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1725,7 +1927,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=1085,
+        line=1196,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1733,7 +1935,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=1090,
+        line=1201,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1742,7 +1944,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=1094,
+        line=1205,
     ),
     "advance": Symbol(
         "advance",
@@ -1751,7 +1953,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=1099,
+        line=1210,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1759,7 +1961,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=1104,
+        line=1215,
     ),
     "span_rate": Symbol(
         "span_rate",
@@ -1768,7 +1970,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{\\ell}}",
         file="srs/symbols.md",
-        line=1108,
+        line=1219,
     ),
     "reach_gap": Symbol(
         "reach_gap",
@@ -1776,7 +1978,7 @@ SYMBOLS: dict[str, Symbol] = {
         "square of the distance of two centres less that of how far both reach",
         tex="s_2",
         file="srs/symbols.md",
-        line=1113,
+        line=1224,
     ),
     "reach_gap_rate": Symbol(
         "reach_gap_rate",
@@ -1784,7 +1986,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of that difference",
         tex="\\dot{s}_2",
         file="srs/symbols.md",
-        line=1117,
+        line=1228,
     ),
     "reach_gap_acceleration": Symbol(
         "reach_gap_acceleration",
@@ -1793,7 +1995,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ddot{s}_2",
         file="srs/symbols.md",
-        line=1121,
+        line=1232,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1801,7 +2003,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=1126,
+        line=1237,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1809,7 +2011,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=1130,
+        line=1241,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1817,7 +2019,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=1135,
+        line=1246,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1825,7 +2027,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=1141,
+        line=1252,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1834,7 +2036,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_c",
         file="srs/symbols.md",
-        line=1145,
+        line=1256,
     ),
     "slip": Symbol(
         "slip",
@@ -1842,7 +2044,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=1152,
+        line=1263,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1850,7 +2052,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="\\mathcal{D}",
         file="srs/symbols.md",
-        line=1158,
+        line=1269,
     ),
     "circling": Symbol(
         "circling",
@@ -1859,7 +2061,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\chi_\\omega",
         file="srs/symbols.md",
-        line=1162,
+        line=1273,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1867,7 +2069,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1169,
+        line=1280,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1876,7 +2078,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1173,
+        line=1284,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1885,7 +2087,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1178,
+        line=1289,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1894,7 +2096,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1183,
+        line=1294,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1902,7 +2104,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1188,
+        line=1299,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1911,7 +2113,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1192,
+        line=1303,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1919,7 +2121,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1197,
+        line=1308,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1927,7 +2129,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1201,
+        line=1312,
     ),
     "arc": Symbol(
         "arc",
@@ -1936,7 +2138,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Theta_{\\max}",
         file="srs/symbols.md",
-        line=1207,
+        line=1318,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1945,7 +2147,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1212,
+        line=1323,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1953,7 +2155,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1222,
+        line=1333,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1961,7 +2163,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1226,
+        line=1337,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1970,7 +2172,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1230,
+        line=1341,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1979,7 +2181,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1235,
+        line=1346,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1988,7 +2190,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1240,
+        line=1351,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1997,7 +2199,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1245,
+        line=1356,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -2006,7 +2208,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1250,
+        line=1361,
     ),
     "quiet": Symbol(
         "quiet",
@@ -2014,7 +2216,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1255,
+        line=1366,
     ),
     "momentum": Symbol(
         "momentum",
@@ -2023,7 +2225,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1264,
+        line=1375,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -2031,7 +2233,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1269,
+        line=1380,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -2040,7 +2242,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1273,
+        line=1384,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -2048,7 +2250,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1278,
+        line=1389,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -2056,7 +2258,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1282,
+        line=1393,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -2065,7 +2267,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1286,
+        line=1397,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -2074,7 +2276,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1291,
+        line=1402,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -2083,7 +2285,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1296,
+        line=1407,
     ),
     "work": Symbol(
         "work",
@@ -2091,7 +2293,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1301,
+        line=1412,
     ),
     "lift_work": Symbol(
         "lift_work",
@@ -2100,7 +2302,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{lift}}",
         file="srs/symbols.md",
-        line=1305,
+        line=1416,
     ),
     "impact_rate": Symbol(
         "impact_rate",
@@ -2108,7 +2310,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of a contact in a substep beyond that which closes its gap, negative in an impact",
         tex="w_{\\text{impact}}",
         file="srs/symbols.md",
-        line=1310,
+        line=1421,
     ),
     "overlap_removed": Symbol(
         "overlap_removed",
@@ -2116,7 +2318,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much an overlap is less deep after a step, negative where it is deeper",
         tex="\\Delta_o",
         file="srs/symbols.md",
-        line=1314,
+        line=1425,
     ),
     "load_size": Symbol(
         "load_size",
@@ -2125,7 +2327,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="F_{\\text{load}}",
         file="srs/symbols.md",
-        line=1318,
+        line=1429,
     ),
     "impulse_way": Symbol(
         "impulse_way",
@@ -2133,7 +2335,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact times the way by which its overlap is less deep",
         tex="q_o",
         file="srs/symbols.md",
-        line=1323,
+        line=1434,
     ),
     "overlap_work": Symbol(
         "overlap_work",
@@ -2142,7 +2344,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{overlap}}",
         file="srs/symbols.md",
-        line=1327,
+        line=1438,
     ),
     "support_work": Symbol(
         "support_work",
@@ -2151,7 +2353,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{support}}",
         file="srs/symbols.md",
-        line=1332,
+        line=1443,
     ),
     "holding_work": Symbol(
         "holding_work",
@@ -2159,15 +2361,23 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the torque which keeps a body from turning has given it in a step, seen from its support",
         tex="W_{\\text{hold}}",
         file="srs/symbols.md",
-        line=1337,
+        line=1448,
+    ),
+    "impulse_moment": Symbol(
+        "impulse_moment",
+        "kg*m^2/s",
+        "moment of the impulses of one contact about the centre of mass of a body",
+        tex="l_c",
+        file="srs/symbols.md",
+        line=1454,
     ),
     "angular_impulse": Symbol(
         "angular_impulse",
         "kg*m^2/s",
-        "moment that the impulses of all contacts of a body have about its centre of mass",
+        "moment that the impulses on a body have about its centre of mass",
         tex="L_{\\Sigma}",
         file="srs/symbols.md",
-        line=1343,
+        line=1458,
     ),
     "contact_arm": Symbol(
         "contact_arm",
@@ -2176,7 +2386,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_c",
         file="srs/symbols.md",
-        line=1348,
+        line=1463,
     ),
     "pressed_moment": Symbol(
         "pressed_moment",
@@ -2185,7 +2395,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}_{\\Sigma}",
         file="srs/symbols.md",
-        line=1353,
+        line=1468,
     ),
     "pressed_arm": Symbol(
         "pressed_arm",
@@ -2194,7 +2404,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}_{\\Sigma}",
         file="srs/symbols.md",
-        line=1359,
+        line=1474,
     ),
     "velocity_met": Symbol(
         "velocity_met",
@@ -2203,7 +2413,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_{\\text{met}}",
         file="srs/symbols.md",
-        line=1364,
+        line=1479,
     ),
     "support_energy": Symbol(
         "support_energy",
@@ -2211,7 +2421,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a support gives by the impulses of a contact",
         tex="E_{\\text{support}}",
         file="srs/symbols.md",
-        line=1369,
+        line=1484,
     ),
     "total_impulse": Symbol(
         "total_impulse",
@@ -2220,7 +2430,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="J_{\\Sigma}",
         file="srs/symbols.md",
-        line=1373,
+        line=1488,
     ),
     "support_rate": Symbol(
         "support_rate",
@@ -2228,7 +2438,7 @@ SYMBOLS: dict[str, Symbol] = {
         "normal velocity of a contact by the motion of its support alone",
         tex="u_s",
         file="srs/symbols.md",
-        line=1378,
+        line=1493,
     ),
     "support_slip": Symbol(
         "support_slip",
@@ -2236,7 +2446,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential velocity of a contact by the motion of its support alone",
         tex="v_{\\mathrm{sup}}",
         file="srs/symbols.md",
-        line=1382,
+        line=1497,
     ),
     "lift_beyond_motion": Symbol(
         "lift_beyond_motion",
@@ -2245,7 +2455,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="W_{\\text{beyond}}",
         file="srs/symbols.md",
-        line=1386,
+        line=1501,
     ),
     "energy_given": Symbol(
         "energy_given",
@@ -2253,7 +2463,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that contacts have given a body in a step, negative if they took it",
         tex="E_c",
         file="srs/symbols.md",
-        line=1392,
+        line=1507,
     ),
     "energy_given_all": Symbol(
         "energy_given_all",
@@ -2262,7 +2472,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_{c,\\Sigma}",
         file="srs/symbols.md",
-        line=1396,
+        line=1511,
     ),
     "energy_surplus": Symbol(
         "energy_surplus",
@@ -2271,7 +2481,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_+",
         file="srs/symbols.md",
-        line=1401,
+        line=1516,
     ),
     "rising_energy": Symbol(
         "rising_energy",
@@ -2280,7 +2490,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\uparrow",
         file="srs/symbols.md",
-        line=1406,
+        line=1521,
     ),
     "rising_energy_left": Symbol(
         "rising_energy_left",
@@ -2289,7 +2499,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{\\uparrow -}",
         file="srs/symbols.md",
-        line=1411,
+        line=1526,
     ),
     "velocity_rising_reduced": Symbol(
         "velocity_rising_reduced",
@@ -2298,7 +2508,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_-",
         file="srs/symbols.md",
-        line=1416,
+        line=1531,
     ),
     "given_product": Symbol(
         "given_product",
@@ -2306,7 +2516,7 @@ SYMBOLS: dict[str, Symbol] = {
         "product of the motion of bodies and of what contacts gave them, weighted by their masses and inertias",
         tex="K_{v\\Delta}",
         file="srs/symbols.md",
-        line=1421,
+        line=1536,
     ),
     "energy_along_given": Symbol(
         "energy_along_given",
@@ -2315,7 +2525,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_c",
         file="srs/symbols.md",
-        line=1427,
+        line=1542,
     ),
     "energy_along_given_left": Symbol(
         "energy_along_given_left",
@@ -2324,7 +2534,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_{c-}",
         file="srs/symbols.md",
-        line=1432,
+        line=1547,
     ),
     "velocity_reduced": Symbol(
         "velocity_reduced",
@@ -2333,7 +2543,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\mathbf{v}_{c-}",
         file="srs/symbols.md",
-        line=1437,
+        line=1552,
     ),
     "angular_velocity_reduced": Symbol(
         "angular_velocity_reduced",
@@ -2341,7 +2551,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular velocity of a body less what is dissipated for its island",
         tex="\\omega_{c-}",
         file="srs/symbols.md",
-        line=1442,
+        line=1557,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -2350,7 +2560,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1446,
+        line=1561,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -2358,7 +2568,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1451,
+        line=1566,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -2367,7 +2577,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1455,
+        line=1570,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -2375,7 +2585,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1460,
+        line=1575,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -2384,7 +2594,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1465,
+        line=1580,
     ),
     "kept_way": Symbol(
         "kept_way",
@@ -2393,7 +2603,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_s",
         file="srs/symbols.md",
-        line=1470,
+        line=1585,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -2402,7 +2612,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1475,
+        line=1590,
     ),
     "spring_gain": Symbol(
         "spring_gain",
@@ -2410,7 +2620,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that a spring has gained in a step, negative if it lost it",
         tex="\\Delta U",
         file="srs/symbols.md",
-        line=1480,
+        line=1595,
     ),
     "held_work": Symbol(
         "held_work",
@@ -2418,7 +2628,7 @@ SYMBOLS: dict[str, Symbol] = {
         "work of the forces that were held for the springs of a network, in a step",
         tex="W_h",
         file="srs/symbols.md",
-        line=1484,
+        line=1599,
     ),
     "springs_gain": Symbol(
         "springs_gain",
@@ -2426,7 +2636,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that all springs of a network have gained in a step",
         tex="\\Delta U_\\Sigma",
         file="srs/symbols.md",
-        line=1488,
+        line=1603,
     ),
     "energy_defect": Symbol(
         "energy_defect",
@@ -2434,7 +2644,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that the bodies of a network got beyond what its springs have lost, negative if they got less",
         tex="E_\\pm",
         file="srs/symbols.md",
-        line=1492,
+        line=1607,
     ),
     "balanced_share": Symbol(
         "balanced_share",
@@ -2443,7 +2653,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_\\pm",
         file="srs/symbols.md",
-        line=1498,
+        line=1613,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -2452,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1503,
+        line=1618,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -2461,7 +2671,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1510,
+        line=1625,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -2470,7 +2680,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1515,
+        line=1630,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -2478,7 +2688,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1520,
+        line=1635,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -2486,7 +2696,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\ell_v",
         file="srs/symbols.md",
-        line=1525,
+        line=1640,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -2494,7 +2704,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1531,
+        line=1646,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -2503,7 +2713,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_L",
         file="srs/symbols.md",
-        line=1535,
+        line=1650,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -2512,7 +2722,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1542,
+        line=1657,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -2521,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1547,
+        line=1662,
     ),
     "energy": Symbol(
         "energy",
@@ -2529,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1552,
+        line=1667,
     ),
     "radius": Symbol(
         "radius",
@@ -2538,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1561,
+        line=1676,
     ),
     "length": Symbol(
         "length",
@@ -2547,7 +2757,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1566,
+        line=1681,
     ),
     "width": Symbol(
         "width",
@@ -2556,7 +2766,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1573,
+        line=1688,
     ),
     "height": Symbol(
         "height",
@@ -2565,7 +2775,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1578,
+        line=1693,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2574,7 +2784,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1583,
+        line=1698,
     ),
     "center": Symbol(
         "center",
@@ -2583,7 +2793,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1588,
+        line=1703,
     ),
     "offset": Symbol(
         "offset",
@@ -2591,7 +2801,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1593,
+        line=1708,
     ),
     "area": Symbol(
         "area",
@@ -2600,7 +2810,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1597,
+        line=1712,
     ),
     "way": Symbol(
         "way",
@@ -2609,7 +2819,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_c",
         file="srs/symbols.md",
-        line=1602,
+        line=1717,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2617,7 +2827,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha_c",
         file="srs/symbols.md",
-        line=1607,
+        line=1722,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2626,7 +2836,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1611,
+        line=1726,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2635,7 +2845,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1616,
+        line=1731,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2643,7 +2853,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta_e",
         file="srs/symbols.md",
-        line=1621,
+        line=1736,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2651,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1625,
+        line=1740,
     ),
     "lean": Symbol(
         "lean",
@@ -2659,7 +2869,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1629,
+        line=1744,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2667,7 +2877,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho_c",
         file="srs/symbols.md",
-        line=1633,
+        line=1748,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2675,7 +2885,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1637,
+        line=1752,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2684,7 +2894,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1643,
+        line=1758,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2692,7 +2902,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1656,
+        line=1771,
     ),
     "drive_work": Symbol(
         "drive_work",
@@ -2700,7 +2910,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the most that a motor gives with its impulse",
         tex="W_{\\mathrm{d}}",
         file="srs/symbols.md",
-        line=1660,
+        line=1775,
     ),
     "row_value_ahead": Symbol(
         "row_value_ahead",
@@ -2708,7 +2918,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row after a substep at its rate",
         tex="C_+",
         file="srs/symbols.md",
-        line=1664,
+        line=1779,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2716,7 +2926,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1668,
+        line=1783,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2725,7 +2935,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta_C",
         file="srs/symbols.md",
-        line=1672,
+        line=1787,
     ),
     "slope": Symbol(
         "slope",
@@ -2734,7 +2944,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}",
         file="srs/symbols.md",
-        line=1677,
+        line=1792,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2743,7 +2953,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{G}_0",
         file="srs/symbols.md",
-        line=1682,
+        line=1797,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2752,7 +2962,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta G^2",
         file="srs/symbols.md",
-        line=1687,
+        line=1802,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2761,7 +2971,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="G^2",
         file="srs/symbols.md",
-        line=1692,
+        line=1807,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2769,7 +2979,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="G_\\varphi",
         file="srs/symbols.md",
-        line=1697,
+        line=1812,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2777,7 +2987,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1701,
+        line=1816,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2785,7 +2995,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e_G",
         file="srs/symbols.md",
-        line=1705,
+        line=1820,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2794,7 +3004,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_G",
         file="srs/symbols.md",
-        line=1709,
+        line=1824,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2802,7 +3012,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="G_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1714,
+        line=1829,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2810,7 +3020,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_G",
         file="srs/symbols.md",
-        line=1718,
+        line=1833,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2818,7 +3028,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1722,
+        line=1837,
     ),
     "inertia_factor_most": Symbol(
         "inertia_factor_most",
@@ -2826,7 +3036,7 @@ SYMBOLS: dict[str, Symbol] = {
         "most times its own inertia with which a body counts in joints",
         tex="\\kappa_{\\max}",
         file="srs/symbols.md",
-        line=1726,
+        line=1841,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2834,7 +3044,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor, or the time in its equation, keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1730,
+        line=1845,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2842,7 +3052,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1734,
+        line=1849,
     ),
     "struck_share": Symbol(
         "struck_share",
@@ -2850,7 +3060,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a substep after which a limit is struck",
         tex="\\theta_h",
         file="srs/symbols.md",
-        line=1738,
+        line=1853,
     ),
     "struck_rate": Symbol(
         "struck_rate",
@@ -2858,7 +3068,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row as its limit is struck",
         tex="\\dot{C}_h",
         file="srs/symbols.md",
-        line=1742,
+        line=1857,
     ),
     "lost_velocity": Symbol(
         "lost_velocity",
@@ -2866,7 +3076,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints have taken of the velocity of a contact that restitution asks for",
         tex="u_l",
         file="srs/symbols.md",
-        line=1746,
+        line=1861,
     ),
     "lost_velocity_before": Symbol(
         "lost_velocity_before",
@@ -2874,7 +3084,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what joints had taken of it after the turn before",
         tex="u_{l,0}",
         file="srs/symbols.md",
-        line=1750,
+        line=1865,
     ),
     "overshot_share": Symbol(
         "overshot_share",
@@ -2883,7 +3093,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("<= 0", high=0.0, high_open=False),
         tex="\\lambda_o",
         file="srs/symbols.md",
-        line=1754,
+        line=1869,
     ),
     "lost_share": Symbol(
         "lost_share",
@@ -2891,7 +3101,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part that joints take of what an impulse changes in the velocity of a contact",
         tex="\\lambda_l",
         file="srs/symbols.md",
-        line=1759,
+        line=1874,
     ),
     "row_mass_joined": Symbol(
         "row_mass_joined",
@@ -2900,15 +3110,15 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_{r,j}",
         file="srs/symbols.md",
-        line=1763,
+        line=1878,
     ),
-    "bounce_rate": Symbol(
-        "bounce_rate",
+    "blow_velocity": Symbol(
+        "blow_velocity",
         "m/s",
-        "rate at which a row leaves a limit that bounces",
-        tex="\\dot{C}_b",
+        "how fast an impulse lets the centres of two bodies part",
+        tex="v_{\\text{blow}}",
         file="srs/symbols.md",
-        line=1768,
+        line=1883,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2917,7 +3127,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1772,
+        line=1887,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2926,7 +3136,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1777,
+        line=1892,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2935,7 +3145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1782,
+        line=1897,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2944,7 +3154,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1787,
+        line=1902,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2952,7 +3162,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1792,
+        line=1907,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2961,7 +3171,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1796,
+        line=1911,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2969,7 +3179,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1801,
+        line=1916,
     ),
     "spring_value": Symbol(
         "spring_value",
@@ -2977,7 +3187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value of a row for which its spring pulls through a substep",
         tex="C_\\theta",
         file="srs/symbols.md",
-        line=1805,
+        line=1920,
     ),
     "implicit_share": Symbol(
         "implicit_share",
@@ -2986,7 +3196,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
         tex="\\theta_C",
         file="srs/symbols.md",
-        line=1809,
+        line=1924,
     ),
     "unresolved": Symbol(
         "unresolved",
@@ -2995,41 +3205,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="u_C",
         file="srs/symbols.md",
-        line=1814,
-    ),
-    "row_pull": Symbol(
-        "row_pull",
-        "N",
-        "force of a row's spring and damper without their maximum",
-        tex="P_C",
-        file="srs/symbols.md",
-        line=1819,
-    ),
-    "row_pull_across": Symbol(
-        "row_pull_across",
-        "N",
-        "the same of the other row of a target",
-        tex="P_\\bot",
-        file="srs/symbols.md",
-        line=1823,
-    ),
-    "row_pull_size": Symbol(
-        "row_pull_size",
-        "N",
-        "size of that of both",
-        range=Range(">= 0", low=0.0, low_open=False),
-        tex="P_\\sigma",
-        file="srs/symbols.md",
-        line=1827,
-    ),
-    "row_share": Symbol(
-        "row_share",
-        "1",
-        "share of its pull that a row's spring with a maximum exerts",
-        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
-        tex="\\sigma_P",
-        file="srs/symbols.md",
-        line=1832,
+        line=1929,
     ),
     "whole_impulse": Symbol(
         "whole_impulse",
@@ -3037,7 +3213,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a spring at a joint for all of a substep",
         tex="\\Lambda_\\Theta",
         file="srs/symbols.md",
-        line=1837,
+        line=1934,
     ),
     "impulse_left": Symbol(
         "impulse_left",
@@ -3046,7 +3222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_<",
         file="srs/symbols.md",
-        line=1841,
+        line=1938,
     ),
     "impulse_room": Symbol(
         "impulse_room",
@@ -3055,16 +3231,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{room}",
         file="srs/symbols.md",
-        line=1846,
-    ),
-    "row_energy_bounded": Symbol(
-        "row_energy_bounded",
-        "J",
-        "energy of a row's spring that has a maximum",
-        range=Range(">= 0", low=0.0, low_open=False),
-        tex="E_\\sigma",
-        file="srs/symbols.md",
-        line=1851,
+        line=1943,
     ),
     "left_impulse": Symbol(
         "left_impulse",
@@ -3072,7 +3239,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a spring at a joint gives where bodies have moved to",
         tex="\\Lambda_\\theta",
         file="srs/symbols.md",
-        line=1856,
+        line=1948,
     ),
     "row_energy": Symbol(
         "row_energy",
@@ -3081,7 +3248,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_C",
         file="srs/symbols.md",
-        line=1860,
+        line=1952,
     ),
     "mechanism_energy_balance": Symbol(
         "mechanism_energy_balance",
@@ -3089,7 +3256,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic energy with which a step of a mechanism may end, or what it lacks",
         tex="K_b",
         file="srs/symbols.md",
-        line=1865,
+        line=1957,
     ),
     "energy_reserve": Symbol(
         "energy_reserve",
@@ -3097,7 +3264,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a mechanism may gain of what it has lost, or has too much where it is negative",
         tex="E_r",
         file="srs/symbols.md",
-        line=1869,
+        line=1961,
     ),
     "amplification": Symbol(
         "amplification",
@@ -3106,7 +3273,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="c_v",
         file="srs/symbols.md",
-        line=1873,
+        line=1965,
     ),
     "row_arm": Symbol(
         "row_arm",
@@ -3115,7 +3282,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_C",
         file="srs/symbols.md",
-        line=1878,
+        line=1970,
     ),
     "rates_squared": Symbol(
         "rates_squared",
@@ -3124,7 +3291,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Sigma",
         file="srs/symbols.md",
-        line=1883,
+        line=1975,
     ),
     "firmness_most": Symbol(
         "firmness_most",
@@ -3133,7 +3300,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_y",
         file="srs/symbols.md",
-        line=1888,
+        line=1980,
     ),
     "closing_share": Symbol(
         "closing_share",
@@ -3142,7 +3309,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_c",
         file="srs/symbols.md",
-        line=1893,
+        line=1985,
     ),
     "closing_way": Symbol(
         "closing_way",
@@ -3151,7 +3318,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_c",
         file="srs/symbols.md",
-        line=1898,
+        line=1990,
     ),
     "spring_change": Symbol(
         "spring_change",
@@ -3160,7 +3327,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_\\Lambda",
         file="srs/symbols.md",
-        line=1903,
+        line=1995,
     ),
     "change_most": Symbol(
         "change_most",
@@ -3169,7 +3336,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_e",
         file="srs/symbols.md",
-        line=1908,
+        line=2000,
     ),
     "growth_ratio": Symbol(
         "growth_ratio",
@@ -3178,7 +3345,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\gamma_E",
         file="srs/symbols.md",
-        line=1913,
+        line=2005,
     ),
     "motion_most": Symbol(
         "motion_most",
@@ -3187,7 +3354,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_m",
         file="srs/symbols.md",
-        line=1918,
+        line=2010,
     ),
     "energy_regained": Symbol(
         "energy_regained",
@@ -3196,7 +3363,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_g",
         file="srs/symbols.md",
-        line=1923,
+        line=2015,
     ),
     "way_kept": Symbol(
         "way_kept",
@@ -3204,7 +3371,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of its way for which a mechanism has the energy",
         tex="s_w",
         file="srs/symbols.md",
-        line=1928,
+        line=2020,
     ),
     "energy_scale": Symbol(
         "energy_scale",
@@ -3213,7 +3380,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="E_s",
         file="srs/symbols.md",
-        line=1932,
+        line=2024,
     ),
     "reserve_ratio": Symbol(
         "reserve_ratio",
@@ -3222,7 +3389,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="r_E",
         file="srs/symbols.md",
-        line=1937,
+        line=2029,
     ),
     "scale_fade": Symbol(
         "scale_fade",
@@ -3231,7 +3398,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="f_E",
         file="srs/symbols.md",
-        line=1942,
+        line=2034,
     ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
@@ -3239,7 +3406,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1947,
+        line=2039,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -3248,7 +3415,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_k",
         file="srs/symbols.md",
-        line=1951,
+        line=2043,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -3256,7 +3423,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1956,
+        line=2048,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -3264,7 +3431,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="G_\\parallel",
         file="srs/symbols.md",
-        line=1960,
+        line=2052,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -3273,7 +3440,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1964,
+        line=2056,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -3282,7 +3449,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1969,
+        line=2061,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -3291,7 +3458,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1974,
+        line=2066,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -3299,7 +3466,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1979,
+        line=2071,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -3307,7 +3474,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1983,
+        line=2075,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -3315,7 +3482,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1987,
+        line=2079,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -3324,7 +3491,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}",
         file="srs/symbols.md",
-        line=1991,
+        line=2083,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -3333,7 +3500,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}'",
         file="srs/symbols.md",
-        line=1996,
+        line=2088,
     ),
     "position_above": Symbol(
         "position_above",
@@ -3342,7 +3509,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=2001,
+        line=2093,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -3351,7 +3518,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=2006,
+        line=2098,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -3360,7 +3527,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{h}''",
         file="srs/symbols.md",
-        line=2011,
+        line=2103,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -3369,7 +3536,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_x",
         file="srs/symbols.md",
-        line=2016,
+        line=2108,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -3378,7 +3545,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_y",
         file="srs/symbols.md",
-        line=2021,
+        line=2113,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -3387,7 +3554,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}_\\omega",
         file="srs/symbols.md",
-        line=2026,
+        line=2118,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -3395,7 +3562,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=2031,
+        line=2123,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -3404,7 +3571,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=2035,
+        line=2127,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -3412,7 +3579,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=2040,
+        line=2132,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -3421,7 +3588,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=2044,
+        line=2136,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -3430,7 +3597,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=2049,
+        line=2141,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -3439,7 +3606,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=2054,
+        line=2146,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -3448,7 +3615,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=2059,
+        line=2151,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -3457,7 +3624,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{N}",
         file="srs/symbols.md",
-        line=2064,
+        line=2156,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -3465,7 +3632,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=2069,
+        line=2161,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -3474,7 +3641,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=2073,
+        line=2165,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -3483,7 +3650,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=2078,
+        line=2170,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -3492,7 +3659,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=2083,
+        line=2175,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -3501,7 +3668,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=2088,
+        line=2180,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -3509,7 +3676,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=2093,
+        line=2185,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -3517,7 +3684,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=2097,
+        line=2189,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -3526,7 +3693,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=2101,
+        line=2193,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -3535,7 +3702,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=2106,
+        line=2198,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -3544,7 +3711,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=2111,
+        line=2203,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -3553,7 +3720,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=2116,
+        line=2208,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -3562,7 +3729,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=2121,
+        line=2213,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -3571,7 +3738,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=2126,
+        line=2218,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -3580,7 +3747,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=2131,
+        line=2223,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -3589,7 +3756,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=2136,
+        line=2228,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -3598,7 +3765,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=2141,
+        line=2233,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -3606,7 +3773,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{Gh}",
         file="srs/symbols.md",
-        line=2146,
+        line=2238,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -3614,7 +3781,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="\\Lambda_\\omega",
         file="srs/symbols.md",
-        line=2150,
+        line=2242,
     ),
     "momentum_bias": Symbol(
         "momentum_bias",
@@ -3623,7 +3790,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}",
         file="srs/symbols.md",
-        line=2154,
+        line=2246,
     ),
     "angular_momentum_bias": Symbol(
         "angular_momentum_bias",
@@ -3631,7 +3798,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node, about its centre of mass",
         tex="B",
         file="srs/symbols.md",
-        line=2159,
+        line=2251,
     ),
     "turn_bias": Symbol(
         "turn_bias",
@@ -3639,7 +3806,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse of a node about its hinge, with its laws",
         tex="B_h",
         file="srs/symbols.md",
-        line=2163,
+        line=2255,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -3648,7 +3815,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}_h",
         file="srs/symbols.md",
-        line=2167,
+        line=2259,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -3657,7 +3824,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=2172,
+        line=2264,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -3666,7 +3833,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{B}'",
         file="srs/symbols.md",
-        line=2177,
+        line=2269,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -3674,7 +3841,7 @@ SYMBOLS: dict[str, Symbol] = {
         "bias angular impulse that a node passes to the body above",
         tex="B'",
         file="srs/symbols.md",
-        line=2182,
+        line=2274,
     ),
     "change_above": Symbol(
         "change_above",
@@ -3683,7 +3850,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=2186,
+        line=2278,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -3691,7 +3858,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=2191,
+        line=2283,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -3700,7 +3867,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=2195,
+        line=2287,
     ),
     "root_change_y": Symbol(
         "root_change_y",
@@ -3708,7 +3875,7 @@ SYMBOLS: dict[str, Symbol] = {
         "the second component of the change of a root that nothing ties",
         tex="\\Delta u_{0y}",
         file="srs/symbols.md",
-        line=2200,
+        line=2292,
     ),
     "root_change": Symbol(
         "root_change",
@@ -3717,7 +3884,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=2204,
+        line=2296,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -3725,7 +3892,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=2209,
+        line=2301,
     ),
     "change": Symbol(
         "change",
@@ -3734,7 +3901,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2213,
+        line=2305,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -3743,7 +3910,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=2218,
+        line=2310,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -3752,7 +3919,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=2223,
+        line=2315,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -3760,7 +3927,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=2228,
+        line=2320,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -3769,7 +3936,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=2232,
+        line=2324,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -3777,7 +3944,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=2237,
+        line=2329,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -3785,7 +3952,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=2241,
+        line=2333,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -3793,7 +3960,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=2245,
+        line=2337,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -3802,7 +3969,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_\\gamma",
         file="srs/symbols.md",
-        line=2249,
+        line=2341,
     ),
     "slowed_mean": Symbol(
         "slowed_mean",
@@ -3811,7 +3978,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\bar\\epsilon_h",
         file="srs/symbols.md",
-        line=2254,
+        line=2346,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -3819,7 +3986,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=2260,
+        line=2352,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -3828,6 +3995,60 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=2264,
+        line=2356,
+    ),
+    "worlds": Symbol(
+        "worlds",
+        "1",
+        "number of worlds that were drawn",
+        range=Range("> 0", low=0.0),
+        tex="n_w",
+        file="srs/symbols.md",
+        line=2368,
+    ),
+    "confidence": Symbol(
+        "confidence",
+        "1",
+        "chance with which what is said of all worlds holds",
+        range=Range("[0, 0.999999]", low=0.0, high=0.999999, low_open=False, high_open=False),
+        tex="\\beta_w",
+        file="srs/symbols.md",
+        line=2373,
+    ),
+    "unseen_share": Symbol(
+        "unseen_share",
+        "1",
+        "share of all worlds that may have what no world has shown",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="s_w",
+        file="srs/symbols.md",
+        line=2378,
+    ),
+    "quantity_range": Symbol(
+        "quantity_range",
+        "1",
+        "what a quantity differs by among all worlds",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="Q_r",
+        file="srs/symbols.md",
+        line=2383,
+    ),
+    "quantity_variance": Symbol(
+        "quantity_variance",
+        "1",
+        "variance of a quantity",
+        range=Range("> 0", low=0.0),
+        tex="Q_v",
+        file="srs/symbols.md",
+        line=2388,
+    ),
+    "total_order_most": Symbol(
+        "total_order_most",
+        "1",
+        "index of total order that what varies may have, at most",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="S_T^{\\max}",
+        file="srs/symbols.md",
+        line=2393,
     ),
 }

@@ -42,14 +42,20 @@ def _of_joint(joint: Joint, freedom: Freedom, history: History) -> Array:
     found: Array = energy(spring.stiffness, value)
     if spring.maximum is None:
         return found
-    pull = spring.stiffness * value
+    pull = _pull(spring.stiffness, value)
     if turns:
         share = definitions.torque_share(spring.maximum, np.abs(pull))
         return np.asarray(definitions.bounded_rotary_energy(share, found))
     others = [each for each in joint.freedoms if joint.kind == "target" and each is not freedom]
-    across = sum(spring.stiffness * _stretch(joint, each, history) for each in others)
+    across = sum(_pull(spring.stiffness, _stretch(joint, each, history)) for each in others)
     share = definitions.force_share(spring.maximum, definitions.joint_pull(pull, across))
     return np.asarray(definitions.bounded_spring_energy(share, found))
+
+
+def _pull(stiffness: float, stretch: Array) -> Array:
+    """Return what a spring exerts without its damper, N or N m."""
+    found: Array = definitions.joint_spring_force(stiffness, stretch, 0.0, 0.0)
+    return found
 
 
 def _stretch(joint: Joint, freedom: Freedom, history: History) -> Array:

@@ -1,4 +1,4 @@
-"""What joints exert on their bodies: rows times multipliers, as forces and torques (GD17)."""
+"""What joints exert on their bodies: rows times multipliers (GD17), as DD112 tells it."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tamias2d.generated import definitions
 from tamias2d.scene.springs import arm
 from tamias2d.spec.constraint import ENDS
 
@@ -44,4 +45,4 @@ def add_exerted(
             body = joints[number].ends[i]
             rx, ry = arm(joints[number].anchors[i], 0.0 if body is None else turns[body])
             forces[i] += x, y
-            torques[i] += turn - (rx * y - ry * x)
+            torques[i] += definitions.anchor_torque(turn, (rx, ry), (x, y))

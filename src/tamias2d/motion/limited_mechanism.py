@@ -456,16 +456,19 @@ class LimitedMechanism:
         found: dict[int, float] = {}
         for number, joint in chosen.items():
             force, torque = exerted.get(number, still)
-            force_most, torque_most = joint.break_force, joint.break_torque
-            found[number] = min(
-                1
-                - float(np.hypot(*force[:2].T).max())
-                / (np.inf if force_most is None else force_most),
-                1
-                - float(np.abs(torque[:2]).max())
-                / (np.inf if torque_most is None else torque_most),
-            )
+            found[number] = 1 - _load(force, torque, joint)
         return found
+
+
+def _load(force: Array, torque: Array, joint: Joint) -> float:
+    """Return which share of what a joint bears it exerts on A and B (GD23), by (3, 2) and (3,)."""
+    x, y = force[:2].T
+    found = [0.0]
+    if joint.break_force is not None:
+        found += definitions.force_load((x, y), joint.break_force).tolist()
+    if joint.break_torque is not None:
+        found += definitions.torque_load(torque[:2], joint.break_torque).tolist()
+    return float(np.max(found))  # no number where one is none
 
 
 def _bounded(each: Freedom, pull: float, other: float | None) -> float:

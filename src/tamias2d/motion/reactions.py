@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tamias2d.generated import definitions
 from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import JointEvents
 from tamias2d.motion.joint_instant import Now
@@ -121,7 +122,8 @@ def _drive(found: Reactions, sample: int, mechanism: LimitedMechanism, now: Now)
     for of, row in mechanism.row.items():
         if ("motor", of) in shares:
             found.speed[sample, of[0]] = rates[row]
-            found.power[sample, of[0]] += shares["motor", of] * rates[row]
+            power = definitions.motor_power(shares["motor", of], rates[row])
+            found.power[sample, of[0]] += power
 
 
 def _hold(

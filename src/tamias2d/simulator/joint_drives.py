@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from tamias2d.generated.definitions import mean_row_force, motor_power
 from tamias2d.simulator.joint_columns import JointColumns
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
@@ -30,7 +31,7 @@ def drives_of(
         given = np.sum(slopes * impulses[rows], axis=(1, 2))
         speed[measure.number] = rate
         of_motors = np.divide(given, size, out=np.zeros(shape), where=size > 0.0)
-        np.add.at(power, measure.number, of_motors / time_step * rate)
+        np.add.at(power, measure.number, motor_power(mean_row_force(of_motors, time_step), rate))
     return speed, power
 
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from tamias2d.engine import tables as tb
 from tamias2d.generated.constraints import CONSTRAINTS
+from tamias2d.generated.definitions import force_load, mean_force, torque_load
 from tamias2d.motion.joint_events import BREAKS, CLICKS, LEAVES, STRIKES, JointEvent
 from tamias2d.scene.freedoms import last_tooth
 from tamias2d.scene.joints import Joint
@@ -75,12 +76,12 @@ class JointWatch:
         impulses = np.zeros((len(self._breaking), 2, 3))
         of_rows = self._layout.numbers[self._places, _IMPULSES].reshape(-1, 2, 3)
         np.add.at(impulses, self._owner, of_rows)
-        forces = np.hypot(impulses[..., 0], impulses[..., 1]) / time_step
-        share = forces.max(axis=1) / self._force_most
+        force = mean_force((impulses[..., 0], impulses[..., 1]), time_step)
+        share = force_load(force, self._force_most[:, None]).max(axis=1)
         if len(self._twisted):
             twisting = impulses[self._twisted]
             _, torque = forces_and_torques(self._held, twisting, with_plane(pose), time_step)
-            twisted = np.abs(torque).max(axis=1) / self._torque_most[self._twisted]
+            twisted = torque_load(torque, self._torque_most[self._twisted, None]).max(axis=1)
             share[self._twisted] = np.maximum(share[self._twisted], twisted)
         return [each for each in zip(self._breaking, share.tolist(), strict=True) if each[1] > 1.0]
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine import tables as tb
+from tamias2d.generated import definitions
 from tamias2d.read_only import read_only
 from tamias2d.scene.springs import arm
 from tamias2d.simulator.joint_columns import Held, JointColumns, with_plane
@@ -56,14 +57,16 @@ def forces_and_torques(
 ) -> tuple[Array, Array]:
     """Return the mean forces (j, 3, 2), N, and torques about anchors (j, 3), N m, of a step, s.
 
-    The impulses (j, 3, 3), N s, N s and N m s, are about the centres of bodies at poses
-    (n + 1, 3), the last one that of the plane.
+    They are told as DD112 says. The impulses (j, 3, 3), N s, N s and N m s, are about the centres
+    of bodies at poses (n + 1, 3), the last one that of the plane.
     """
-    force = impulses[:, :, :2] / time_step
+    force_x, force_y = definitions.mean_force((impulses[..., 0], impulses[..., 1]), time_step)
+    torque = definitions.mean_torque(impulses[..., 2], time_step)
     turns = pose[held.bodies.ravel(), 2]
     anchor_x, anchor_y = held.anchors.reshape(-1, 2).T
     x, y = np.reshape(arm((anchor_x, anchor_y), turns), (2, *held.bodies.shape))
-    return force, impulses[:, :, 2] / time_step - (x * force[..., 1] - y * force[..., 0])
+    beside = definitions.anchor_torque(torque, (x, y), (force_x, force_y))
+    return np.stack((force_x, force_y), axis=-1), beside
 
 
 def reactions_of(

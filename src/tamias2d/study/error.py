@@ -5,6 +5,7 @@ from typing import Protocol
 
 import numpy as np
 
+from tamias2d.generated import definitions
 from tamias2d.run import Run
 from tamias2d.scene import Body, Scene
 from tamias2d.state import Array
@@ -95,7 +96,9 @@ def radii(scene: Scene) -> Array:
 def _radius(body: Body) -> float:
     if body.shape is not None:
         return body.shape.bounding_radius
-    return math.sqrt(body.inertia / body.mass) if math.isfinite(body.inertia) else 0.0
+    if not math.isfinite(body.inertia):
+        return 0.0
+    return float(definitions.gyration_radius(1 / body.mass, 1 / body.inertia))
 
 
 def history_error(run: Run, exact: Run) -> float:

@@ -33,6 +33,7 @@ from tamias2d.engine.tables import Bodies, Control, Events, Integers
 from tamias2d.generated.continuous_collision import position_later
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.soft_contact import limited_tangent_impulse, restitution_impulse
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
 MOST_TURNS = 8  # of normal and tangent in one impact
@@ -221,10 +222,16 @@ def stop_and_rebound(
     if before >= 0.0 and rate >= 0.0:
         return -1.0
     bounce = restitution_impulse(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
-    impulse = max(-mass * before, 0.0) + bounce
+    impulse = stopping_impulse(before, mass) + bounce
     change_velocities(line, impulse, bodies.motion, bodies.properties)
-    change_paths(line, now, (max(-mass * rate, 0.0) + bounce) * time_step, bodies)
+    change_paths(line, now, (stopping_impulse(rate, mass) + bounce) * time_step, bodies)
     return impulse
+
+
+@inlined
+def stopping_impulse(rate: float, mass: float) -> float:
+    """Return the impulse that stops an approach at a rate, m/s, without a rebound, N s."""
+    return restitution_impulse(0.0, rate, 0.0, 0.0, mass)
 
 
 def hold_together(
@@ -238,9 +245,8 @@ def hold_together(
     if not rate < 0.0:
         return impulse
     mass = mass_along(line, bodies.properties)
-    change_paths(line, now, -mass * rate * time_step, bodies)
-    after = speed_along(line, 0.0, bodies.motion, bodies.flight)
-    held = max(-mass * after, 0.0)
+    change_paths(line, now, stopping_impulse(rate, mass) * time_step, bodies)
+    held = stopping_impulse(speed_along(line, 0.0, bodies.motion, bodies.flight), mass)
     change_velocities(line, held, bodies.motion, bodies.properties)
     return impulse + held
 

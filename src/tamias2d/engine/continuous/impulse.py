@@ -5,6 +5,7 @@ from typing import NamedTuple
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.trajectory import redirect_path
 from tamias2d.engine.tables import Bodies
+from tamias2d.generated.continuous_collision import coordinate_velocity_instant
 from tamias2d.generated.soft_contact import (
     angular_velocity_a_after,
     angular_velocity_b_after,
@@ -14,6 +15,7 @@ from tamias2d.generated.soft_contact import (
     velocity_a_after,
     velocity_b_after,
 )
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
 
@@ -34,19 +36,22 @@ def speed_along(line: ImpulseLine, left: float, motion: Array, flight: Array) ->
     """
     i, j = line.a, line.b
     return row_velocity(
-        (
-            motion[i, tb.VX] - left * flight[i, tb.FORCE_GAIN],
-            motion[i, tb.VY] - left * flight[i, tb.FORCE_GAIN + 1],
-        ),
-        motion[i, tb.SPIN] - left * flight[i, tb.FORCE_GAIN + 2],
+        velocity_at(i, left, motion, flight),
+        coordinate_velocity_instant(motion[i, tb.SPIN], left, flight[i, tb.FORCE_GAIN + 2]),
         turning_arm(line.at_a, line.direction),
-        (
-            motion[j, tb.VX] - left * flight[j, tb.FORCE_GAIN],
-            motion[j, tb.VY] - left * flight[j, tb.FORCE_GAIN + 1],
-        ),
-        motion[j, tb.SPIN] - left * flight[j, tb.FORCE_GAIN + 2],
+        velocity_at(j, left, motion, flight),
+        coordinate_velocity_instant(motion[j, tb.SPIN], left, flight[j, tb.FORCE_GAIN + 2]),
         turning_arm(line.at_b, line.direction),
         line.direction,
+    )
+
+
+@inlined
+def velocity_at(i: int, left: float, motion: Array, flight: Array) -> Vector:
+    """Return the velocity of a body when a share of the step is left, m/s (DD61)."""
+    return (
+        coordinate_velocity_instant(motion[i, tb.VX], left, flight[i, tb.FORCE_GAIN]),
+        coordinate_velocity_instant(motion[i, tb.VY], left, flight[i, tb.FORCE_GAIN + 1]),
     )
 
 

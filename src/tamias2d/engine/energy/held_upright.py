@@ -8,7 +8,13 @@ contact block where a support turns one.
 from tamias2d.engine import tables as tb
 from tamias2d.engine.energy.step_energy import can_be_turned
 from tamias2d.engine.tables import Bodies, Constraints, Islands, Touching
-from tamias2d.generated.island_energy import contact_arm, holding_work, pressed_arm
+from tamias2d.generated.friction import impulse_vector
+from tamias2d.generated.island_energy import (
+    contact_arm,
+    holding_work,
+    impulse_moment,
+    pressed_arm,
+)
 from tamias2d.state import Array, Vector
 
 
@@ -62,9 +68,10 @@ def add_press(
     given[tb.TOTAL_PRESS] += total
     for n in range(2):
         given[tb.PRESSED_ARM + n] += total * arm[n]
-    given[tb.IMPULSE_GOT] += sign * (total * normal_x - friction * normal_y)
-    given[tb.IMPULSE_GOT + 1] += sign * (total * normal_y + friction * normal_x)
-    given[tb.ANGULAR_IMPULSE] += sign * (total * arms[0] + friction * arms[1])
+    x, y = impulse_vector(total, friction, (normal_x, normal_y))
+    given[tb.IMPULSE_GOT] += sign * x
+    given[tb.IMPULSE_GOT + 1] += sign * y
+    given[tb.ANGULAR_IMPULSE] += sign * impulse_moment(total, arms[0], friction, arms[1])
 
 
 def work_of_holding(i: int, spin: float, bodies: Bodies, islands: Islands) -> float:

@@ -7,7 +7,7 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.governed import is_leant_on, is_limit
 from tamias2d.engine.joints.solve import rate_of_row
 from tamias2d.engine.tables import Bodies, Joints
-from tamias2d.generated.joint_step import bounce_rate
+from tamias2d.generated.definitions import normal_velocity_after
 
 
 def note_limits(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -32,7 +32,8 @@ def bounce_limits(n: int, bodies: Bodies, joints: Joints) -> None:
     for j in range(joints.mechanisms[n, tb.M_JOINT], joints.mechanisms[n + 1, tb.M_JOINT]):
         restitution, struck = joints.laws[j, tb.LAW_RESTITUTION], joints.numbers[j, tb.J_STRUCK]
         if restitution > 0.0 and struck != 0.0 and not is_leant_on(j, joints):
-            rate, sign = bounce_rate(restitution, struck), -1.0 if struck > 0.0 else 1.0
+            rate = normal_velocity_after(restitution, struck)
+            sign = -1.0 if struck > 0.0 else 1.0
             if sign * rate_of_row(j, 0, bodies, joints) < sign * rate:
                 joints.joints[j, tb.J_STATE] = tb.HOLDS
                 joints.laws[j, tb.LAW_RATE] = rate

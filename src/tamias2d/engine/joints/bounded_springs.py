@@ -11,14 +11,16 @@ from tamias2d.engine import tables as tb
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.solve import rate_of_row
 from tamias2d.engine.tables import Bodies, Joints
+from tamias2d.generated.definitions import (
+    bounded_spring_energy,
+    force_share,
+    joint_pull,
+    joint_spring_force,
+)
 from tamias2d.generated.joint_step import (
     impulse_room,
     row_energy,
-    row_energy_bounded,
     row_impulse_most,
-    row_pull,
-    row_pull_size,
-    row_share,
     whole_impulse,
 )
 from tamias2d.kernels.assembled import inlined
@@ -47,15 +49,15 @@ def begin_bounded(n: int, again: bool, bodies: Bodies, joints: Joints) -> None:
                 pull, across = pull_of_row(j, rate_of_row(j, 0, bodies, joints), joints), 0.0
                 if other >= 0:
                     across = pull_of_row(other, rate_of_row(other, 0, bodies, joints), joints)
-                size = row_pull_size(pull, across)
-                let_exert(j, row_share(joints.laws[j, tb.LAW_MOST], size), joints)
+                size = joint_pull(pull, across)
+                let_exert(j, force_share(joints.laws[j, tb.LAW_MOST], size), joints)
 
 
 @inlined
 def pull_of_row(j: int, rate: float, joints: Joints) -> float:
     """Return what the spring of a row would exert by itself at its value and a rate, N or N m."""
     stiffness, damping = joints.laws[j, tb.LAW_STIFFNESS], joints.laws[j, tb.LAW_DAMPING]
-    return row_pull(stiffness, joints.numbers[j, tb.J_ROW], damping, rate)
+    return joint_spring_force(stiffness, joints.numbers[j, tb.J_ROW], damping, rate)
 
 
 @inlined
@@ -115,13 +117,13 @@ def ratio_given(n: int, j: int, substep: float, joints: Joints) -> float:
     if other >= 0:
         across, across_left = joints.numbers[other, tb.J_GIVEN], joints.numbers[other, tb.J_LEFT]
         across_share = joints.numbers[other, tb.J_SHARE]
-    whole = row_pull_size(whole_impulse(given, share), whole_impulse(across, across_share))
+    whole = joint_pull(whole_impulse(given, share), whole_impulse(across, across_share))
     most = row_impulse_most(joints.laws[j, tb.LAW_MOST], substep)
-    room = impulse_room(most, row_pull_size(left, across_left))
+    room = impulse_room(most, joint_pull(left, across_left))
     if joints.mechanisms[n, tb.M_HALF] == 1:
         return whole / room
     if joints.mechanisms[n, tb.M_STATUS] == tb.IN_CONTACT:
-        return max(whole / most, row_pull_size(given, across) / room)
+        return max(whole / most, joint_pull(given, across) / room)
     return whole / most
 
 
@@ -158,4 +160,4 @@ def energy_of_spring(j: int, joints: Joints) -> float:
     if other >= 0:
         across = pull_of_row(other, 0.0, joints)
         energy += row_energy(stiffness, joints.numbers[other, tb.J_ROW])
-    return row_energy_bounded(row_share(most, row_pull_size(pull, across)), energy)
+    return bounded_spring_energy(force_share(most, joint_pull(pull, across)), energy)

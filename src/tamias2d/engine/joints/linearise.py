@@ -25,6 +25,8 @@ from tamias2d.generated.joint_step import (
     implicit_share,
     inertia_held,
     leaning,
+    row_damping_softer,
+    row_stiffness_softer,
     row_yield,
     slope_squared,
     slope_turned,
@@ -148,7 +150,10 @@ def spring_now(j: int, joints: Joints) -> tuple[float, float]:
     It is less than one where that has a maximum, and would exert more.
     """
     share, law = joints.numbers[j, tb.J_EXERTED], joints.laws[j]
-    return share * law[tb.LAW_STIFFNESS], share * law[tb.LAW_DAMPING]
+    return (
+        row_stiffness_softer(share, law[tb.LAW_STIFFNESS]),
+        row_damping_softer(share, law[tb.LAW_DAMPING]),
+    )
 
 
 def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:

@@ -1,4 +1,4 @@
-"""How bodies answer the impulses of joints, which act through a substep against drag (DD41).
+"""How bodies answer the impulses of joints, which act through a substep against drag (DD110).
 
 Without contacts the first impulse of a step and the last act through half a substep (IM15): the
 mean of all stands for each.
@@ -6,6 +6,7 @@ mean of all stands for each.
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.tables import Bodies, Joints
+from tamias2d.generated.definitions import inverse_inertia_slowed, inverse_mass_slowed
 
 
 def slowed_column(n: int, joints: Joints) -> int:
@@ -22,6 +23,6 @@ def slowed_inverses(i: int, column: int, bodies: Bodies) -> tuple[float, float]:
     properties = bodies.properties[i]
     through = bodies.propagators[int(properties[tb.PROPAGATOR])]
     return (
-        through[column] * properties[tb.INVERSE_MASS],
-        through[column + tb.ANGULAR] * properties[tb.INVERSE_INERTIA],
+        inverse_mass_slowed(through[column], properties[tb.INVERSE_MASS]),
+        inverse_inertia_slowed(through[column + tb.ANGULAR], properties[tb.INVERSE_INERTIA]),
     )

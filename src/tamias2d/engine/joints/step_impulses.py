@@ -6,6 +6,7 @@ from tamias2d.engine.joints.linearise import apart_by_law
 from tamias2d.engine.joints.placement import UNTIL_BACK
 from tamias2d.engine.parts import is_last_part
 from tamias2d.engine.tables import Joints, World
+from tamias2d.generated.definitions import mean_row_force
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
@@ -78,7 +79,7 @@ def keep_of_joint(kept: float, time: float, numbers: Array, joints: Joints) -> N
         numbers[tb.J_STEP_TOTAL + k] = kept * numbers[tb.J_STEP_TOTAL + k] + numbers[tb.J_TOTAL + k]
     numbers[tb.J_LEFT_BEFORE] = numbers[tb.J_LEFT]
     for k in range(3):
-        numbers[tb.J_FORCE + k] = numbers[tb.J_PULL + k] / time
+        numbers[tb.J_FORCE + k] = mean_row_force(numbers[tb.J_PULL + k], time)
         if numbers[tb.J_APART + k] > numbers[tb.J_SLIGHT + k]:
             joints.counts[tb.JOINTS_APART] = 1
     if numbers[tb.J_TURNED] > 0.0:

@@ -35,6 +35,7 @@ from tamias2d.engine.motion.hard_rest import (
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import Bodies, Contacts, Control, Events, Shapes, World
 from tamias2d.generated.continuous_collision import centre_acceleration_least
+from tamias2d.generated.definitions import normal_velocity_after
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
@@ -133,7 +134,7 @@ def rebound_hard(p: int, met: int, now: float, world: World, contacts: Contacts)
     pull = find_touch(s, t, row, bodies, shapes)
     line = line_of(2 * met, False, events)
     row[tb.M_APPROACH] = speed_along(line, 0.0, bodies.motion, bodies.flight)
-    parts = -restitution * row[tb.M_APPROACH]
+    parts = normal_velocity_after(restitution, row[tb.M_APPROACH])
     slow = not parts > SLOWEST_REBOUND * pull * control.settings[tb.TIME_STEP]
     lands = slow and not (restitution == 1.0 and parts > 0.0)  # what loses nothing bounces for ever
     if lands:

@@ -19,9 +19,15 @@ from tamias2d.generated.definitions import (
 from tamias2d.generated.soft_contact import row_mass, turning_arm
 from tamias2d.generated.spring_step import (
     arm_held,
+    change_across,
+    change_along,
+    change_leaning,
+    coordinate_missing,
     damping_held,
     spring_force_held,
     tension_held,
+    turning_resistance,
+    way_resistance,
 )
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
@@ -94,7 +100,9 @@ def gather_network(
             gain, lift = propagator[at + tb.GAIN], propagator[at + tb.LIFT]
             free = coordinate_displacement(gain, lift, bodies.motion[i, c], by) if moves else 0.0
             row[tb.FREE_SHIFT + c] = row[tb.SHIFT + c] = free
-            row[tb.RESISTANCE + c] = (inertia if c == 2 else mass) / lift
+            row[tb.RESISTANCE + c] = (
+                turning_resistance(inertia, lift) if c == 2 else way_resistance(mass, lift)
+            )
     for s in range(springs.networks[n, tb.N_SPRING], springs.networks[n + 1, tb.N_SPRING]):
         note_spring(s, control.progress[tb.PART_TIME], bodies, springs)
 
@@ -186,8 +194,12 @@ def pull_all(n: int, time_step: float, bodies: Bodies, springs: Springs) -> None
     for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
         row = members[k]
         for c in range(3):
-            ahead = row[tb.FREE_SHIFT + c] - row[tb.SHIFT + c]
-            row[tb.RESIDUAL + c] = row[tb.RESISTANCE + c] * ahead + row[tb.PULL + c]
+            row[tb.RESIDUAL + c] = coordinate_missing(
+                row[tb.RESISTANCE + c],
+                row[tb.FREE_SHIFT + c],
+                row[tb.SHIFT + c],
+                row[tb.PULL + c],
+            )
     write_diagonal(n, springs)
 
 
@@ -211,15 +223,14 @@ def pull(s: int, time_step: float, bodies: Bodies, springs: Springs) -> None:
         tension, damping, span, (later_x, later_y), length, later, axis, time_step
     )
     spring[tb.AXIS_X], spring[tb.AXIS_Y] = axis
-    spring[tb.ALONG] = 0.5 * stiffness + damping / time_step
-    spring[tb.ACROSS] = max(tension, 0.0) / max(length + later, 1e-150)
+    spring[tb.ALONG] = change_along(stiffness, damping, time_step)
+    spring[tb.ACROSS] = change_across(tension, length, later)
     pull_ends(s, force, tb.PULL, springs)
-    x, y = force
-    members[a, tb.STIFFENING] += 0.5 * max(spring[tb.ARM_A] * x + spring[tb.ARM_A + 1] * y, 0.0)
+    arm = (spring[tb.ARM_A], spring[tb.ARM_A + 1])
+    members[a, tb.STIFFENING] += change_leaning(arm, force)
     if b >= 0:
-        members[b, tb.STIFFENING] += 0.5 * max(
-            -spring[tb.ARM_B] * x - spring[tb.ARM_B + 1] * y, 0.0
-        )
+        arm = (spring[tb.ARM_B], spring[tb.ARM_B + 1])
+        members[b, tb.STIFFENING] += change_leaning(arm, (-force[0], -force[1]))
 
 
 @inlined

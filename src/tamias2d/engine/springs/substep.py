@@ -24,6 +24,9 @@ from tamias2d.engine.springs.network import (
 )
 from tamias2d.engine.tables import Bodies, Constraints, Springs, Touching
 from tamias2d.generated.spring_step import (
+    end_pace,
+    end_yield,
+    leaning_resistance,
     resistance_across,
     resistance_along,
     spring_impulse,
@@ -89,7 +92,8 @@ def note_member(k: int, bodies: Bodies, springs: Springs) -> None:
 def fastest(n: int, substep: float, bodies: Bodies, springs: Springs) -> float:
     """Return a bound of what the springs of a network do in a substep, by Gershgorin's circles.
 
-    It is of the square of the phase that an oscillation gains, or of the share that dampers take.
+    It is of the square of the phase that an oscillation gains, or of the share that dampers take
+    (DD114).
     """
     members = springs.members
     for k in range(springs.networks[n, tb.N_MEMBER], springs.networks[n + 1, tb.N_MEMBER]):
@@ -115,17 +119,14 @@ def phase(i: int, at: int, substep: float, spring: Array, bodies: Bodies) -> flo
     """
     if bodies.kind[i] != tb.DYNAMIC:
         return 0.0
-    square = spring[at] * spring[at] + spring[at + 1] * spring[at + 1]
+    arm = (spring[at], spring[at + 1])
     inverse_inertia = bodies.properties[i, tb.INVERSE_INERTIA]
     firm = resistance_along(spring[tb.STIFFNESS], spring[tb.DAMPER], substep)
-    pull = abs(
-        tension_held(
-            spring[tb.STIFFNESS], spring[tb.REST_LENGTH], spring[tb.LENGTH], spring[tb.LENGTH]
-        )
+    pull = tension_held(
+        spring[tb.STIFFNESS], spring[tb.REST_LENGTH], spring[tb.LENGTH], spring[tb.LENGTH]
     )
-    yielding = bodies.properties[i, tb.INVERSE_MASS] + square * inverse_inertia
-    leaning = substep * substep * pull * sqrt(square) * inverse_inertia
-    return float(2.0 * firm * yielding + leaning)
+    yielding = end_yield(arm, bodies.properties[i, tb.INVERSE_MASS], inverse_inertia)
+    return float(end_pace(firm, yielding, pull, arm, inverse_inertia, substep))
 
 
 def apply_springs(
@@ -177,17 +178,17 @@ def aim(s: int, substep: float, stiff: bool, bodies: Bodies, springs: Springs) -
     axis = (x / max(length, 1e-150), y / max(length, 1e-150))
     spring[tb.AXIS_X], spring[tb.AXIS_Y] = axis
     stiffness, rest_length = spring[tb.STIFFNESS], spring[tb.REST_LENGTH]
-    x, y = spring_impulse(stiffness, rest_length, length, axis, substep)
-    spring[tb.FORCE_X], spring[tb.FORCE_Y] = x, y
+    given = spring_impulse(stiffness, rest_length, length, axis, substep)
+    spring[tb.FORCE_X], spring[tb.FORCE_Y] = given
     spring[tb.ALONG] = resistance_along(stiffness if stiff else 0.0, spring[tb.DAMPER], substep)
     spring[tb.ACROSS] = 0.0
     if stiff:
         spring[tb.ACROSS] = resistance_across(stiffness, rest_length, length, substep)
-        leaning = substep * max(spring[tb.ARM_A] * x + spring[tb.ARM_A + 1] * y, 0.0)
-        springs.members[a, tb.STIFFENING] += leaning
+        arm = (spring[tb.ARM_A], spring[tb.ARM_A + 1])
+        springs.members[a, tb.STIFFENING] += leaning_resistance(arm, given, substep)
         if b >= 0:
-            leaning = substep * max(-spring[tb.ARM_B] * x - spring[tb.ARM_B + 1] * y, 0.0)
-            springs.members[b, tb.STIFFENING] += leaning
+            arm, against = (spring[tb.ARM_B], spring[tb.ARM_B + 1]), (-given[0], -given[1])
+            springs.members[b, tb.STIFFENING] += leaning_resistance(arm, against, substep)
 
 
 def end_place(i: int, at: int, to: int, bodies: Bodies, spring: Array) -> tuple[float, float]:
