@@ -131,8 +131,7 @@ class Asking(Stepping):
 
         It meets no body in or on which it starts, no sensor, and, if a `mask` is given, none whose
         category shares no bit with it. A line that it runs along is met at its end, with the
-        normal against the ray. A chain that is one-sided is met from its solid side alone, as by
-        bodies.
+        normal against the ray. A chain that is one-sided is met from its solid side alone.
 
         Raises:
             InputError: a ray has no length, or a value breaks a rule (R4).
