@@ -1,5 +1,8 @@
 """Rays, points and boxes against all shapes, one by one, in NumPy."""
 
+import math
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
@@ -201,13 +204,50 @@ def test_rays_at_corners_through_the_middle_meet_the_body() -> None:
     assert (np.concatenate(met) == 0).all()
 
 
-def test_a_ray_along_a_segment_meets_its_end() -> None:
+@pytest.mark.parametrize("angle", [0.0, 0.7, 2.0, -1.3])
+def test_a_ray_along_a_line_meets_its_end(angle: float) -> None:
+    """As it would meet a thin box: with the normal against the ray, also if it is turned."""
+    for shape in (t2.Segment(length=2.0), t2.Chain(vertices=[(1.0, 0.0), (0.3, 0.0), (-1.0, 0.0)])):
+        sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+        way = np.array((math.cos(angle), math.sin(angle)))
+        sim.add_static(shape, position=3.0 * way, orientation=angle)
+        starts, ends = np.outer((0.0, 9.0, 0.0, 0.0), way), np.outer((9.0, 0.0, 1.0, -9.0), way)
+        hits = sim.ray_cast(starts, ends)
+        assert hits.body.tolist() == [0, 0, -1, -1]
+        assert np.allclose(hits.point[:2], np.outer((2.0, 4.0), way), rtol=0, atol=1e-14)
+        assert np.allclose(hits.normal[:2], np.outer((-1.0, 1.0), way), rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("angle", [0.0, 1.1, 3.0])
+def test_a_chain_that_is_one_sided_is_met_where_bodies_meet_it(angle: float) -> None:
+    """From its solid side, and by what has an extent at its ends; all else passes."""
     sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
-    sim.add_static(t2.Segment(length=2.0), position=(3.0, 0.0))
-    assert sim.ray_cast((0.0, 0.0), (9.0, 0.0)).point.tolist() == [[2.0, 0.0]]
-    assert sim.ray_cast((9.0, 0.0), (0.0, 0.0)).point.tolist() == [[4.0, 0.0]]
-    assert sim.ray_cast((0.0, 0.0), (1.0, 0.0)).body.tolist() == [-1]
-    assert sim.ray_cast((0.0, 0.0), (-9.0, 0.0)).body.tolist() == [-1]
+    roof = [(2.0, 0.0), (0.0, 1.0), (-2.0, 0.0)]
+    sim.add_static(t2.Chain(vertices=roof, one_sided=True), orientation=angle)
+    disc = t2.Disc(radius=0.2)
+
+    def met(ask: Any, start: tuple[float, float], end: tuple[float, float]) -> float:
+        turned = np.array((start, end)) @ [[math.cos(angle), math.sin(angle)],
+                                           [-math.sin(angle), math.cos(angle)]]  # fmt: skip
+        return float(ask(*turned).fraction[0])
+
+    def cast(start: Any, end: Any) -> Any:
+        return sim.shape_cast(disc, start, end)
+
+    for x in (-1.0, 0.0, 0.01, 1.3):
+        assert met(sim.ray_cast, (x, 2.0), (x, -2.0)) == pytest.approx((1 + abs(x) / 2) / 4)
+        assert met(sim.ray_cast, (x, -2.0), (x, 2.0)) == 1.0
+        assert met(cast, (x, 2.0), (x, -2.0)) < 0.6
+        assert met(cast, (x, -2.0), (x, 2.0)) == 1.0
+    assert met(sim.ray_cast, (3.0, -0.5), (0.0, 1.0)) == 1.0  # along a piece
+    assert met(cast, (4.0, 0.1), (2.0, 0.1)) < 1.0  # its end is a point
+    assert met(cast, (1.0, 0.6), (1.0, -2.0)) == 0.0  # half through, and deeper
+    assert met(cast, (1.0, 0.4), (1.0, -2.0)) == 1.0  # more than half behind
+    assert met(cast, (1.0, 0.4), (1.0, 2.0)) == 1.0
+    assert sim.in_shape(disc, position=(0.0, 0.0)).tolist() == []
+    below = np.array((0.0, 0.9)) @ [[math.cos(angle), math.sin(angle)],
+                                    [-math.sin(angle), math.cos(angle)]]  # fmt: skip
+    assert sim.in_shape(disc, position=below).tolist() == [0]  # what is there is told
 
 
 def test_of_what_is_met_at_once_the_first_in_canonical_order_is_told() -> None:

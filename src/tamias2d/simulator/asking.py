@@ -130,7 +130,8 @@ class Asking(Stepping):
         """Return what rays meet first, from points to points, (2,) or (k, 2) each, m.
 
         It meets no body in or on which it starts, no sensor, and, if a `mask` is given, none whose
-        category shares no bit with it. A line that it runs along is not met.
+        category shares no bit with it. A line that it runs along is met at its end, with the
+        normal against the ray. A chain that is one-sided is met from its solid side alone.
 
         Raises:
             InputError: a ray has no length, or a value breaks a rule (R4).
@@ -154,7 +155,8 @@ class Asking(Stepping):
         They are (2,) or (k, 2) each; it is turned by rad, and no body. Where it touches a body at
         the start, or reaches into it, it meets that at once if it would go deeper, and not if it
         slides along or leaves. It meets no sensor, none of the bodies that it is `ignoring`, and,
-        if a `mask` is given, none whose category shares no bit with it.
+        if a `mask` is given, none whose category shares no bit with it. A chain that is one-sided
+        is met where bodies meet it: from its solid side, and at its ends.
 
         Raises:
             InputError: it is a half-plane, a way has no length, or a value breaks a rule (R4).

@@ -11,10 +11,10 @@ from math import sqrt
 from tamias2d.engine import tables as tb
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED, Sweep, safe_advance
 from tamias2d.engine.continuous.trajectory import RelativePath
-from tamias2d.engine.narrow_phase.chain import BESIDE, FACING, has_end, is_piece, judge
+from tamias2d.engine.narrow_phase.chain import BESIDE, FACING, has_end, judge
 from tamias2d.engine.narrow_phase.clip import TINY
 from tamias2d.engine.narrow_phase.collide import collide_cores
-from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
+from tamias2d.engine.narrow_phase.core import Core, core_of, is_piece, is_thin, smaller_size
 from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.tables import Events, Shapes
 from tamias2d.generated.continuous_collision import (
@@ -65,7 +65,7 @@ def advance(
     b = Sweep(p.vertex_count, q.vertex_count, path.turn_b, vertex_radius(q, vertices))
     placed_a = Core(p.kind, 0, p.vertex_count, p.radius, 0.0)
     placed_b = Core(q.kind, p.vertex_count, q.vertex_count, q.radius, 0.0)
-    near = NEAR * smaller_extent(p, q, vertices)
+    near = NEAR * smaller_size(p, q, vertices)
     reach = (a.lever + p.radius + b.lever + q.radius) * WIDER + near
     at, last = near_interval(p, path, reach, vertices)
     manifold, rows = events.scratch[0], events.scratch[1:]
@@ -188,28 +188,6 @@ def vertex_radius(p: Core, vertices: Array) -> float:
     for k in range(p.first, p.first + p.vertex_count):
         far = max(far, vertices[k, 0] * vertices[k, 0] + vertices[k, 1] * vertices[k, 1])
     return sqrt(far)
-
-
-def smaller_extent(p: Core, q: Core, vertices: Array) -> float:
-    """Return the smaller extent of two shapes, m; Q is no half-plane, whose extent is infinite.
-
-    So is that of a piece of a chain.
-    """
-    if is_piece(q):
-        return extent_of(p, vertices) + p.radius
-    extent = extent_of(q, vertices) + q.radius
-    if p.kind == tb.HALF_PLANE or is_piece(p):
-        return extent
-    return min(extent, extent_of(p, vertices) + p.radius)
-
-
-def extent_of(p: Core, vertices: Array) -> float:
-    """Return half of the distance of the first vertex from the farthest one, m."""
-    far = 0.0
-    for k in range(p.first + 1, p.first + p.vertex_count):
-        x, y = vertices[k, 0] - vertices[p.first, 0], vertices[k, 1] - vertices[p.first, 1]
-        far = max(far, x * x + y * y)
-    return 0.5 * sqrt(far)
 
 
 def near_interval(

@@ -16,8 +16,7 @@ from tamias2d.engine.continuous.sensing import may_be_sensed, time_of_sensing
 from tamias2d.engine.continuous.trajectory import relative_path, relative_place
 from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.approach import opening
-from tamias2d.engine.narrow_phase.chain import is_piece
-from tamias2d.engine.narrow_phase.core import core_of
+from tamias2d.engine.narrow_phase.core import core_of, is_piece
 from tamias2d.engine.narrow_phase.margins import BULLET
 from tamias2d.engine.narrow_phase.material import BOUNCY, mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal

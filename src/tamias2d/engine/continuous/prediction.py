@@ -13,10 +13,10 @@ from tamias2d.engine.continuous.passing import smaller_radius
 from tamias2d.engine.continuous.secondary_contacts import add_secondary_contacts
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.joined import unless_joined
-from tamias2d.engine.narrow_phase.chain import BESIDE, is_piece, judge
+from tamias2d.engine.narrow_phase.chain import BESIDE, judge
 from tamias2d.engine.narrow_phase.chain_sides import note_located_sides
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
-from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
+from tamias2d.engine.narrow_phase.core import Core, core_of, is_piece, is_thin
 from tamias2d.engine.narrow_phase.manifold import smallest_gap
 from tamias2d.engine.narrow_phase.margins import CLOSE
 from tamias2d.engine.narrow_phase.polygon import held_normal

@@ -15,8 +15,8 @@ from tamias2d.engine.narrow_phase.clip import (
     facing_sides,
     feature_of,
 )
-from tamias2d.engine.narrow_phase.core import Core, next_vertex
-from tamias2d.engine.narrow_phase.separation import INFINITE, incident_side
+from tamias2d.engine.narrow_phase.core import Core, is_piece, next_vertex, smaller_size
+from tamias2d.engine.narrow_phase.separation import INFINITE, PRESSED_THROUGH, incident_side
 from tamias2d.engine.tables import Shapes
 from tamias2d.generated.terrain import admitted, corner_room
 from tamias2d.state import Array, Vector
@@ -46,11 +46,6 @@ class Verdict(NamedTuple):
     stays: bool  # as it was found
     first: int  # features of its points where it does not stay
     second: int
-
-
-def is_piece(p: Core) -> bool:
-    """Return whether a core is a piece of a chain."""
-    return p.kind >= tb.PIECE
 
 
 def has_end(piece: int, shapes: Shapes) -> bool:
@@ -147,16 +142,19 @@ def judge_side(
 ) -> Verdict:
     """Look at the manifold of a piece and a shape with sides that is on a known side of it.
 
-    What of the shape is behind the piece, and not past its ends, has come through it.
+    What of the shape is behind the piece, and not past its ends, has come through it; of a shape
+    that is apart from the piece nothing has, but for what contacts let come through a hollow.
     """
     ux, uy = (-manifold[tb.NX], -manifold[tb.NY]) if swapped else (manifold[tb.NX], manifold[tb.NY])
     if is_normal(ux, uy, side, False):
         return verdict_of(True)
     x, y = at[0], at[1]
     low, vertex = foremost_vertex(side, p, q, x, y, vertices)
-    over = low <= q.radius and is_over(side, p, q, vertex, x, y, vertices)
+    apart = distance_along(ux, uy, p, q, x, y, vertices) - q.radius
+    deep = low <= q.radius and apart <= PRESSED_THROUGH * smaller_size(p, q, vertices)
+    over = deep and is_over(side, p, q, vertex, x, y, vertices)
     within = margin if over or leans_little(ux, uy, side) else 0.0
-    if low <= q.radius or within > 0.0:
+    if deep or within > 0.0:
         first, second = clip_piece(manifold, side, p, q, vertex, x, y, within, swapped, vertices)
         if first > 0:
             return Verdict(False, first, second)
@@ -283,11 +281,19 @@ def is_behind(
 
 def is_beyond(ux: float, uy: float, p: Core, q: Core, x: float, y: float, vertices: Array) -> bool:
     """Return whether all of a shape is beyond all of a piece along a direction."""
+    return distance_along(ux, uy, p, q, x, y, vertices) > 0.0
+
+
+def distance_along(
+    ux: float, uy: float, p: Core, q: Core, x: float, y: float, vertices: Array
+) -> float:
+    """Return how far the vertices of a shape are beyond those of a piece along a direction, m."""
     low = INFINITE
     for k in range(q.first, q.first + q.vertex_count):
         low = min(low, ux * (x + vertices[k, 0]) + uy * (y + vertices[k, 1]))
     first = ux * vertices[p.first, 0] + uy * vertices[p.first, 1]
-    return bool(low > max(first, ux * vertices[p.first + 1, 0] + uy * vertices[p.first + 1, 1]))
+    second = ux * vertices[p.first + 1, 0] + uy * vertices[p.first + 1, 1]
+    return float(low - max(first, second))
 
 
 def foremost_vertex(

@@ -11,8 +11,8 @@ pairs that do not touch yet.
 """
 
 from tamias2d.engine import tables as tb
-from tamias2d.engine.narrow_phase.chain import is_piece, judge
-from tamias2d.engine.narrow_phase.core import Core, core_of
+from tamias2d.engine.narrow_phase.chain import judge
+from tamias2d.engine.narrow_phase.core import Core, core_of, is_piece
 from tamias2d.engine.narrow_phase.disc import collide_disc, collide_discs
 from tamias2d.engine.narrow_phase.half_plane import collide_half_plane
 from tamias2d.engine.narrow_phase.polygon import collide_cached, collide_polygons, held_normal

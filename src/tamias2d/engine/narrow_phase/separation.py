@@ -11,13 +11,16 @@ Source: Gregorius, The separating axis test between convex polyhedra (GDC 2013).
 
 from typing import NamedTuple
 
-from tamias2d.engine.narrow_phase.core import Core, next_vertex
+from tamias2d.engine.narrow_phase.core import Core, next_vertex, smaller_size
 from tamias2d.state import Array, Vector
 
 # states of an axis: the shapes are apart along it; whose side is the reference side
 SEPARATED, REFERENCE_A, REFERENCE_B, EITHER_IS_REFERENCE = 1, 2, 3, 4
 INFINITE = 1e308
 BEHIND = -0.5  # cosine of the angle between directions on opposite sides of a thin shape
+# fractions of the smaller size of two shapes
+BROUGHT_BACK = 0.35  # from how deep on the other side one is brought back
+PRESSED_THROUGH = 0.02  # how far apart shapes may be of which one was pressed through a corner
 OPPOSITE = -1.0 + 2.0**-40  # cosine of sides that face each other but for a millionth
 
 
@@ -105,10 +108,17 @@ def find_axis_on_side(
     """Return the axis of the largest separation that is not behind the normal of before.
 
     The inside of a thin shape does not tell on which side of it another one is: the normal does. It
-    is (0, 0) where any axis will do.
+    is (0, 0) where any axis will do. So it will where shapes are apart, unless one has come through
+    the other one.
     """
     best_a = best_on_side(a, b, x, y, held[0], held[1], vertices)
     best_b = best_on_side(b, a, -x, -y, -held[0], -held[1], vertices)
+    behind = max(best_a.next_separation, best_b.next_separation)
+    radii = a.radius + b.radius
+    apart = behind > max(best_a.separation, best_b.separation, radii)
+    if apart and not has_passed(a, b, x, y, held, behind - radii, vertices):
+        best_a = best_on_side(a, b, x, y, 0.0, 0.0, vertices)
+        best_b = best_on_side(b, a, -x, -y, 0.0, 0.0, vertices)
     if best_a.separation >= best_b.separation:
         v = a.first + best_a.side
         other = incident_side(b, best_a.vertex, vertices[v, 2], vertices[v, 3], vertices)
@@ -123,16 +133,50 @@ def find_axis_on_side(
 def best_on_side(
     p: Core, q: Core, x: float, y: float, hx: float, hy: float, vertices: Array
 ) -> Best:
-    """Return the side of P with the largest separation from Q, of those that are not behind."""
-    best, side, vertex = -INFINITE, 0, 0
+    """Return the side of P with the largest separation from Q, of those that are not behind.
+
+    The next separation is the largest one along those that are.
+    """
+    best, side, vertex, behind = -INFINITE, 0, 0, -INFINITE
     for k in range(p.vertex_count):
         v = p.first + k
-        if vertices[v, 2] * hx + vertices[v, 3] * hy < BEHIND:
-            continue
         along, nearest = separation_along(v, q, x, y, vertices)
-        if along > best:
+        if vertices[v, 2] * hx + vertices[v, 3] * hy < BEHIND:
+            behind = max(behind, along)
+        elif along > best:
             best, side, vertex = along, k, nearest
-    return Best(best, side, vertex, -INFINITE)
+    return Best(best, side, vertex, behind)
+
+
+def has_passed(
+    a: Core, b: Core, x: float, y: float, held: Vector, apart: float, vertices: Array
+) -> bool:
+    """Return whether shapes that are apart by so much, m, are so since one came through the other.
+
+    Then it is not far back to the side on which it was, and they are over each other there, or as
+    near as contacts let them come through a corner. What is beside the end of another shape has not
+    come through it, however deep below its line it is.
+    """
+    nx, ny = held
+    _, high_a = extent_along(a, nx, ny, vertices)
+    low_b, _ = extent_along(b, nx, ny, vertices)
+    back, size = high_a - (low_b + nx * x + ny * y), smaller_size(a, b, vertices)
+    if back + a.radius + b.radius > BROUGHT_BACK * size:
+        return False
+    left_a, right_a = extent_along(a, -ny, nx, vertices)
+    left_b, right_b = extent_along(b, -ny, nx, vertices)
+    aside = nx * y - ny * x
+    over = min(right_a - left_b - aside, right_b - left_a + aside)
+    return apart < max(over, PRESSED_THROUGH * size)
+
+
+def extent_along(p: Core, nx: float, ny: float, vertices: Array) -> tuple[float, float]:
+    """Return from where to where the vertices of a shape are along a direction, m."""
+    low, high = INFINITE, -INFINITE
+    for k in range(p.first, p.first + p.vertex_count):
+        height = nx * vertices[k, 0] + ny * vertices[k, 1]
+        low, high = min(low, height), max(high, height)
+    return low, high
 
 
 def best_side(

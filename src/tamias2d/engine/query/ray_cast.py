@@ -23,6 +23,7 @@ from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 NO_HIT = 2.0  # the fraction of a ray that meets nothing
+ALONG = 1e-12  # sine of the angle to a line that a ray runs along, but for rounding
 Entry = tuple[float, float, float]  # where a ray enters, as a fraction of it, and the normal there
 
 
@@ -203,7 +204,8 @@ def enter_bounded(
     if kind == tb.DISC:
         return enter_disc(ray, vertices[first, 0], vertices[first, 1], radius)
     if radius == 0.0:
-        return enter_segment(ray, vertices[first], vertices[first + 1])
+        one_sided = kind == tb.ONE_SIDED_PIECE
+        return enter_segment(ray, one_sided, vertices[first], vertices[first + 1])
     return enter_capsule(ray, vertices[first], vertices[first + 1], radius)
 
 
@@ -254,24 +256,31 @@ def enter_polygon(ray: Ray, first: int, count: int, vertices: Array) -> Entry:
     return enters, normal_x, normal_y
 
 
-def enter_segment(ray: Ray, one: Array, other: Array) -> Entry:
-    """Return where a ray meets a segment, from either side, and the normal there.
+def enter_segment(ray: Ray, one_sided: bool, one: Array, other: Array) -> Entry:
+    """Return where a ray meets a segment, and the normal there: against the ray if it runs along.
 
-    Pieces of a chain share a vertex to the bit, and both ask the same on which side of the ray it
-    is. So the ray meets one of them, or both: there is no gap between them.
+    One that is one-sided is met from its right side alone. Pieces of a chain share a vertex to the
+    bit, and both ask the same on which side of the ray it is. So the ray meets one of them, or
+    both: there is no gap between them.
     """
-    aside_one, aside_other = aside_of_ray(ray, one), aside_of_ray(ray, other)
-    if max(aside_one, aside_other) < 0.0 or min(aside_one, aside_other) > 0.0:
-        return NO_HIT, 0.0, 0.0
     nx, ny = one[2], one[3]
     height = (ray.x - one[0]) * nx + (ray.y - one[1]) * ny
     down = -(ray.dx * nx + ray.dy * ny)
+    length = sqrt(ray.dx * ray.dx + ray.dy * ray.dy)
+    at_one, at_other = fraction_beside(ray, one), fraction_beside(ray, other)
+    first, last = min(at_one, at_other), max(at_one, at_other)
+    parallel = abs(down) <= ALONG * length
+    if one_sided and (down < 0.0 or parallel):
+        return NO_HIT, 0.0, 0.0
+    if parallel and abs(height) <= ALONG * length * max(1.0, abs(first), abs(last)):
+        return (first if first >= 0.0 else NO_HIT), -ray.dx / length, -ray.dy / length
+    aside_one, aside_other = aside_of_ray(ray, one), aside_of_ray(ray, other)
+    if max(aside_one, aside_other) < 0.0 or min(aside_one, aside_other) > 0.0:
+        return NO_HIT, 0.0, 0.0
     if down < 0.0:  # the side that is towards the start
         height, down, nx, ny = -height, -down, -nx, -ny
     # rounding may take a ray that is nearly parallel to the segment past its ends
-    at_one, at_other = fraction_beside(ray, one), fraction_beside(ray, other)
-    fraction = height / down if down > 0.0 else min(at_one, at_other)
-    fraction = min(max(fraction, min(at_one, at_other)), max(at_one, at_other))
+    fraction = min(max(height / down, first), last) if down > 0.0 else first
     return (fraction if fraction >= 0.0 else NO_HIT), nx, ny
 
 

@@ -9,10 +9,14 @@ from typing import NamedTuple
 
 from tamias2d.engine import tables as tb
 from tamias2d.engine.broad_phase.bvh import BUNCH, first_leaf_node
+from tamias2d.engine.narrow_phase.chain import is_normal, seen_from
+from tamias2d.engine.narrow_phase.clip import PARALLEL
+from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.query.gap import Gap, extent_across, gap_between, touching_point
 from tamias2d.engine.query.overlap import SLACK, is_selected, next_node, side_of_half_plane
 from tamias2d.engine.query.overlap_shape import place_corners
 from tamias2d.engine.query.ray_cast import NO_HIT, Ray, crosses, next_crossed
+from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.tables import BodyState, Integers, Shapes, World
 from tamias2d.kernels.arrays import Bytes, FloatRows, Ranks
 from tamias2d.state import Array, Vector
@@ -173,7 +177,24 @@ def meet_bounded(
             break
         now += left
         by = (now * way[0], now * way[1])
+    if shapes.kind[s] == tb.ONE_SIDED_PIECE and not is_solid(s, gap, touching, state, shapes):
+        return NO_HIT, gap, by
     return now, gap, touching_point(cast.core, by, corners, radius, gap)
+
+
+def is_solid(s: int, gap: Gap, touching: float, state: BodyState, shapes: Shapes) -> bool:
+    """Return whether a one-sided piece of a chain is solid for what it has a gap to.
+
+    It is from its right side, at corners that stick out there and at ends; where it is overlapped,
+    if the way out leads to its right side.
+    """
+    c, d = cosine_sine(state.pose[state.body_of_shape[s], tb.ANGLE])
+    ux, uy = c * gap.nx + d * gap.ny, c * gap.ny - d * gap.nx
+    core, vertices = core_of(s, shapes), shapes.local_vertices
+    side = seen_from(0, s, core, vertices, shapes)
+    along, up = side.nx * uy - side.ny * ux, side.nx * ux + side.ny * uy
+    straight = gap.size < -touching or abs(along) <= PARALLEL * up
+    return bool((up > 0.0 and straight) or is_normal(ux, uy, side, False))
 
 
 def fraction_left(gap: Gap, way: Vector, touching: float) -> float:
