@@ -17,9 +17,10 @@ from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.simulate import simulate
-from tamias2d.study.error import distance, scale
+from tamias2d.study.error import distance
 from tamias2d.study.refined import stepped, work_of
 from tamias2d.study.refusal import ToleranceError
+from tamias2d.study.scale import scale
 
 TOLERANCES = (1e-1, 1e-2, 1e-3, 1e-4)
 _SAMPLES = 60

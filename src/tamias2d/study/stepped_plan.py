@@ -19,6 +19,7 @@ from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.solve import FRAMES, solve
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError
+from tamias2d.study.looks import LOOKS_AT_STEPS, with_ends_of_steps
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.refined import Refined, refined, refinements, step_alone, stepped, work_of
 from tamias2d.study.refusal import BOUND_LESS, LOOSEST, ToleranceError, rounded_up, sooner
@@ -32,7 +33,6 @@ _FEWEST = 16  # steps of a run
 _FALLS = 8.0  # times, at most, halving a step makes an error smaller
 _STALE = 4  # halvings in which the doubt must halve, or it never will
 _HALVINGS = 30  # of the first step: more than any work limit leaves
-_SAMPLES = 120
 
 
 RULE_BOUNDS_NOTHING = "impacts that act on one another are decided by a rule (A18)"
@@ -92,19 +92,48 @@ def plan_steps(
     refined = seen[-1]
     if len(seen) < 2 or not refined.share <= _SHARE * tolerance:
         raise _beyond(tolerance, duration, seen, reason)
+    estimates, spent = _cheapest(refined, duration, tolerance, first)
+    return SteppedPlan(refined, estimates, spent + sum(found.steps for found in seen))
+
+
+def _cheapest(
+    refined: Refined, duration: float, tolerance: float, first: float
+) -> tuple[tuple[Estimate, ...], int]:
+    """Return the cheapest steps that meet a tolerance, what failed, and the steps of pilots.
+
+    What shorter steps probably do not meet is tried last. Errors of steps longer than the first
+    tell nothing of others: they have samples within steps, where an impact may be.
+    """
     failed: dict[int, Estimate] = {}  # the last of each number of substeps
-    spent = sum(found.steps for found in seen)
-    for step, substeps in ladder(scene, duration, 2 * first, 2 * refined.time_step):
-        if substeps in failed and (least := failed[substeps].error / _FALLS) > tolerance:
-            failed[substeps] = replace(failed[substeps], error=least)
-            continue
+    least: dict[int, float] = {}  # error of the next step, as errors fall
+    doubtful: list[tuple[float, int]] = []
+    spent = 0
+
+    def meets(step: float, substeps: int) -> bool:
+        nonlocal spent
         estimate = _tried(refined, duration, step, substeps)
         spent += math.ceil(duration / step)
-        if estimate.error <= tolerance:
-            failed.pop(substeps, None)
-            return SteppedPlan(refined, (estimate, *map(_lost, failed.values())), spent)
         failed[substeps] = estimate
-    raise _beyond(tolerance, duration, seen, reason)
+        if step <= first * (1 + SAME_STEP):
+            least[substeps] = estimate.error
+        return estimate.error <= tolerance
+
+    def found(estimate: Estimate) -> tuple[tuple[Estimate, ...], int]:
+        lost = (_lost(one) for one in failed.values() if one is not estimate)
+        return (estimate, *lost), spent
+
+    for step, substeps in ladder(refined.scene, duration, 2 * first, 2 * refined.time_step):
+        if substeps in least and (less := least[substeps] / _FALLS) > tolerance:
+            least[substeps] = less
+            doubtful.append((step, substeps))
+        elif meets(step, substeps):
+            return found(failed[substeps])
+    for step, substeps in doubtful:
+        if meets(step, substeps):
+            return found(failed[substeps])
+    steps = math.ceil(duration / refined.time_step)
+    method = Stepped(refined.substeps)
+    return found(Estimate(method, refined.time_step, steps, refined.share, None, "the cheapest"))
 
 
 def refined_to(
@@ -129,7 +158,7 @@ def _grid(duration: float, times: Sequence[float] | Array) -> tuple[float, Array
     """Return the step, s, from which runs are refined, and the times (k,), s, at which they are."""
     asked = np.unique(np.asarray(times, dtype=float))
     first = aligned_step(duration, asked)
-    return first, _looked(asked, duration, first)
+    return first, with_ends_of_steps(asked, duration, first)
 
 
 def first_step(duration: float) -> float:
@@ -144,22 +173,6 @@ def aligned_step(duration: float, times: Array) -> float:
     if gap > most:
         return gap / math.ceil(gap / most * (1 - SAME_STEP))
     return gap * 2.0 ** math.floor(math.log2(most / gap * (1 + SAME_STEP)))
-
-
-def ends_of_steps(duration: float, step: float) -> Array:
-    """Return the times (k,), s, of some 60 to 120 ends of steps, or of all if these are fewer."""
-    steps = math.ceil(duration / step * (1 - SAME_STEP))
-    every = max(math.ceil(steps / _SAMPLES), 1)
-    found: Array = np.minimum(np.arange(0, steps + every, every) * step, duration)
-    return found
-
-
-def _looked(times: Array, duration: float, step: float) -> Array:
-    """Return times (k,), s, that were asked for, and what it takes to see when runs part."""
-    more = ends_of_steps(duration, step)
-    place = np.searchsorted(times, more - SAME_STEP * step)
-    known = np.append(times, math.inf)[place] <= more + SAME_STEP * step
-    return np.unique(np.concatenate((times, more[~known])))
 
 
 def ladder(
@@ -235,7 +248,7 @@ def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str)
     """Return the error that says until when, and how well, runs agree."""
     offer = rounded_up(min(found.share for found in seen[1:] or seen) / _SHARE)
     until = _agreed(seen[-1], _SHARE * tolerance)  # what only longer steps agreed on was chance
-    before = sooner(until) if until > duration / _SAMPLES else None
+    before = sooner(until) if until > duration / LOOKS_AT_STEPS else None
     agree = "do not agree so well"
     if before is not None:
         agree = f"agree so well only up to {until:.3g} s of {duration:g} s"
@@ -250,7 +263,4 @@ def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str)
 
 def _agreed(found: Refined, share: float) -> float:
     """Return up to which time runs agree within a share of the length, s."""
-    lost = np.flatnonzero(~(found.doubt <= share * found.length))
-    if not len(lost):
-        return float(found.times[-1])
-    return float(found.times[max(lost[0] - 1, 0)])
+    return float(found.times[found.agreed(share)])
