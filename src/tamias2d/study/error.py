@@ -1,28 +1,15 @@
 """How far apart two histories of one scene are: the measure in which errors are stated."""
 
 import math
-from typing import Protocol
 
 import numpy as np
 
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.state import Array
-from tamias2d.study.scale import radii, scale
+from tamias2d.study.scale import Placed, radii, scale
 
 MEASURE = "distance of any point of any body from its exact place, at any time of the history"
-
-
-class Placed(Protocol):
-    """Whatever says where bodies are: a run, or a history."""
-
-    @property
-    def position(self) -> Array:
-        """(k, n, 2), m"""
-
-    @property
-    def orientation(self) -> Array:
-        """(k, n), rad"""
 
 
 def apart(run: Run, other: Run) -> Array:

@@ -25,7 +25,7 @@ from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.error import distance
-from tamias2d.study.scale import Length, lengths, radii
+from tamias2d.study.scale import Length, radii, size, ways
 
 _RUNS = ((1.0, 1.0), (1.25, 1.5), (1.5, 3.0), (2.0, 2.0))
 """How many steps and substeps they have for one of the first. The last has the shortest steps."""
@@ -57,14 +57,19 @@ class Refined:
     """With the shortest steps"""
     doubt: Array
     """(k,), m: how far it may be, up to each time, from where ever shorter steps lead"""
-    length: Array
-    """(k,), m: what errors up to each time are relative to"""
-    moves: NDArray[np.bool_]
-    """(k,): whether that is a way, as in `Length`"""
+    way: Array
+    """(k,), m: how far the farthest body goes up to each time"""
+    sinks: NDArray[np.bool_]
+    """(k,): whether it moves only because steps let it sink in"""
     work: float
     """Of all of them, as `work_of` counts it"""
     steps: int
     """Of all of them"""
+
+    @property
+    def length(self) -> Array:
+        """(k,), m: what errors up to each time are relative to"""
+        return np.where(self.sinks, size(self.scene), self.way)
 
     @property
     def share(self) -> float:
@@ -74,7 +79,7 @@ class Refined:
     @property
     def whole(self) -> Length:
         """What errors over the whole time are relative to."""
-        return Length(float(self.length[-1]), bool(self.moves[-1]))
+        return Length(float(self.length[-1]), not self.sinks[-1])
 
     def agreed(self, share: float) -> int:
         """Return the last sample up to which the doubt is no more than a share of the length.
@@ -96,7 +101,7 @@ class Refined:
         """
         apart = distance(self.scene, self.finest, before.finest)
         doubt = np.maximum(before.doubt, _TRUSTED * np.maximum.accumulate(apart))
-        return replace(self, doubt=np.maximum(self.doubt, doubt))
+        return replace(self, doubt=np.maximum(self.doubt, doubt), sinks=self.sinks & before.sinks)
 
     def bound(self, history: History) -> float:
         """Return how far a history of the same times may be from where steps lead, m."""
@@ -136,7 +141,7 @@ def refined(
         *settings[-1],
         found[-1],
         _TRUSTED * np.maximum.accumulate(apart),
-        *lengths(scene, found[0], found[-1]),
+        *ways(scene, found[0], found[-1]),
         sum(work_of(scene, duration, *setting) for setting in settings),
         sum(math.ceil(duration / step) for step, _ in settings),
     )

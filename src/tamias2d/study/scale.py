@@ -5,23 +5,36 @@ a parcel is not small because a tram passes by.
 """
 
 import math
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.run import Run
 from tamias2d.scene import Body, Scene
-from tamias2d.state import Array, History
+from tamias2d.state import Array
 from tamias2d.study.looks import looked_at
 
 _ACROSS = 2.0  # times its distance from the centre a point gets by turning, at most
 _STILL = 2.0**-40  # of the size of a body
 _ROUNDING = 2.0**-46  # of a place: what solutions of a structure that stands leave
-_SUNK = 1e-3  # of the size: farther go bodies that move
-_SINKS = 4.0
-"""Times less, at least, sinks in what rests by half the step and a quarter of the substep: less by
-the square of the substep, or where few substeps bear a stack of that of the step."""
+_SUNK = 1e-2  # of the size: what goes farther moves
+_SINKS = 2.0
+"""Times less, at least, what rests sinks in by steps half as long: single bodies by the square of
+the substep, a house of cards two to three times. A way to which steps add what is of first order in
+them is never so much less."""
+
+
+class Placed(Protocol):
+    """Whatever says where bodies are: a run, or a history."""
+
+    @property
+    def position(self) -> Array:
+        """(k, n, 2), m"""
+
+    @property
+    def orientation(self) -> Array:
+        """(k, n), rad"""
 
 
 class Length(NamedTuple):
@@ -56,20 +69,18 @@ def scale_of(scene: Scene, far: float, place: float) -> float:
     return _length(scene, far, place).metres
 
 
-def lengths(scene: Scene, longer: History, shorter: History) -> tuple[Array, NDArray[np.bool_]]:
-    """Return (k,), m: the same up to each time by steps through contacts, and whether all moves.
+def ways(scene: Scene, longer: Placed, shorter: Placed) -> tuple[Array, NDArray[np.bool_]]:
+    """Return (k,), m: how far the farthest body goes up to each time, and whether it only sinks in.
 
-    It is the way by the shorter steps. What rests on something sinks into it by some of what holds
-    it there, and less by shorter steps: where less than a thousandth of the size is gone, and that
-    less than a quarter of what it is by steps twice as long, nothing moves.
+    Both are of runs by steps through contacts, and one has steps twice as long. What rests sinks
+    into what holds it, and less by shorter steps: it goes nowhere if that is less than a hundredth
+    of the size, and no more than half of what it is by the longer ones.
     """
     far, sunk = (_ways(scene, history) for history in (shorter, longer))
     moving = [body.dynamic for body in scene.bodies]
     place = float(np.abs(shorter.position[:, moving]).max(initial=0.0))
-    size = _size(scene)
-    moves = far > _least(scene, place)
-    moves &= (far > _SUNK * size) | (_SINKS * far > sunk)
-    return np.where(moves, far, size), moves
+    sinks = (far <= _SUNK * size(scene)) & (_SINKS * far <= sunk)
+    return far, sinks | (far <= _least(scene, place))
 
 
 def farthest(scene: Scene, extent: Array) -> Array:
@@ -107,7 +118,7 @@ def _radius(body: Body) -> float:
     return math.sqrt(body.inertia / body.mass) if math.isfinite(body.inertia) else 0.0
 
 
-def _ways(scene: Scene, history: History) -> Array:
+def _ways(scene: Scene, history: Placed) -> Array:
     """Return (k,), m: how far the farthest body has come up to each time."""
     states = np.concatenate((history.position, history.orientation[..., None]), axis=-1)
     low, high = (of.accumulate(states, axis=0) for of in (np.minimum, np.maximum))
@@ -116,7 +127,7 @@ def _ways(scene: Scene, history: History) -> Array:
 
 def _length(scene: Scene, far: float, place: float) -> Length:
     moves = far > _least(scene, place)
-    return Length(far if moves else _size(scene), moves)
+    return Length(far if moves else size(scene), moves)
 
 
 def _least(scene: Scene, place: float) -> float:
@@ -124,6 +135,6 @@ def _least(scene: Scene, place: float) -> float:
     return max(_STILL * float(radii(scene).max(initial=0.0)), _ROUNDING * place)
 
 
-def _size(scene: Scene) -> float:
+def size(scene: Scene) -> float:
     """Return how far the largest body reaches, m; 1 m if all are particles."""
     return float(radii(scene).max(initial=0.0)) or 1.0

@@ -69,13 +69,14 @@ def of_positions(run: Run, found: Bound, known: Length | None = None) -> Certifi
 
 def _told(run: Run, length: Length) -> str:
     """Return what a bound is relative to."""
-    as_told = any(
-        not b.dynamic and (any(b.velocity) or b.angular_velocity) for b in run.scene.bodies
-    )
+    others = [body for body in run.scene.bodies if not body.dynamic]
+    as_told = any(any(body.velocity) or body.angular_velocity for body in others)
     if length.moves:
         of = f"that the farthest {'dynamic ' if as_told else ''}one goes"
     else:
-        of = f"taken where nothing moves{' but as it is told' if as_told else ''}"
+        told, sinks = as_told, isinstance(run.method, Stepped)
+        but = " or ".join(["as it is told"] * told + ["by sinking in"] * sinks)
+        of = f"taken where nothing moves{f' but {but}' if but else ''}"
     return f"relative to the {length.metres:.6g} m {of}"
 
 
