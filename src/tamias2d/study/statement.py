@@ -74,9 +74,8 @@ def _told(run: Run, length: Length) -> str:
     if length.moves:
         of = f"that the farthest {'dynamic ' if as_told else ''}one goes"
     else:
-        told, sinks = as_told, isinstance(run.method, Stepped)
-        but = " or ".join(["as it is told"] * told + ["by sinking in"] * sinks)
-        of = f"taken where nothing moves{f' but {but}' if but else ''}"
+        but = f" but {'as it is told or ' if as_told else ''}by sinking in"
+        of = f"taken where nothing moves{but if isinstance(run.method, Stepped) else ''}"
     return f"relative to the {length.metres:.6g} m {of}"
 
 
