@@ -9,10 +9,10 @@ import pytest
 import tamias2d as t2
 from tamias2d.motion import Stepped
 from tamias2d.scene import Scene
-from tamias2d.study import stepped_plan as module
+from tamias2d.study.cheapest_steps import Pilots
 from tamias2d.study.pilot import Estimate
-from tamias2d.study.refined import Refined
-from tamias2d.study.stepped_plan import plan_steps
+from tamias2d.study.refined import refined
+from tamias2d.study.stepped_plan import SteppedPlan, plan_steps
 
 
 def lifted() -> Scene:
@@ -50,15 +50,15 @@ def test_an_error_that_is_gone_once_samples_are_ends_of_steps(
 
 def planned(
     monkeypatch: pytest.MonkeyPatch, error: Callable[[float, int], float]
-) -> tuple[module.SteppedPlan, list[tuple[float, int]]]:
+) -> tuple[SteppedPlan, list[tuple[float, int]]]:
     """Return a plan whose pilots have some errors, and those pilots."""
     tried: list[tuple[float, int]] = []
 
-    def pilot(refined: Refined, duration: float, step: float, substeps: int) -> Estimate:  # noqa: ARG001
+    def pilot(_: Pilots, step: float, substeps: int) -> Estimate:
         tried.append((step, substeps))
         return Estimate(Stepped(substeps), step, 1.0, error(step, substeps), None, "tried")
 
-    monkeypatch.setattr(module, "_tried", pilot)
+    monkeypatch.setattr(Pilots, "_tried", pilot)
     times = np.linspace(0.0, 0.8, 49)
     plan = plan_steps(
         lifted(), duration=0.8, tolerance=1e-4, times=times, work_limit=10**6, reason="a lift"
@@ -87,7 +87,7 @@ def test_the_time_up_to_which_runs_agree_is_the_last_one() -> None:
     """Before, less has moved, so that the same doubt is more of it."""
     times = np.linspace(0.0, 0.8, 49)
     first = 1 / 60
-    found = module.refined(lifted(), duration=0.8, times=times, time_step=first, grid=first)
+    found = refined(lifted(), duration=0.8, times=times, time_step=first, grid=first)
     doubt, way = np.full(49, 0.1), np.linspace(0.0, 1.0, 49)
     way[40:], doubt[40:] = way[39], 1.0
     found = replace(found, doubt=doubt, way=way, sinks=np.zeros(49, dtype=bool))

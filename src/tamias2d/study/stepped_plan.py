@@ -1,12 +1,12 @@
 """The cheapest steps through contacts that are within a tolerance of where shorter ones lead.
 
-Runs are refined until they agree about the answer. Then steps and substeps are tried from cheap to
-dear, each whole, until one is near enough to that answer.
+Runs are refined until they agree about the answer. Then the cheapest steps are looked for that are
+near enough to it (`cheapest_steps`).
 """
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -18,19 +18,18 @@ from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.solve import FRAMES, solve
 from tamias2d.state import Array
+from tamias2d.study.cheapest_steps import Pilots
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.looks import LOOKS_AT_STEPS, with_ends_of_steps
 from tamias2d.study.pilot import Estimate
-from tamias2d.study.refined import Refined, refined, refinements, step_alone, stepped, work_of
+from tamias2d.study.refined import Refined, refined, refinements, step_alone
 from tamias2d.study.refusal import BOUND_LESS, LOOSEST, ToleranceError, rounded_up, sooner
 
 _SHARE = 1 / 3  # of the tolerance may be in doubt
 WORK = 1000.0
 """Substeps of one body for each step of the work limit: together they take some 0.1 ms."""
-_SUBSTEPS = (1, 2, 4, 8, 16)
 _COARSEST = 2.0 / FRAMES  # s
 _FEWEST = 16  # steps of a run
-_FALLS = 8.0  # times, at most, halving a step makes an error smaller
 _STALE = 4  # halvings in which the doubt must halve, or it never will
 _HALVINGS = 30  # of the first step: more than any work limit leaves
 
@@ -92,48 +91,9 @@ def plan_steps(
     refined = seen[-1]
     if len(seen) < 2 or not refined.share <= _SHARE * tolerance:
         raise _beyond(tolerance, duration, seen, reason)
-    estimates, spent = _cheapest(refined, duration, tolerance, first)
-    return SteppedPlan(refined, estimates, spent + sum(found.steps for found in seen))
-
-
-def _cheapest(
-    refined: Refined, duration: float, tolerance: float, first: float
-) -> tuple[tuple[Estimate, ...], int]:
-    """Return the cheapest steps that meet a tolerance, what failed, and the steps of pilots.
-
-    What shorter steps probably do not meet is tried last. Errors of steps longer than the first
-    tell nothing of others: they have samples within steps, where an impact may be.
-    """
-    failed: dict[int, Estimate] = {}  # the last of each number of substeps
-    least: dict[int, float] = {}  # error of the next step, as errors fall
-    doubtful: list[tuple[float, int]] = []
-    spent = 0
-
-    def meets(step: float, substeps: int) -> bool:
-        nonlocal spent
-        estimate = _tried(refined, duration, step, substeps)
-        spent += math.ceil(duration / step)
-        failed[substeps] = estimate
-        if step <= first * (1 + SAME_STEP):
-            least[substeps] = estimate.error
-        return estimate.error <= tolerance
-
-    def found(estimate: Estimate) -> tuple[tuple[Estimate, ...], int]:
-        lost = (_lost(one) for one in failed.values() if one is not estimate)
-        return (estimate, *lost), spent
-
-    for step, substeps in ladder(refined.scene, duration, 2 * first, 2 * refined.time_step):
-        if substeps in least and (less := least[substeps] / _FALLS) > tolerance:
-            least[substeps] = less
-            doubtful.append((step, substeps))
-        elif meets(step, substeps):
-            return found(failed[substeps])
-    for step, substeps in doubtful:
-        if meets(step, substeps):
-            return found(failed[substeps])
-    steps = math.ceil(duration / refined.time_step)
-    method = Stepped(refined.substeps)
-    return found(Estimate(method, refined.time_step, steps, refined.share, None, "the cheapest"))
+    pilots = Pilots(refined, duration, tolerance, first)
+    estimates = pilots.cheapest()
+    return SteppedPlan(refined, estimates, pilots.spent + sum(found.steps for found in seen))
 
 
 def refined_to(
@@ -175,17 +135,6 @@ def aligned_step(duration: float, times: Array) -> float:
     return gap * 2.0 ** math.floor(math.log2(most / gap * (1 + SAME_STEP)))
 
 
-def ladder(
-    scene: Scene, duration: float, coarsest: float, finest: float
-) -> Iterator[tuple[float, int]]:
-    """Yield steps, s, and substeps from cheap to dear."""
-    steps = [coarsest]
-    while steps[-1] / 2 >= finest * (1 - 1e-9):
-        steps.append(steps[-1] / 2)
-    pairs = [(step, substeps) for step in steps for substeps in _SUBSTEPS]
-    yield from sorted(pairs, key=lambda pair: work_of(scene, duration, *pair))
-
-
 def _refined(
     scene: Scene, duration: float, tolerance: float, times: Array, step: float, work: float
 ) -> list[Refined]:
@@ -223,25 +172,6 @@ def _stale(seen: list[Refined], share: float) -> bool:
         return False
     now, then = seen[-1], seen[-1 - _STALE]
     return now.share > 0.5 * then.share and _agreed(now, share) < 1.1 * _agreed(then, share)
-
-
-def _tried(refined: Refined, duration: float, step: float, substeps: int) -> Estimate:
-    steps = math.ceil(duration / step)
-    method = Stepped(substeps)
-    try:
-        history = stepped(refined.scene, duration, refined.times, step, substeps)
-    except RefusedError as fault:
-        return Estimate(method, step, math.inf, math.inf, None, f"refused: {fault}")
-    error = refined.bound(history) / float(refined.length[-1])
-    return Estimate(method, step, steps, error, None, "the cheapest")
-
-
-def _lost(estimate: Estimate) -> Estimate:
-    """Return an estimate that fails, with the reason."""
-    why = estimate.why
-    if math.isfinite(estimate.error):
-        why = "needs shorter steps, which cost more than the cheapest"
-    return replace(estimate, force_evaluations=math.inf, why=why)
 
 
 def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str) -> ToleranceError:
