@@ -15,7 +15,8 @@ from tamias2d.motion import ClosedForm, Stepped
 from tamias2d.solve import Interrupted
 from tamias2d.state import place_between
 from tamias2d.study.certify import certify
-from tamias2d.study.error import apart, radii, scale
+from tamias2d.study.error import apart
+from tamias2d.study.scale import radii, scale
 
 G = 9.81
 FLOOR = t2.HalfPlane(normal=(0, 1), offset=0)

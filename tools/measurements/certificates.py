@@ -29,9 +29,10 @@ from tamias2d.solve import StoppedError, solve, solve_halved, solve_with_error
 from tamias2d.state import Array
 from tamias2d.study import asked as asking, companion, embedded, path_error, pilot
 from tamias2d.study.bound import rounding
-from tamias2d.study.error import history_error, scale
+from tamias2d.study.error import history_error
 from tamias2d.study.recommend import schemes_for, solved
 from tamias2d.study.refusal import ToleranceError
+from tamias2d.study.scale import scale
 from tools.measurements import certified_steps, held_out
 from tools.measurements.columns import Table
 from tools.measurements.exact import NotCoveredError, exact_history

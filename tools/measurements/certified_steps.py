@@ -6,6 +6,7 @@ times shorter than those of the run, and by no fewer substeps; the one that is f
 """
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from statistics import median
@@ -13,11 +14,12 @@ from typing import Any
 
 import numpy as np
 
+from tamias2d.certificate import Certificate
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.simulate import simulate
-from tamias2d.study.error import distance, scale
+from tamias2d.study.error import distance
 from tamias2d.study.refined import stepped, work_of
 from tamias2d.study.refusal import ToleranceError
 
@@ -89,8 +91,11 @@ def _pair(name: str, scene: Scene, tolerance: float, duration: float) -> Stepped
     by_steps = run is not None and isinstance(run.method, Stepped)
     if until == duration and not by_steps:
         return None
-    error = _error(run) if run is not None and by_steps else None  # located up to the horizon
-    bound = run.certificate.bound if run is not None and run.certificate is not None else None
+    certificate = run.certificate if run is not None else None
+    error = None  # of what is located, up to the horizon
+    if run is not None and certificate is not None and by_steps:
+        error = _error(run, _length(certificate))
+    bound = certificate.bound if certificate is not None else None
     return SteppedPair(
         name,
         tolerance,
@@ -109,8 +114,11 @@ def _run(scene: Scene, tolerance: float, duration: float) -> Run:
     return simulate(scene, duration=duration, tolerance=tolerance, times=times)
 
 
-def _error(run: Run) -> float | None:
-    """Return how far a run is from the farther one of two true answers; None if these cost much."""
+def _error(run: Run, length: float) -> float | None:
+    """Return how far a run is from the farther one of two true answers, relative to a length, m.
+
+    None if these cost much.
+    """
     step = run.time_step or run.duration
     worst = 0.0
     for parts, substeps in _FINER:
@@ -118,10 +126,10 @@ def _error(run: Run) -> float | None:
             return None
         true = stepped(run.scene, run.duration, run.times, step / parts, substeps)
         worst = max(worst, float(distance(run.scene, run, true).max()))
-    length = max(scale(run), _largest(run.scene))
     return worst / length if math.isfinite(worst) else math.inf
 
 
-def _largest(scene: Scene) -> float:
-    shapes = [body.shape for body in scene.bodies if body.dynamic and body.shape is not None]
-    return max((shape.bounding_radius for shape in shapes), default=0.0)
+def _length(certificate: Certificate) -> float:
+    """Return what a certificate says that its bound is relative to, m."""
+    found = re.search(r"relative to the (\S+) m", certificate.measure)
+    return float(found[1]) if found else math.nan

@@ -23,8 +23,9 @@ from tamias2d.simulate import simulate
 from tamias2d.state import Array
 from tamias2d.study.bound import rounding
 from tamias2d.study.certify import certify
-from tamias2d.study.error import history_error, scale
+from tamias2d.study.error import history_error
 from tamias2d.study.recommend import solved
+from tamias2d.study.scale import scale
 from tools.measurements import held_out
 from tools.measurements.columns import Columns
 from tools.measurements.exact import NotCoveredError, exact_history

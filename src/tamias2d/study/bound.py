@@ -13,7 +13,8 @@ from tamias2d.motion import Method
 from tamias2d.run import Run
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion, limit_beside
-from tamias2d.study.error import apart, radii
+from tamias2d.study.error import apart
+from tamias2d.study.scale import radii
 
 
 @dataclass(frozen=True)

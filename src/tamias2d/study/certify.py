@@ -15,7 +15,6 @@ from tamias2d.state import Array
 from tamias2d.study.bound import Bound, Bounder, NoBoundError, companion_of
 from tamias2d.study.companion import RefusedError, companion, limit_beside
 from tamias2d.study.embedded import embedded, looser_than, of_halves, of_tighter, whole_beside
-from tamias2d.study.error import scale
 from tamias2d.study.exact_bound import exact
 from tamias2d.study.looks import looked_at, with_looks
 from tamias2d.study.path_error import error_beside, has_error_equation, of_error
@@ -23,6 +22,7 @@ from tamias2d.study.penetration import crowded, penetrations
 from tamias2d.study.perturbed import LOST, MOVED, growth, horizon
 from tamias2d.study.quality import certify_quality
 from tamias2d.study.refined import Refined
+from tamias2d.study.scale import scale
 from tamias2d.study.statement import of_energy, of_penetration, of_positions, with_rule
 from tamias2d.study.step_doubling import against_shorter, shorter_runs, step_doubling
 from tamias2d.study.stepped_plan import refined_to
@@ -212,13 +212,13 @@ def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
     """
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=of_penetration(run, fault))
-    lost_at, seen = None, looked_at(run) is not None
+    lost_at = None
     basis = USUAL if shorter is None else Basis("planned steps", time_step=shorter.time_step)
     try:
         shorter = shorter or shorter_runs(run)
         lost_at = shorter.horizon(LOST)
         found = replace(against_shorter(run, shorter), basis=basis)
-        certificate = of_positions(run, found, None if seen else float(shorter.length[-1]))
+        certificate = of_positions(run, found, shorter.whole)
     except NoBoundError as reason:
         certificate = of_energy(run, str(reason), lost_at)
     return replace(run, certificate=certificate)

@@ -15,8 +15,9 @@ from tamias2d.balance import balance, kinetic_energy
 from tamias2d.scene import Scene
 from tamias2d.state import Array, History
 from tamias2d.study.engines.engine import Pair
-from tamias2d.study.error import distance, radii
+from tamias2d.study.error import distance
 from tamias2d.study.invariants import energy_error
+from tamias2d.study.scale import radii
 
 _SLOW = 0.02  # of the speed of a fall by half the radius: what is slower is at rest, as in sleep
 _FAST = 0.1  # of the same: what is faster must get on
@@ -82,7 +83,7 @@ class Answer:
     horizon: float
     """s"""
     length: float
-    """m: how far the body goes up to there that goes farthest"""
+    """m: what errors up to there are relative to"""
     met: dict[Pair, float]
 
 

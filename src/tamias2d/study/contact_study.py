@@ -22,11 +22,12 @@ from tamias2d.study.contact_errors import Answer, ContactErrors, contact_errors,
 from tamias2d.study.engines.own import Own
 from tamias2d.study.engines.refusal import PeerError
 from tamias2d.study.front import front
+from tamias2d.study.looks import ends_of_steps
 from tamias2d.study.phases import over_phases
 from tamias2d.study.refined import SUBSTEPS, Refined, nudged, refinements, stepped, work_of
 from tamias2d.study.refusal import ToleranceError, sooner
 from tamias2d.study.schedule import Schedule
-from tamias2d.study.stepped_plan import aligned_step, ends_of_steps
+from tamias2d.study.stepped_plan import aligned_step
 from tamias2d.study.work_precision import ProgressHook, Seconds
 
 _AGREED = 1e-3
@@ -237,8 +238,7 @@ def _known(scene: Scene, duration: float, step: float, phases: int) -> _Known:
 
 def _last_agreed(found: Refined) -> int:
     """Return the last sample at which runs agree."""
-    lost = np.flatnonzero(~(found.doubt <= _AGREED * found.length))
-    return max(int(lost[0]) - 1, 1) if len(lost) else len(found.times) - 1
+    return max(found.agreed(_AGREED), 1)
 
 
 def _first_contacts(scene: Scene, duration: float, step: float) -> dict[tuple[int, int], float]:

@@ -14,7 +14,7 @@ from tamias2d.scene.acting import brief_laws, kinked
 from tamias2d.solve import solve_halved
 from tamias2d.study.bound import Bound, NoBoundError, companion_of, difference, rounding
 from tamias2d.study.companion import error_left, limit_beside
-from tamias2d.study.error import radii, scale
+from tamias2d.study.scale import radii, scale
 from tamias2d.study.two_digits import two_digits
 
 _BY_HALVES, _BY_COMPANIONS = Basis("halved steps"), Basis("companions")

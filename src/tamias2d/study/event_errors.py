@@ -12,10 +12,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from tamias2d.run import Run
-from tamias2d.study.error import history_error, radii, scale
+from tamias2d.study.error import history_error
 from tamias2d.study.graph import fastest, graph_distance
 from tamias2d.study.invariants import energy_drift
 from tamias2d.study.sampled import Sampled
+from tamias2d.study.scale import radii, scale
 
 
 @dataclass(frozen=True, kw_only=True)

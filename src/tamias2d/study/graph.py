@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tamias2d.run import Run
 from tamias2d.state import Array
-from tamias2d.study.error import radii, scale
+from tamias2d.study.scale import radii, scale
 
 VertexIndices: TypeAlias = NDArray[np.int64]
 

@@ -12,7 +12,7 @@ from tamias2d.run import Run
 from tamias2d.scene import Freedom, Scene
 from tamias2d.scene.surfaces import part_numbers, surface_values
 from tamias2d.state import Array
-from tamias2d.study.error import radii
+from tamias2d.study.scale import radii
 
 _ROUNDINGS = 4.0  # of the largest terms of the energy, in their sum
 

@@ -1,14 +1,18 @@
 """When a run is looked at, whatever samples were asked for: so that its scale is its own."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.motion.fixed_steps import grid
 from tamias2d.run import Run
+from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.solve import FRAMES
 from tamias2d.state import Array
 
 _FEWEST, _MOST = 120, 1024
+LOOKS_AT_STEPS = 120  # at most, of runs by steps through contacts
 _ROUNDED = 1e-9  # of the time between two looks
 
 
@@ -27,6 +31,22 @@ def looked_at(run: Run) -> NDArray[np.int64] | None:
     """Return the samples of a run at which it is looked at; None if some are missing."""
     rows, off = _nearest(run.times, looks(run.duration), run.duration)
     return None if off.any() else rows
+
+
+def ends_of_steps(duration: float, step: float) -> Array:
+    """Return the times (k,), s, of some 60 to 120 ends of steps, or of all if these are fewer."""
+    steps = math.ceil(duration / step * (1 - SAME_STEP))
+    every = max(math.ceil(steps / LOOKS_AT_STEPS), 1)
+    found: Array = np.minimum(np.arange(0, steps + every, every) * step, duration)
+    return found
+
+
+def with_ends_of_steps(times: Array, duration: float, step: float) -> Array:
+    """Return sorted times (k,), s, with what it takes to see how far runs by steps go, and part."""
+    more = ends_of_steps(duration, step)
+    place = np.searchsorted(times, more - SAME_STEP * step)
+    known = np.append(times, math.inf)[place] <= more + SAME_STEP * step
+    return np.unique(np.concatenate((times, more[~known])))
 
 
 def _nearest(

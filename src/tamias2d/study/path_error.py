@@ -16,7 +16,7 @@ from tamias2d.solve import StoppedError, solve_with_error
 from tamias2d.state import Array
 from tamias2d.study.bound import Bound, Bounder, NoBoundError, rounding
 from tamias2d.study.companion import limit_beside
-from tamias2d.study.error import radii, scale, scale_of, swung
+from tamias2d.study.scale import farthest, reach_of, scale, scale_of
 
 _TIGHTEST, _JOINTED = 3e-12, 1e-10
 """Of the tolerances of a method whose steps err by more than the equation is rounded; the same with
@@ -104,7 +104,7 @@ def hopeless(scene: Scene, duration: float, tolerance: float) -> Watch:
     known: list[tuple[float, float]] = []
 
     def watch(time: float, error: Array, extent: Array) -> None:
-        far = scale_of(scene, _path_length(extent, scene), place)
+        far = scale_of(scene, float(farthest(scene, extent)), place)
         share = _trusted(scene, error, far) / far
         known.append((time, share))
         if not _EARLY * duration <= time < duration:
@@ -139,20 +139,7 @@ def _trusted(scene: Scene, error: Array, length: float) -> float:
     return times * farthest * (1 + share / _FAR)
 
 
-def _path_length(extent: Array, scene: Scene) -> float:
-    """Return how far the body goes that goes farthest, m, by extents (n, 3) of coordinates."""
-    x, y, turn = extent.T
-    turned = swung(turn, _reach(len(extent), scene))
-    return float((np.hypot(x, y) + turned).max(initial=0.0))
-
-
 def _farthest(error: Array, scene: Scene) -> float:
     """Return how far the worst point of the bodies that move is off, m, by errors (n, 3)."""
     x, y, turn = error.T
-    return float((np.hypot(x, y) + turn * _reach(len(error), scene)).max(initial=0.0))
-
-
-def _reach(count: int, scene: Scene) -> Array:
-    """Return (count,), m: how far bodies reach, all of them or those that move."""
-    reach = radii(scene)
-    return reach if count == len(reach) else reach[[body.dynamic for body in scene.bodies]]
+    return float((np.hypot(x, y) + turn * reach_of(scene, len(error))).max(initial=0.0))

@@ -16,7 +16,8 @@ from tamias2d.scene import Body, Scene
 from tamias2d.scene.other_bodies import with_bodies
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion, limit_beside
-from tamias2d.study.error import apart, scale
+from tamias2d.study.error import apart
+from tamias2d.study.scale import scale
 
 MOVED = 1e-12
 _FINE = 1e-13  # errs less than what is perturbed

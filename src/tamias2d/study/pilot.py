@@ -20,8 +20,9 @@ from tamias2d.scene import Scene
 from tamias2d.solve import solve
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion, error_left
-from tamias2d.study.error import apart, scale
+from tamias2d.study.error import apart
 from tamias2d.study.refusal import sooner
+from tamias2d.study.scale import scale
 from tamias2d.study.two_digits import two_digits
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 

@@ -20,12 +20,13 @@ from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import is_number, shown
 from tamias2d.solve import solve, with_reason
 from tamias2d.state import Array, History
+from tamias2d.study.cheapest_steps import ladder
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.engines.overlap import worst
 from tamias2d.study.invariants import energy_error
 from tamias2d.study.refined import stepped, work_of
 from tamias2d.study.refusal import ToleranceError, rounded_up
-from tamias2d.study.stepped_plan import WORK, first_step, ladder
+from tamias2d.study.stepped_plan import WORK, first_step
 
 _MEASURE = (
     "deepest overlap relative to the radius of the smaller body, and change of the energy that no "

@@ -61,8 +61,8 @@ def recommend(
     """Return how to simulate a scene for a duration in s within a tolerance.
 
     The tolerance bounds the distance of any point of any body from its exact place, at any time,
-    relative to how far the farthest one goes. Where contacts are stepped, the place is that to
-    which ever shorter steps lead, as far as they agree about it. Pilot runs take at most
+    relative to how far the farthest dynamic one goes. Where contacts are stepped, the place is that
+    to which ever shorter steps lead, as far as they agree about it. Pilot runs take at most
     `work_limit` steps and impacts each, and twice as many together; by steps through contacts,
     1000 substeps of one body for each of them.
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.errors import InputError, SimulationError
 from tamias2d.scene import Scene
@@ -23,7 +24,8 @@ from tamias2d.simulator import states_at
 from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError
-from tamias2d.study.error import distance, radii, swung
+from tamias2d.study.error import distance
+from tamias2d.study.scale import Length, radii, size, ways
 
 _RUNS = ((1.0, 1.0), (1.25, 1.5), (1.5, 3.0), (2.0, 2.0))
 """How many steps and substeps they have for one of the first. The last has the shortest steps."""
@@ -49,26 +51,47 @@ class Refined:
     """(k,), s"""
     time_step: float
     """The shortest, s"""
+    substeps: int
+    """Of these"""
     finest: History
     """With the shortest steps"""
     doubt: Array
     """(k,), m: how far it may be, up to each time, from where ever shorter steps lead"""
-    length: Array
-    """(k,), m: how far the body goes by then that goes farthest, or the radius of the largest"""
+    way: Array
+    """(k,), m: how far the farthest body goes up to each time"""
+    sinks: NDArray[np.bool_]
+    """(k,): whether it moves only because steps let it sink in"""
     work: float
     """Of all of them, as `work_of` counts it"""
     steps: int
     """Of all of them"""
 
     @property
+    def length(self) -> Array:
+        """(k,), m: what errors up to each time are relative to"""
+        return np.where(self.sinks, size(self.scene), self.way)
+
+    @property
     def share(self) -> float:
         """How far the finest may be off over the whole time, relative to the length."""
         return float(self.doubt[-1] / self.length[-1])
 
+    @property
+    def whole(self) -> Length:
+        """What errors over the whole time are relative to."""
+        return Length(float(self.length[-1]), not self.sinks[-1])
+
+    def agreed(self, share: float) -> int:
+        """Return the last sample up to which the doubt is no more than a share of the length.
+
+        Before it there may be some at which less has moved, and the same doubt is more.
+        """
+        return int(np.flatnonzero(self.doubt <= share * self.length).max(initial=0))
+
     def horizon(self, share: float) -> float | None:
         """Return the time, s, from which on the doubt is more than a share of the length."""
-        lost = np.flatnonzero(~(self.doubt <= share * self.length))
-        return float(self.times[lost[0]]) if len(lost) else None
+        last = self.agreed(share)
+        return float(self.times[last + 1]) if last + 1 < len(self.times) else None
 
     def after(self, before: "Refined") -> "Refined":
         """Return what is said, trusted no more than the runs of longer steps before it.
@@ -78,7 +101,7 @@ class Refined:
         """
         apart = distance(self.scene, self.finest, before.finest)
         doubt = np.maximum(before.doubt, _TRUSTED * np.maximum.accumulate(apart))
-        return replace(self, doubt=np.maximum(self.doubt, doubt))
+        return replace(self, doubt=np.maximum(self.doubt, doubt), sinks=self.sinks & before.sinks)
 
     def bound(self, history: History) -> float:
         """Return how far a history of the same times may be from where steps lead, m."""
@@ -115,10 +138,10 @@ def refined(
     return Refined(
         scene,
         times,
-        settings[-1][0],
+        *settings[-1],
         found[-1],
         _TRUSTED * np.maximum.accumulate(apart),
-        _lengths(scene, found[-1]),
+        *ways(scene, found[0], found[-1]),
         sum(work_of(scene, duration, *setting) for setting in settings),
         sum(math.ceil(duration / step) for step, _ in settings),
     )
@@ -189,15 +212,3 @@ def work_of(scene: Scene, duration: float, time_step: float, substeps: int) -> f
 def step_alone(scene: Scene) -> float:
     """Return what a step costs whatever its bodies and substeps, in substeps of one body."""
     return _PER_LAW if varying_loads(scene) else _PER_STEP
-
-
-def _lengths(scene: Scene, history: History) -> Array:
-    """Return (k,), m: the way of the farthest body up to each time, or the largest radius."""
-    largest = float(radii(scene).max(initial=0.0)) or math.ulp(0.0)
-    low = np.minimum.accumulate(history.position, axis=0)
-    high = np.maximum.accumulate(history.position, axis=0)
-    turned = np.maximum.accumulate(history.orientation, axis=0)
-    turned = turned - np.minimum.accumulate(history.orientation, axis=0)
-    ways = np.linalg.norm(high - low, axis=-1) + swung(turned, radii(scene))
-    lengths: Array = np.maximum(ways.max(axis=1, initial=0.0), largest)
-    return lengths

@@ -9,9 +9,10 @@ from tamias2d.motion.law_resolution import LOOKS
 from tamias2d.run import Run
 from tamias2d.scene.acting import brief_laws
 from tamias2d.study.bound import Bound, NoBoundError
-from tamias2d.study.error import MEASURE, path_length, radii, scale
+from tamias2d.study.error import MEASURE
 from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
 from tamias2d.study.penetration import Penetration, crowded
+from tamias2d.study.scale import Length, length_of
 
 _SOLUTION = "the exact solution of the scene's equations"
 _LIMIT = "where ever shorter steps lead"
@@ -36,23 +37,20 @@ def with_rule(certificate: Certificate, run: Run) -> Certificate:
     return replace(certificate, does_not_claim=(*certificate.does_not_claim, told))
 
 
-def of_positions(run: Run, found: Bound, far: float | None = None) -> Certificate:
+def of_positions(run: Run, found: Bound, known: Length | None = None) -> Certificate:
     """Return the certificate of a bound; raise `NoBoundError` if it is larger than the motion.
 
-    How far the farthest body goes, m, may be known from another run of more samples.
+    What that is relative to may be known from runs by shorter steps.
     """
     stepped = isinstance(run.method, Stepped)
-    length, of = far or scale(run), "that the farthest one goes"
-    if far is None and length != path_length(run):
-        of = "taken where nothing moves"
-    if stepped and length < (largest := float(radii(run.scene).max(initial=0.0))):
-        length, of = largest, "around the largest one"  # what only sinks in goes nowhere
+    relative_to = known or length_of(run)
+    length = relative_to.metres
     if found.value > length:
         raise NoBoundError(f"a bound by {found.kind} would be larger than the motion itself")
     until = f"at all samples up to {run.times[-1]:g} s"
     return Certificate(
         kind=found.kind,
-        measure=f"{_STEPPED_MEASURE if stepped else MEASURE}, relative to the {length:.6g} m {of}",
+        measure=f"{_STEPPED_MEASURE if stepped else MEASURE}, {_told(run, relative_to)}",
         bound=found.value / length,
         how=found.how,
         claims=(f"how far it is from {_LIMIT if stepped else _SOLUTION}, {until}",),
@@ -67,6 +65,18 @@ def of_positions(run: Run, found: Bound, far: float | None = None) -> Certificat
         hashes=hashes(run.scene),
         basis=found.basis,
     )
+
+
+def _told(run: Run, length: Length) -> str:
+    """Return what a bound is relative to."""
+    others = [body for body in run.scene.bodies if not body.dynamic]
+    as_told = any(any(body.velocity) or body.angular_velocity for body in others)
+    if length.moves:
+        of = f"that the farthest {'dynamic ' if as_told else ''}one goes"
+    else:
+        but = f" but {'as it is told or ' if as_told else ''}by sinking in"
+        of = f"taken where nothing moves{but if isinstance(run.method, Stepped) else ''}"
+    return f"relative to the {length.metres:.6g} m {of}"
 
 
 def _brief(run: Run) -> tuple[str, ...]:

@@ -8,8 +8,10 @@ from tamias2d.run import Run
 from tamias2d.state import Array, History
 from tamias2d.study.bound import Bound, NoBoundError, companion_of, difference, rounding
 from tamias2d.study.companion import RefusedError
-from tamias2d.study.error import distance, radii
+from tamias2d.study.error import distance
+from tamias2d.study.looks import with_ends_of_steps
 from tamias2d.study.refined import SUBSTEPS, Refined, refined
+from tamias2d.study.scale import radii
 
 _GAP = 2.0**-41  # of the larger size: four times what an impact in a step leaves between bodies
 _GRIDS, _DISTRUSTED = 1.5, 3.0  # times what companions say (after Roache's index)
@@ -70,12 +72,13 @@ def _order(coarse: float, fine: float) -> float | None:
 def shorter_runs(run: Run) -> Refined:
     """Return what runs by shorter steps say, trusted no more than those from its own step on."""
     step, substeps = run.time_step or run.duration, getattr(run.method, "substeps", SUBSTEPS)
+    times = with_ends_of_steps(run.times, run.duration, step)
     try:
         longer, shorter = (
             refined(
                 run.scene,
                 duration=run.duration,
-                times=run.times,
+                times=times,
                 time_step=from_step,
                 grid=step,
                 substeps=max(substeps, SUBSTEPS),

@@ -1,12 +1,12 @@
 """The cheapest steps through contacts that are within a tolerance of where shorter ones lead.
 
-Runs are refined until they agree about the answer. Then steps and substeps are tried from cheap to
-dear, each whole, until one is near enough to that answer.
+Runs are refined until they agree about the answer. Then the cheapest steps are looked for that are
+near enough to it (`cheapest_steps`).
 """
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -18,21 +18,20 @@ from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.simulator.stepper import SAME_STEP
 from tamias2d.solve import FRAMES, solve
 from tamias2d.state import Array
+from tamias2d.study.cheapest_steps import Pilots
 from tamias2d.study.companion import RefusedError
+from tamias2d.study.looks import LOOKS_AT_STEPS, with_ends_of_steps
 from tamias2d.study.pilot import Estimate
-from tamias2d.study.refined import Refined, refined, refinements, step_alone, stepped, work_of
+from tamias2d.study.refined import Refined, refined, refinements, step_alone
 from tamias2d.study.refusal import BOUND_LESS, LOOSEST, ToleranceError, rounded_up, sooner
 
 _SHARE = 1 / 3  # of the tolerance may be in doubt
 WORK = 1000.0
 """Substeps of one body for each step of the work limit: together they take some 0.1 ms."""
-_SUBSTEPS = (1, 2, 4, 8, 16)
 _COARSEST = 2.0 / FRAMES  # s
 _FEWEST = 16  # steps of a run
-_FALLS = 8.0  # times, at most, halving a step makes an error smaller
 _STALE = 4  # halvings in which the doubt must halve, or it never will
 _HALVINGS = 30  # of the first step: more than any work limit leaves
-_SAMPLES = 120
 
 
 RULE_BOUNDS_NOTHING = "impacts that act on one another are decided by a rule (A18)"
@@ -92,19 +91,9 @@ def plan_steps(
     refined = seen[-1]
     if len(seen) < 2 or not refined.share <= _SHARE * tolerance:
         raise _beyond(tolerance, duration, seen, reason)
-    failed: dict[int, Estimate] = {}  # the last of each number of substeps
-    spent = sum(found.steps for found in seen)
-    for step, substeps in ladder(scene, duration, 2 * first, 2 * refined.time_step):
-        if substeps in failed and (least := failed[substeps].error / _FALLS) > tolerance:
-            failed[substeps] = replace(failed[substeps], error=least)
-            continue
-        estimate = _tried(refined, duration, step, substeps)
-        spent += math.ceil(duration / step)
-        if estimate.error <= tolerance:
-            failed.pop(substeps, None)
-            return SteppedPlan(refined, (estimate, *map(_lost, failed.values())), spent)
-        failed[substeps] = estimate
-    raise _beyond(tolerance, duration, seen, reason)
+    pilots = Pilots(refined, duration, tolerance, first)
+    estimates = pilots.cheapest()
+    return SteppedPlan(refined, estimates, pilots.spent + sum(found.steps for found in seen))
 
 
 def refined_to(
@@ -129,7 +118,7 @@ def _grid(duration: float, times: Sequence[float] | Array) -> tuple[float, Array
     """Return the step, s, from which runs are refined, and the times (k,), s, at which they are."""
     asked = np.unique(np.asarray(times, dtype=float))
     first = aligned_step(duration, asked)
-    return first, _looked(asked, duration, first)
+    return first, with_ends_of_steps(asked, duration, first)
 
 
 def first_step(duration: float) -> float:
@@ -144,33 +133,6 @@ def aligned_step(duration: float, times: Array) -> float:
     if gap > most:
         return gap / math.ceil(gap / most * (1 - SAME_STEP))
     return gap * 2.0 ** math.floor(math.log2(most / gap * (1 + SAME_STEP)))
-
-
-def ends_of_steps(duration: float, step: float) -> Array:
-    """Return the times (k,), s, of some 60 to 120 ends of steps, or of all if these are fewer."""
-    steps = math.ceil(duration / step * (1 - SAME_STEP))
-    every = max(math.ceil(steps / _SAMPLES), 1)
-    found: Array = np.minimum(np.arange(0, steps + every, every) * step, duration)
-    return found
-
-
-def _looked(times: Array, duration: float, step: float) -> Array:
-    """Return times (k,), s, that were asked for, and what it takes to see when runs part."""
-    more = ends_of_steps(duration, step)
-    place = np.searchsorted(times, more - SAME_STEP * step)
-    known = np.append(times, math.inf)[place] <= more + SAME_STEP * step
-    return np.unique(np.concatenate((times, more[~known])))
-
-
-def ladder(
-    scene: Scene, duration: float, coarsest: float, finest: float
-) -> Iterator[tuple[float, int]]:
-    """Yield steps, s, and substeps from cheap to dear."""
-    steps = [coarsest]
-    while steps[-1] / 2 >= finest * (1 - 1e-9):
-        steps.append(steps[-1] / 2)
-    pairs = [(step, substeps) for step in steps for substeps in _SUBSTEPS]
-    yield from sorted(pairs, key=lambda pair: work_of(scene, duration, *pair))
 
 
 def _refined(
@@ -212,30 +174,11 @@ def _stale(seen: list[Refined], share: float) -> bool:
     return now.share > 0.5 * then.share and _agreed(now, share) < 1.1 * _agreed(then, share)
 
 
-def _tried(refined: Refined, duration: float, step: float, substeps: int) -> Estimate:
-    steps = math.ceil(duration / step)
-    method = Stepped(substeps)
-    try:
-        history = stepped(refined.scene, duration, refined.times, step, substeps)
-    except RefusedError as fault:
-        return Estimate(method, step, math.inf, math.inf, None, f"refused: {fault}")
-    error = refined.bound(history) / float(refined.length[-1])
-    return Estimate(method, step, steps, error, None, "the cheapest")
-
-
-def _lost(estimate: Estimate) -> Estimate:
-    """Return an estimate that fails, with the reason."""
-    why = estimate.why
-    if math.isfinite(estimate.error):
-        why = "needs shorter steps, which cost more than the cheapest"
-    return replace(estimate, force_evaluations=math.inf, why=why)
-
-
 def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str) -> ToleranceError:
     """Return the error that says until when, and how well, runs agree."""
     offer = rounded_up(min(found.share for found in seen[1:] or seen) / _SHARE)
     until = _agreed(seen[-1], _SHARE * tolerance)  # what only longer steps agreed on was chance
-    before = sooner(until) if until > duration / _SAMPLES else None
+    before = sooner(until) if until > duration / LOOKS_AT_STEPS else None
     agree = "do not agree so well"
     if before is not None:
         agree = f"agree so well only up to {until:.3g} s of {duration:g} s"
@@ -250,7 +193,4 @@ def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str)
 
 def _agreed(found: Refined, share: float) -> float:
     """Return up to which time runs agree within a share of the length, s."""
-    lost = np.flatnonzero(~(found.doubt <= share * found.length))
-    if not len(lost):
-        return float(found.times[-1])
-    return float(found.times[max(lost[0] - 1, 0)])
+    return float(found.times[found.agreed(share)])

@@ -15,12 +15,12 @@ from tamias2d.state import Array
 from tamias2d.study.asked import Asked
 from tamias2d.study.bound import rounding
 from tamias2d.study.certify import certify_by_companion, certify_steps
-from tamias2d.study.error import scale
 from tamias2d.study.offers import holding
 from tamias2d.study.path_error import has_error_equation
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.recommend import located_plan, solved
 from tamias2d.study.refusal import ChaosError, ToleranceError, refusal, sooner
+from tamias2d.study.scale import scale
 from tamias2d.study.stepped_plan import plan_steps, stepped_because
 from tamias2d.study.unweighed import SMALLEST, TRIES, again, reached_by, unweighed
 from tamias2d.work_limit import WORK_LIMIT

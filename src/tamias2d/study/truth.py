@@ -13,11 +13,11 @@ from tamias2d.scene.exact import closed_forms
 from tamias2d.solve import solve
 from tamias2d.solve.located import are_many
 from tamias2d.state import Array
-from tamias2d.study.error import scale
 from tamias2d.study.event_errors import errors
 from tamias2d.study.perturbed import rounding_spread
 from tamias2d.study.refusal import ToleranceError, sooner
 from tamias2d.study.sampled import Sampled, sampled
+from tamias2d.study.scale import scale
 from tamias2d.study.schedule import LONGEST
 
 SAMPLES = 1000
