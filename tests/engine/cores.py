@@ -97,6 +97,7 @@ def shape_arrays(outlines: Sequence[Outline]) -> Shapes:
         vertex_count=counts,
         radius=np.array([outline.radius for outline in outlines]),
         material=material,
+        stated=np.full((len(rows), 4), -1.0),
         filters=np.zeros((len(rows), 4), np.int64),
         local_vertices=vertices,
         world_vertices=vertices.copy(),
