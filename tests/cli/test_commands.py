@@ -513,8 +513,8 @@ def test_trace_names_the_used_items_whose_cases_are_open(call: Call) -> None:
     results.add(Outcome(id, "", 0.0, 1.0, "pass", fingerprint(items()[id])) for id in named)
     said = call("trace", "R5").stderr
     assert said == (
-        "Some cases of IM1, semi_implicit_euler, velocity_verlet, runge_kutta_4 have not been run "
-        "yet: `tamias2d verify IM1 semi_implicit_euler velocity_verlet runge_kutta_4` runs them.\n"
+        "Some cases of IM1, velocity_verlet, semi_implicit_euler, runge_kutta_4 have not been run "
+        "yet: `tamias2d verify IM1 velocity_verlet semi_implicit_euler runge_kutta_4` runs them.\n"
     )
 
 

@@ -28,7 +28,7 @@ _KNOWN = {
         *(t2.Simulator, t2.Simulator.add, t2.Simulator.add_kinematic, t2.Simulator.add_static),
         *(t2.Simulator.set_filters, t2.Simulator.apply_force, t2.Simulator.apply_impulse),
         *(t2.Scene, t2.Disc, t2.Box, t2.Polygon, t2.Capsule, t2.Segment, t2.Chain, t2.Compound),
-        *(t2.Part, t2.Simulator.shape_cast),
+        *(t2.Part, t2.Simulator.shape_cast, t2.Simulator.set_surface),
     )
     for key in inspect.signature(call).parameters
 }

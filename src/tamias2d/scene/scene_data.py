@@ -193,6 +193,11 @@ class SceneData:
         self, pair: tuple[int, int], parts: PairOfParts, key: SurfaceKey
     ) -> list[float | None]:
         """Return what two bodies state, or the parts of them that are named."""
+        if not isinstance(parts, tuple | list) or len(parts) != len(pair):
+            what = f"parts: found {shown(parts)}: must be two, of which each may be None (R3). "
+            raise RuleError(
+                f"{what}Give the number of the part of each body, as in (0, None).", "parts"
+            )
         given = zip(pair, parts, strict=True)
         return [surface_value(self._bodies[k], part, key) for k, part in given]
 

@@ -92,7 +92,7 @@ def _recommended(
     if reason is None:
         try:
             if solved(scene):
-                run = solve(scene, duration=duration, method=ClosedForm(), times=[duration])
+                run = solve(scene, duration=duration, method=ClosedForm())
                 if run.ruled is not None and not _bounds_positions(run):
                     reason = RULE_BOUNDS_NOTHING
             if reason is None:

@@ -99,7 +99,7 @@ def against_shorter(run: Run, shorter: Refined) -> Bound:
     rounded = rounding(run) * run.duration / shorter.time_step + gaps(run)
     how = (
         f"steps of {shorter.time_step:.4g} s; runs by steps of up to twice that, and by other "
-        f"substeps, show that this is within {float(doubt[-1]):.2g} m of the answer"
+        f"substeps, show that their end is within {float(doubt[-1]):.2g} m of the answer"
     )
     return Bound("step doubling", float((away + doubt).max(initial=0.0)) + rounded, how)
 

@@ -151,7 +151,8 @@ def judge_side(
     x, y = at[0], at[1]
     low, vertex = foremost_vertex(side, p, q, x, y, vertices)
     apart = distance_along(ux, uy, p, q, x, y, vertices) - q.radius
-    deep = low <= q.radius and apart <= PRESSED_THROUGH * smaller_size(p, q, vertices)
+    near = q.vertex_count == 2 or apart <= PRESSED_THROUGH * smaller_size(p, q, vertices)
+    deep = low <= q.radius and near
     over = deep and is_over(side, p, q, vertex, x, y, vertices)
     within = margin if over or leans_little(ux, uy, side) else 0.0
     if deep or within > 0.0:

@@ -109,14 +109,16 @@ def find_axis_on_side(
 
     The inside of a thin shape does not tell on which side of it another one is: the normal does. It
     is (0, 0) where any axis will do. So it will where shapes are apart, unless one has come through
-    the other one.
+    the other one. Of two lines each may be through the other by any part of its length and yet
+    apart from it, in a hollow: there the normal of before decides.
     """
     best_a = best_on_side(a, b, x, y, held[0], held[1], vertices)
     best_b = best_on_side(b, a, -x, -y, -held[0], -held[1], vertices)
     behind = max(best_a.next_separation, best_b.next_separation)
     radii = a.radius + b.radius
     apart = behind > max(best_a.separation, best_b.separation, radii)
-    if apart and not has_passed(a, b, x, y, held, behind - radii, vertices):
+    lines = a.vertex_count == 2 and b.vertex_count == 2
+    if apart and not lines and not has_passed(a, b, x, y, held, behind - radii, vertices):
         best_a = best_on_side(a, b, x, y, 0.0, 0.0, vertices)
         best_b = best_on_side(b, a, -x, -y, 0.0, 0.0, vertices)
     if best_a.separation >= best_b.separation:
