@@ -106,6 +106,13 @@ def test_a_part_that_is_not_there_is_refused(parts: tuple[int, None]) -> None:
         load(HAMMER).friction(0, 1, parts=parts)
 
 
+@pytest.mark.parametrize("parts", [(0,), 0, None, (0, None, 1)])
+def test_parts_that_are_not_two_are_refused(parts: object) -> None:
+    for ask in (load(HAMMER).friction, load(HAMMER).restitution):
+        with pytest.raises(InputError, match=r"^parts: found .*: must be two, .* \(R3\)\. Give"):
+            ask(0, 1, parts=parts)  # type: ignore[arg-type]
+
+
 def test_a_rough_part_makes_a_body_rough() -> None:
     rough = load(HAMMER.replace(", friction: 0.16", ""))
     smooth = load(HAMMER.replace(", friction: 0.16", "").replace("1.5", "0").replace("0.25}", "0}"))

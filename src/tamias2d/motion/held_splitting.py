@@ -1,8 +1,8 @@
 """Steps of kicks and drifts between which joints hold (GD24).
 
 Kicks are by loads alone. Each drift ends where the joints hold, by impulses along their rows at its
-begin, and a step ends with velocities that they allow: it reads the same backwards in time, and is
-symplectic, as the scheme is without joints.
+begin, and a step ends with velocities that they allow: it is as symmetric in time and as symplectic
+as the scheme is without joints.
 Source: Andersen (1983); Hairer, Lubich and Wanner (2006), section VII.1.4.
 """
 

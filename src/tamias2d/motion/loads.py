@@ -14,7 +14,7 @@ from tamias2d.motion.marching import Marching
 from tamias2d.motion.mechanisms import Mechanisms, Placed
 from tamias2d.motion.terms import Term, terms
 from tamias2d.scene import Scene
-from tamias2d.scene.acting import groups, loaded_variously, steady_load, varying_loads
+from tamias2d.scene.acting import groups, steady_load, varying_beside_joints, varying_loads
 from tamias2d.state import Acceleration, Array, Constraint, State
 
 Field: TypeAlias = Callable[[float, Array, Array], Array]
@@ -34,7 +34,7 @@ class Loads:
         self._scene = scene
         self.varying = varying_loads(scene)
         """Why the loads of a body vary, for each body whose loads do."""
-        self._variously = loaded_variously(scene)
+        self._varying_beside_joints = varying_beside_joints(scene)
         self.group_of = {body: group for group in groups(scene) for body in group}
         """The bodies that act on each other, for each body that moves."""
         self._steady = [self._steadily(k) for k in range(len(scene))]
@@ -184,7 +184,7 @@ class Loads:
 
     def free_field(self, bodies: Sequence[int]) -> Field:
         """Return the accelerations by the loads alone, whatever holds the bodies."""
-        if self._variously.isdisjoint(bodies):
+        if self._varying_beside_joints.isdisjoint(bodies):
             fixed = np.array([self._steady[body] for body in bodies]).reshape(-1, 3)
             return lambda time, position, velocity: fixed  # noqa: ARG005
         return quicker(self._summed(bodies), self._marching(bodies))

@@ -60,7 +60,7 @@ def varying_loads(scene: SceneData) -> dict[int, str]:
     return {k: " and ".join(found[k]) for k in moving if k in found}
 
 
-def loaded_variously(scene: SceneData) -> set[int]:
+def varying_beside_joints(scene: SceneData) -> set[int]:
     """Return the bodies whose loads vary by more than what joints exert."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
     return {k for k, why in _variations(scene, moving) if why != _JOINTED}
