@@ -68,8 +68,8 @@ def run_case(kind: str, seed: int) -> Result:
     module, _, name = KINDS[kind].partition(":")
     case: Callable[[int], str] = getattr(import_module(f"tools.fuzz.{module}"), name)
     signal.signal(signal.SIGPROF, _end)
-    signal.setitimer(signal.ITIMER_PROF, LIMIT)
     try:
+        signal.setitimer(signal.ITIMER_PROF, LIMIT)  # its signal may come before the case begins
         return Result(seed, case(seed), False)
     except BaseException as error:
         if isinstance(error, KeyboardInterrupt):
