@@ -571,7 +571,7 @@ def test_a_scene_in_which_nothing_moves(call: Call, tmp_path: Path, command: str
 
 def program(*words: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "tamias2d", *words], capture_output=True, text=True, timeout=60
+        [sys.executable, "-m", "tamias2d", *words], capture_output=True, text=True
     )
 
 
@@ -582,7 +582,7 @@ def test_help_loads_neither_numbers_nor_viewer() -> None:
         "    bad = {'numpy', 'scipy', 'rerun', 'sphinx', 'matplotlib'} & set(sys.modules)\n"
         "    print(bad or 'light')\n"
     )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.stdout.rstrip().endswith("light")
 
 

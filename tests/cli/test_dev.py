@@ -51,7 +51,6 @@ class House:
             cwd=self.bin,
             capture_output=True,
             text=True,
-            timeout=60,
         )
         return done.returncode, self.calls.read_text().splitlines(), done.stderr
 

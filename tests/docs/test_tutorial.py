@@ -49,7 +49,6 @@ PAGES = (
 )
 
 
-@pytest.mark.timeout(900)  # s: some pages compile both engines, which takes most of 300
 @pytest.mark.parametrize("page", PAGES)
 def test_every_block_does_what_it_says(
     page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -5,7 +5,6 @@ import copy
 import pickle
 import signal
 import threading
-import time
 import warnings
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -157,10 +156,8 @@ def test_many_steps_hear_ctrl_c() -> None:
     sim.step(3)
     timer = threading.Timer(0.3, _thread.interrupt_main)
     timer.start()
-    start = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
-        sim.step(10**12)
-    assert time.monotonic() - start < 60.0  # of years, else
+        sim.step(10**12)  # which takes years
     timer.join()
     steps = round(sim.time * 60)
     twin = t2.Simulator(crowd(30, seed=1))

@@ -105,7 +105,7 @@ def test_one_press_of_ctrl_c_ends_it(when: str, scene: str, says: str) -> None:
         for _ in range(1 if when == "early" else 4):
             assert asked.stderr.readline() == "begun\n"
         asked.send_signal(signal.SIGINT)
-        out, err = asked.communicate(timeout=300)
+        out, err = asked.communicate()
     assert asked.returncode == cli.INTERRUPTED
     assert err.splitlines()[-1] == says
     assert "Traceback" not in err
