@@ -648,14 +648,3 @@ def test_what_has_no_answer_is_refused_and_changes_nothing(
         getattr(sim, call)(**words)
     assert sim.digest() == before
     assert [sim.body(k) for k in range(4)] == bodies
-
-
-def test_worlds_that_step_together_have_none_of_it() -> None:
-    """Each can be taken out as a simulator, which has."""
-    scene = t2.Scene(gravity=(0.0, 0.0))
-    scene.add_body(DISC, mass=1.0, position=(0.0, 0.0), restitution=0.0)
-    sims = t2.Simulators(scene, worlds=2)
-    assert not any(hasattr(sims, name) for name in ("set_mass", "set_drag", "set_shape"))
-    one = sims.world(1)
-    one.set_shape(0, BOX)
-    assert one.body(0).shape == BOX

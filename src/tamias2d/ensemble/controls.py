@@ -1,20 +1,20 @@
 """What acts on many worlds between steps, world by world: on their joints, or by a push."""
 
 from collections.abc import Callable, Sequence
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.ensemble.world_reports import in_world, warn_of
-from tamias2d.errors import InputError
+from tamias2d.errors import InputError, SceneError
 from tamias2d.scene.freedoms import JointSpring, Limits, Motor
 from tamias2d.scene.rules import RuleError, label
 from tamias2d.simulator import Simulator
 from tamias2d.simulator.columns import as_array, judged, spread
 from tamias2d.simulator.exclusive import exclusive
-from tamias2d.simulator.joint_set import LIMITS, MOTOR, SPRING
-from tamias2d.simulator.jointing import checked_target
 from tamias2d.simulator.selection import Bodies
+from tamias2d.simulator.stepping import Change
 from tamias2d.simulator.views import Views
 from tamias2d.state import Array
 from tamias2d.suggestions import suggests
@@ -47,8 +47,7 @@ class Controls(Views):
             None if v is None else Motor(speed=v, maximum=m)
             for v, m in zip(speeds, most, strict=True)
         ]
-        joints = self._each_world(lambda w, sim: sim._joints.governed(name, MOTOR, motors[w]))
-        self._each_world(lambda w, sim: sim._govern_as(joints[w]))
+        self._in_all(lambda w, sim: sim._to_set_motor(name, motors[w]))
 
     @exclusive
     def set_limits(
@@ -74,12 +73,7 @@ class Controls(Views):
             None if low is None and high is None else Limits(restitution=e, lower=low, upper=high)
             for e, low, high in zip(*values, strict=True)
         ]
-        for sim in self._sims:
-            if sim._joints.new:
-                sim._settle_between()
-        joints = self._each_world(lambda w, sim: sim._joints.governed(name, LIMITS, limits[w]))
-        self._each_world(lambda w, sim: sim._limit_as(joints[w]))
-        warn_of(self._sims)
+        self._in_all(lambda w, sim: sim._to_set_limits(name, limits[w]))
 
     @exclusive
     def set_spring(
@@ -111,9 +105,7 @@ class Controls(Views):
             None if k is None else JointSpring(stiffness=k, damping=c, rest=at, maximum=most)
             for k, c, at, most in zip(*values, strict=True)
         ]
-        joints = self._each_world(lambda w, sim: sim._joints.governed(name, SPRING, springs[w]))
-        self._each_world(lambda w, sim: sim._spring_as(joints[w]))
-        warn_of(self._sims)
+        self._in_all(lambda w, sim: sim._to_set_spring(name, springs[w]))
 
     @exclusive
     def set_target(self, name: str, point: object) -> None:
@@ -126,10 +118,7 @@ class Controls(Views):
                 breaks a rule (R4); nothing is moved then.
         """
         points = spread(point, "point", _OF, "Give (x, y) in m.", (len(self._sims), 2), "world")
-        held = self._each_world(
-            lambda w, sim: (*sim._joints.target_of(name), checked_target(points[w].tolist()))
-        )
-        self._each_world(lambda w, sim: sim._set_target(*held[w]))
+        self._in_all(lambda w, sim: sim._to_set_target(name, points[w].tolist()))
 
     @exclusive
     def apply_force(self, bodies: Bodies, force: object, *, at: object | None = None) -> None:
@@ -170,12 +159,39 @@ class Controls(Views):
         self, bodies: Bodies, at: object | None, value: object, key: str, symbol: str, remedy: str
     ) -> tuple[Array, Array | list[None]]:
         """Return of each world what pushes k bodies (k, 2), and where, m (k, 2), or None."""
-        rows = self._sims[0]._rows(bodies)
-        whole, one = (len(self._sims), len(rows), 2), np.ndim(bodies) == 0
-        pushes = _vectors(value, key, symbol, remedy, whole, one=one)
+        pushes = self._of_bodies(bodies, value, key, remedy, symbol)
         if at is None:
             return pushes, [None] * len(self._sims)
-        return pushes, _vectors(at, "at", "position", _PLACE, whole, one=one)
+        return pushes, self._of_bodies(bodies, at, "at", _PLACE, "position")
+
+    def _of_bodies(
+        self, bodies: Bodies, value: object, key: str, remedy: str, vectors: str | None = None
+    ) -> NDArray[Any]:
+        """Return what is given of k bodies in all worlds (worlds, k), or raise `RuleError`.
+
+        These are numbers, which each world judges, or `vectors` (worlds, k, 2) of a symbol.
+        """
+        each = () if vectors is None else (2,)
+        given: NDArray[Any] = as_array(value, key, _OF, remedy)
+        worlds, count = len(self._sims), len(self._sims[0]._rows(bodies))
+        one, whole = np.ndim(bodies) == 0, (worlds, count, *each)
+        shapes = [each, (worlds, *each)] if one else [each, whole[1:], whole]
+        if given.dtype.kind not in "fiu" or given.shape not in shapes:
+            raise RuleError(
+                f"{label((key,))} of {_OF}: found {given.dtype} of shape {given.shape}: must be "
+                f"numbers of shape {' or '.join(map(str, shapes))} (R4). {remedy}",
+                key,
+            )
+        if vectors is not None:
+            given = judged(given.astype(np.float64), key, _OF, remedy, vectors)
+        by_world = one and given.ndim > len(each)
+        return np.broadcast_to(given[:, None] if by_world else given, whole)
+
+    def _in_all(self, judge: Callable[[int, Simulator], Change]) -> None:
+        """Make a change in all worlds, each of which is judged before any is changed."""
+        for change in self._each_world(judge):
+            change()
+        warn_of(self._sims)
 
     def _each_world(self, act: Callable[[int, Simulator], _T]) -> list[_T]:
         """Do something in all worlds; an error says in which."""
@@ -183,22 +199,6 @@ class Controls(Views):
         for world, sim in enumerate(self._sims):
             try:
                 found.append(act(world, sim))
-            except InputError as fault:
+            except (InputError, SceneError) as fault:
                 raise type(fault)(in_world(world, fault)) from fault
         return found
-
-
-def _vectors(
-    value: object, key: str, symbol: str, remedy: str, whole: tuple[int, int, int], *, one: bool
-) -> Array:
-    """Return vectors of so many worlds and bodies (worlds, k, 2), or raise `RuleError`."""
-    given = as_array(value, key, _OF, remedy)
-    shapes = [(2,), (whole[0], 2)] if one else [(2,), whole[1:], whole]
-    if given.dtype.kind not in "fiu" or given.shape not in shapes:
-        raise RuleError(
-            f"{label((key,))} of {_OF}: found {given.dtype} of shape {given.shape}: must be "
-            f"numbers of shape {' or '.join(map(str, shapes))} (R4). {remedy}",
-            key,
-        )
-    good = judged(given.astype(np.float64), key, _OF, remedy, symbol)
-    return np.broadcast_to(good[:, None] if one and good.ndim == 2 else good, whole)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.arrays.memory import aligned_zeros
-from tamias2d.engine.tables import GRAVITY_X, GRAVITY_Y
+from tamias2d.engine.tables import GRAVITY_X, GRAVITY_Y, INVERSE_MASS
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array, IntArray
 
@@ -39,12 +39,13 @@ def shared_arrays(sims: tuple[Simulator, ...]) -> SharedArrays:
     """Let all engines work on arrays that lie one after the other."""
     engines = [sim._engine for sim in sims]
     size, world = engines[0].size, engines[0].world
-    pose, velocity, load, settings, counts, joint_counts = (
+    pose, velocity, load, properties, settings, counts, joint_counts = (
         aligned_zeros((len(sims), *array.shape), array.dtype)
         for array in (
             world.state.pose,
             world.state.velocity,
             world.state.load,
+            world.state.properties,
             world.control.settings,
             world.control.counts,
             world.joints.counts,
@@ -53,12 +54,14 @@ def shared_arrays(sims: tuple[Simulator, ...]) -> SharedArrays:
     for k, (sim, engine) in enumerate(zip(sims, engines, strict=True)):
         state, control = engine.world.state, engine.world.control
         pose[k], velocity[k], load[k] = state.pose, state.velocity, state.load
+        properties[k] = state.properties
         settings[k], counts[k] = control.settings, control.counts
         joint_counts[k] = engine.world.joints.counts
         engine.replace(
             state__pose=pose[k],
             state__velocity=velocity[k],
             state__load=load[k],
+            state__properties=properties[k],
             control__settings=settings[k],
             control__counts=counts[k],
             joints__counts=joint_counts[k],
@@ -72,7 +75,7 @@ def shared_arrays(sims: tuple[Simulator, ...]) -> SharedArrays:
         counts=counts,
         joint_counts=joint_counts,
         kind=np.stack([engine.kind for engine in engines]),
-        inverse_mass=np.stack([engine.inverse_mass for engine in engines]),
+        inverse_mass=properties[:, :size, INVERSE_MASS],
         generation=np.stack([engine.generation for engine in engines]),
         sims=sims,
     )

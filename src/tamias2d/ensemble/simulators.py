@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.ensemble.controls import Controls
 from tamias2d.ensemble.execution import cores
 from tamias2d.ensemble.sampling import Design
 from tamias2d.ensemble.shared_arrays import SharedArrays, shared_arrays
 from tamias2d.ensemble.thread_pool import ThreadPool
+from tamias2d.ensemble.world_altering import WorldAltering
 from tamias2d.ensemble.world_joints import WorldJoints
 from tamias2d.ensemble.world_reports import WorldReports, in_world, warn_of
 from tamias2d.ensemble.world_steps import WorldSteps
@@ -35,7 +35,7 @@ _FEWEST = 8  # worlds for a thread: fewer are not worth handing over
 
 
 @suggests
-class Simulators(Controls, WorldReports):
+class Simulators(WorldAltering, WorldReports):
     """A scene in many worlds, each of which is stepped as by a `Simulator` alone, to the bit.
 
     The views are those of `Simulator` with an axis of worlds before all others: `position`
@@ -131,7 +131,9 @@ class Simulators(Controls, WorldReports):
     def reset(self, mask: object | None = None) -> None:
         """Put the worlds of a mask (worlds,) back to their start, or all of them.
 
-        Each goes on from there with the bits that it had.
+        Each goes on from there with the bits that it had: what was set or altered in it since, such
+        as motors, masses and shapes, is what it was then. So what another episode varies is set
+        after the reset.
 
         Raises:
             InputError: the mask is not one truth value for each world.

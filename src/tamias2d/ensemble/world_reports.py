@@ -26,7 +26,7 @@ from tamias2d.state import Array, IntArray
 _ALONE = "Take a world out by world(k): that Simulator has"
 _REMEDIES = {
     **REMEDIES,
-    "mass": f"Vary it at the start. {_ALONE} set_mass.",
+    "mass": "Call set_mass, or vary it at the start.",
     "present": f"{_ALONE} add and remove.",
     "dynamic": f"{_ALONE} remove, add, add_static and add_kinematic.",
     "generation": f"It counts the bodies that a row has held. {_ALONE} add.",

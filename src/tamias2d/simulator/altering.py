@@ -5,7 +5,8 @@ holds rates of drag, inverse masses, and shapes in rows of their own.
 """
 
 from collections.abc import Sequence
-from typing import cast
+from functools import partial
+from typing import NamedTuple, cast
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from tamias2d.generated import definitions
 from tamias2d.scene.checks import checked_inertia, refuse_shape
 from tamias2d.scene.compound import Compound, Shape
 from tamias2d.scene.rules import RuleError
+from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Single
 from tamias2d.simulator.acting_scene import steady_loads, with_masses
 from tamias2d.simulator.adding import listed_shapes
@@ -21,16 +23,28 @@ from tamias2d.simulator.body_now import shape_now
 from tamias2d.simulator.columns import numbers, stated
 from tamias2d.simulator.constitution import DRAGS, masses, refuse_tiny, stated_inertias
 from tamias2d.simulator.exclusive import exclusive
-from tamias2d.simulator.masses import Masses, masses_now, weigh
+from tamias2d.simulator.masses import Masses, Weights, masses_now, weights
 from tamias2d.simulator.missing_restitution import refuse_reshaped
 from tamias2d.simulator.selection import Bodies
-from tamias2d.simulator.stepping import Stepping
+from tamias2d.simulator.stepping import Change, Stepping
 from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests
 
 Solid = Single | Compound
 _OF = "the bodies"
 _ROUNDED = 1e-9  # by which an inertia may differ from that of its shape, which is found again
+
+
+class _Weighing(NamedTuple):
+    """What changes where k bodies weigh other numbers; nothing is set yet."""
+
+    rows: IntArray
+    weights: Weights | None
+    """None if all stay"""
+    load: Array | None
+    """(k, 3), N and N m, which comes to theirs; None if nothing depends on their masses"""
+    scene: Scene | None
+    """the one that acts on them then"""
 
 
 @suggests
@@ -54,13 +68,21 @@ class Altering(Stepping):
         Raises:
             InputError: a body is not there or cannot be pushed, or a value breaks a rule (R4).
         """
+        self._to_set_mass(bodies, mass, inertia)()
+
+    def _to_set_mass(self, bodies: Bodies, mass: object, inertia: object) -> Change:
         rows = self._rows(bodies)
         self._refuse_unpushed(rows, "mass")
         now, heavy = masses_now(self._engine, rows), masses(mass, _OF, len(rows))
         turned = _inertias(inertia, now, heavy)
-        self._weigh(rows, now, now._replace(mass=heavy, inertia=turned))
-        if inertia is not None:
-            self._engine.velocity[rows[np.isinf(turned)], 2] = 0.0
+        still = rows[np.isinf(turned)] if inertia is not None else rows[:0]
+        new = now._replace(mass=heavy, inertia=turned)
+        return partial(self._set_mass, self._weighing(rows, now, new), still)
+
+    def _set_mass(self, weighing: _Weighing, still: IntArray) -> None:
+        """Let bodies weigh other numbers; some of them are turned no more."""
+        self._weigh(weighing)
+        self._engine.velocity[still, 2] = 0.0
 
     @exclusive
     def set_drag(
@@ -74,6 +96,9 @@ class Altering(Stepping):
         Raises:
             InputError: a body is not there or cannot be pushed, or a value breaks a rule (R4).
         """
+        self._to_set_drag(bodies, linear_drag, angular_drag)()
+
+    def _to_set_drag(self, bodies: Bodies, linear_drag: object, angular_drag: object) -> Change:
         rows, said = self._rows(bodies), {"linear_drag": linear_drag, "angular_drag": angular_drag}
         given = {
             key: numbers(value, key, _OF, DRAGS[key], count=len(rows), symbol=key)
@@ -81,7 +106,7 @@ class Altering(Stepping):
         }
         self._refuse_unpushed(rows, next(iter(given)))
         now = masses_now(self._engine, rows)
-        self._weigh(rows, now, now._replace(**given))
+        return partial(self._weigh, self._weighing(rows, now, now._replace(**given)))
 
     @exclusive
     def set_shape(
@@ -111,6 +136,9 @@ class Altering(Stepping):
                 breaks a rule (R4).
             SceneError: bodies can meet now for which no restitution is stated.
         """
+        self._to_set_shape(bodies, shape, mass, inertia)()
+
+    def _to_set_shape(self, bodies: Bodies, shape: object, mass: object, inertia: object) -> Change:
         rows = self._rows(bodies)
         given = listed_shapes(shape, len(rows), _OF)
         self._refuse_shapes(rows, given)
@@ -123,14 +151,18 @@ class Altering(Stepping):
         turned = _inertias(inertia, now, heavy)
         if inertia is None:
             turned = self._with_shapes(rows, given, now, heavy, turned)
+        new = now._replace(mass=heavy, inertia=turned)
+        weighing = self._weighing(rows, now, new)
         self._report()  # of what touched in shapes that go
         self._settle_between()
-        last = {row: k for k, row in enumerate(rows.tolist())}
-        self._engine.set_shapes(
-            np.array(list(last), dtype=np.int64), [given[k] for k in last.values()]
-        )
-        self._weigh(rows, now, now._replace(mass=heavy, inertia=turned))
-        self._joints.renew(set(last))
+        last = dict(zip(rows.tolist(), given, strict=True))
+        return partial(self._set_shape, last, weighing)
+
+    def _set_shape(self, shapes: dict[int, Shape], weighing: _Weighing) -> None:
+        """Give bodies shapes, by their rows; all is settled."""
+        self._engine.set_shapes(np.array(list(shapes), dtype=np.int64), list(shapes.values()))
+        self._weigh(weighing)
+        self._joints.renew(set(shapes))
         self._unsettled = True
 
     def _with_shapes(
@@ -166,18 +198,25 @@ class Altering(Stepping):
                 "shape",
             )
 
-    def _weigh(self, rows: IntArray, now: Masses, new: Masses) -> None:
-        """Let bodies weigh other numbers, and loads that depend on their masses follow."""
-        engine = self._engine
-        weigh(engine, rows, now, new)
-        self._joints.note_masses()
+    def _weighing(self, rows: IntArray, now: Masses, new: Masses) -> _Weighing:
+        """Return what changes where bodies weigh other numbers, or raise `InputError`."""
+        told = weights(self._engine, rows, now, new)
         if self._scene is None or np.array_equal(now.mass, new.mass):
-            return
+            return _Weighing(rows, told, None, self._scene)
         own, listed = self._staying, rows.tolist()
         was = steady_loads(self._scene, own, listed, now.mass)
-        engine.load[rows] += steady_loads(self._scene, own, listed, new.mass) - was
-        self._scene = with_masses(self._scene, own, listed, new.mass)
-        self._unsettled = True
+        load = steady_loads(self._scene, own, listed, new.mass) - was
+        return _Weighing(rows, told, load, with_masses(self._scene, own, listed, new.mass))
+
+    def _weigh(self, weighing: _Weighing) -> None:
+        """Let bodies weigh other numbers, and loads that depend on their masses follow."""
+        rows, told, load, scene = weighing
+        if told is not None:
+            self._engine.set_masses(rows, *told)
+        self._joints.note_masses()
+        if load is not None:
+            self._engine.load[rows] += load
+            self._scene, self._unsettled = scene, True
 
 
 def _inertias(inertia: object, now: Masses, mass: Array) -> Array:

@@ -1,5 +1,7 @@
 """Joints come and go between steps (TM7), and tell what they exerted."""
 
+from functools import partial
+
 import numpy as np
 
 from tamias2d.engine.state import LARGEST
@@ -14,7 +16,7 @@ from tamias2d.simulator.joint_set import LIMITS, MOTOR, SPRING
 from tamias2d.simulator.moved_limits import passed_limits
 from tamias2d.simulator.standing_bodies import StandingBodies
 from tamias2d.simulator.step_warnings import jumped_past, too_stiff_for_steps
-from tamias2d.simulator.stepping import Stepping
+from tamias2d.simulator.stepping import Change, Stepping
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.suggestions import suggests
 
@@ -86,7 +88,11 @@ class Jointing(Stepping):
             InputError: there is no joint of that name, it holds no single point of the plane, or
                 float64 cannot hold what a point so far away does.
         """
-        self._set_target(*self._joints.target_of(name), checked_target(point))
+        self._to_set_target(name, point)()
+
+    def _to_set_target(self, name: str, point: VectorLike) -> Change:
+        joint, end = self._joints.target_of(name)
+        return partial(self._set_target, joint, end, _checked_target(point))
 
     def _set_target(self, joint: Joint, end: int, point: Vector) -> None:
         self._joints.set_target(joint, end, point)
@@ -103,7 +109,10 @@ class Jointing(Stepping):
             InputError: there is no joint of that name, it has no motor, or a value breaks a rule
                 (R4).
         """
-        self._govern_as(self._joints.governed(name, MOTOR, motor))
+        self._to_set_motor(name, motor)()
+
+    def _to_set_motor(self, name: str, motor: Motor | None) -> Change:
+        return partial(self._govern_as, self._joints.governed(name, MOTOR, motor))
 
     @exclusive
     def set_limits(self, name: str, limits: Limits | None) -> None:
@@ -121,9 +130,12 @@ class Jointing(Stepping):
         Warns:
             StepWarning: a limit jumps so far past where the joint is.
         """
+        self._to_set_limits(name, limits)()
+
+    def _to_set_limits(self, name: str, limits: Limits | None) -> Change:
         if self._joints.new:
             self._settle_between()
-        self._limit_as(self._joints.governed(name, LIMITS, limits))
+        return partial(self._limit_as, self._joints.governed(name, LIMITS, limits))
 
     @exclusive
     def set_spring(self, name: str, spring: JointSpring | None) -> None:
@@ -140,7 +152,10 @@ class Jointing(Stepping):
         Warns:
             StepWarning: it is too stiff for the time step.
         """
-        self._spring_as(self._joints.governed(name, SPRING, spring))
+        self._to_set_spring(name, spring)()
+
+    def _to_set_spring(self, name: str, spring: JointSpring | None) -> Change:
+        return partial(self._spring_as, self._joints.governed(name, SPRING, spring))
 
     def _limit_as(self, joint: Joint) -> None:
         """Let a joint be limited as one that `JointSet.governed` returned."""
@@ -187,7 +202,7 @@ class Jointing(Stepping):
         )
 
 
-def checked_target(point: object) -> Vector:
+def _checked_target(point: object) -> Vector:
     """Return a point to which a target is moved, m, or raise `RuleError`."""
     at = vector(point, "position", "a target", "Give a point (x, y) in m.", at=("point",))
     if max(abs(at[0]), abs(at[1])) > LARGEST:

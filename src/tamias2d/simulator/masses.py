@@ -1,6 +1,6 @@
 """What bodies weigh, and how drag slows them, as an engine has it and as it is changed."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -33,8 +33,19 @@ def masses_now(engine: Engine, rows: IntArray | Sequence[int]) -> Masses:
     return Masses(mass, inertia, *drags.T)
 
 
-def weigh(engine: Engine, rows: IntArray, now: Masses, new: Masses) -> None:
-    """Let bodies that weigh so much now weigh other numbers; what stays the same keeps its bits.
+class Weights(NamedTuple):
+    """What an engine is told of k bodies that weigh other numbers, by `Engine.set_masses`."""
+
+    columns: Mapping[int, Array]
+    """(k,), of properties"""
+    rates: Array
+    """(k, 2), of drag, 1/s"""
+
+
+def weights(engine: Engine, rows: IntArray, now: Masses, new: Masses) -> Weights | None:
+    """Return what lets bodies that weigh so much now weigh other numbers, None if all stay.
+
+    What stays the same keeps its bits.
 
     Raises:
         InputError: float64 cannot hold what drag does.
@@ -47,13 +58,13 @@ def weigh(engine: Engine, rows: IntArray, now: Masses, new: Masses) -> None:
         )
     )
     if not slowed.any():
-        return
+        return None
     rates = np.column_stack(drag_rates(new.linear_drag, new.mass, new.angular_drag, new.inertia))
     columns = {
         tb.INVERSE_MASS: np.where(heavy, 1 / new.mass, engine.inverse_mass[rows]),
         tb.INVERSE_INERTIA: np.where(turned, 1 / new.inertia, engine.inverse_inertia[rows]),
     }
-    engine.set_masses(rows, columns, np.where(slowed, rates, _rates_now(engine, rows)))
+    return Weights(columns, np.where(slowed, rates, _rates_now(engine, rows)))
 
 
 def _rates_now(engine: Engine, rows: IntArray | Sequence[int]) -> Array:

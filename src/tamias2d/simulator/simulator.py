@@ -53,6 +53,8 @@ class Start(NamedTuple):
     arrays: Mapping[str, NDArray[Any]]
     """Of the engine."""
     joints: tuple[Joint, ...]
+    scene: Scene | None
+    """What acts on its bodies."""
 
 
 _SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
@@ -255,10 +257,10 @@ class Simulator(Pushing, Changing, TouchingRules, Altering, Jointing, Asking):
     def _start(self) -> Start:
         """Return the state before the first step, to which `_rewind` leads back."""
         self._settle_between()
-        return Start(saved_arrays(self._engine), tuple(self._joints))
+        return Start(saved_arrays(self._engine), tuple(self._joints), self._scene)
 
     def _rewind(self, start: Start) -> None:
-        self._joints = JointSet(start.joints)
+        self._joints, self._scene = JointSet(start.joints), start.scene
         rewind(self._engine, start.arrays)
         self._forget()
 

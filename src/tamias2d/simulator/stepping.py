@@ -1,8 +1,8 @@
 """Steps of the frame loop, and what they warn of."""
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from threading import Lock
-from typing import TypeGuard
+from typing import TypeAlias, TypeGuard
 
 import numpy as np
 
@@ -38,6 +38,13 @@ from tamias2d.simulator.varying_loads import VaryingLoads
 from tamias2d.simulator.views import Views
 from tamias2d.simulator.warned import Warned
 from tamias2d.state import Array, IntArray
+
+Change: TypeAlias = Callable[[], object]
+"""Makes a change that was judged, and cannot be refused any more.
+
+A method `_to_set_mass` returns what `set_mass` does, or raises its errors: so whoever has many
+simulators can judge what is set in all of them before anything is set in one.
+"""
 
 _ENDLESS = 2**63  # steps
 

@@ -1,5 +1,8 @@
 """What bodies touch, and how, is changed between steps: filters and surfaces (R3)."""
 
+from collections.abc import Mapping
+from functools import partial
+
 import numpy as np
 
 from tamias2d.engine.tables import (
@@ -19,7 +22,7 @@ from tamias2d.simulator.constitution import SURFACE
 from tamias2d.simulator.exclusive import exclusive
 from tamias2d.simulator.missing_restitution import refuse_refiltered
 from tamias2d.simulator.selection import Bodies
-from tamias2d.simulator.stepping import Stepping
+from tamias2d.simulator.stepping import Change, Stepping
 from tamias2d.state import IntArray
 from tamias2d.suggestions import suggests
 
@@ -55,12 +58,18 @@ class TouchingRules(Stepping):
             InputError: a body is not there, or a value breaks a rule (R4).
             SceneError: bodies can meet now for which no restitution is stated.
         """
-        rows, said = self._rows(bodies), {"category": category, "mask": mask, "group": group}
+        self._to_set_filters(bodies, category=category, mask=mask, group=group)()
+
+    def _to_set_filters(self, bodies: Bodies, **said: object) -> Change:
+        rows = self._rows(bodies)
         columns = {
             _FILTERS[key]: wholes(value, key, _OF, count=len(rows), check=checked_whole)
             for key, value in stated(said, _OF, rule="R3").items()
         }
         refuse_refiltered(self._engine, rows, columns, self._name_of, self._joints)
+        return partial(self._set_filters, rows, columns)
+
+    def _set_filters(self, rows: IntArray, columns: Mapping[int, IntArray]) -> None:
         self._unsettled |= self._engine.set_filters(rows, columns)
 
     @exclusive
@@ -84,20 +93,23 @@ class TouchingRules(Stepping):
         Raises:
             InputError: a body or a part is not there, or a value breaks a rule (R4).
         """
-        rows = self._rows(bodies)
         said = {"friction": friction, "restitution": restitution, "surface_speed": surface_speed}
+        self._to_set_surface(bodies, part, **said)()
+
+    def _to_set_surface(self, bodies: Bodies, part: object, **said: object) -> Change:
+        rows = self._rows(bodies)
         columns = {
             _MATERIAL[key]: numbers(value, key, _OF, SURFACE[key], count=len(rows), symbol=key)
             for key, value in stated(said, _OF, rule="R3").items()
         }
-        if surface_speed is not None:
+        if said["surface_speed"] is not None:
             self._refuse_running(rows)
             self._refuse_part_that_runs(part)
         if part is None:
-            self._engine.set_surfaces(rows, columns)
-            return
+            return partial(self._engine.set_surfaces, rows, columns)
         self._settle_between()
-        self._engine.set_part_surfaces(rows, self._checked_parts(rows, part), columns)
+        parts = self._checked_parts(rows, part)
+        return partial(self._engine.set_part_surfaces, rows, parts, columns)
 
     def _checked_parts(self, rows: IntArray, part: object) -> IntArray:
         """Return the number of a part of each body (k,), or raise `RuleError`."""

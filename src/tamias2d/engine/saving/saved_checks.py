@@ -34,6 +34,11 @@ class UnfitError(ValueError):
     """Arrays are not the state of an engine."""
 
 
+def rows_of(arrays: Arrays) -> dict[str, int]:
+    """Return how many rows there are in a saved state, by the names of `Capacities`."""
+    return {axis: len(arrays[name]) for axis, name in _ROWS.items()}
+
+
 def check_saved(arrays: Arrays) -> Capacities:
     """Return the capacities of a saved state.
 
@@ -62,10 +67,9 @@ def require(holds: object, name: str, rule: str) -> None:
 
 
 def _capacities(arrays: Arrays) -> Capacities:
-    rows = {}
-    for axis, name in _ROWS.items():
+    for name in _ROWS.values():
         require(name in arrays and arrays[name].ndim > 0, name, "is missing")
-        rows[axis] = len(arrays[name])
+    rows = rows_of(arrays)
     fits = rows["slots"] > 0 and rows["slots"] % tb.CHUNK == 0 and rows["propagators"] > 0
     require(fits, "state.pose", "has no rows of an engine")
     require(max(rows.values()) < 2**31, "shapes.kind", "has more rows than an engine")

@@ -13,10 +13,16 @@ from numpy.typing import NDArray
 from tamias2d.engine import tables as tb
 from tamias2d.engine.arrays.world import named_arrays, saved_fields
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.saving.saved_checks import check_saved, leaves_of
+from tamias2d.engine.saving.saved_checks import check_saved, leaves_of, rows_of
 from tamias2d.engine.tables import Contacts, World
 
 Arrays = Mapping[str, NDArray[Any]]
+_KNOWN_BY = (
+    *("state.body_of_shape", "state.drag_rates"),
+    *("shapes.kind", "shapes.first", "shapes.vertex_count", "shapes.radius"),
+    "shapes.local_vertices",
+)
+"""From these follows what an engine knows of bodies besides, as long as the same are there."""
 
 
 def saved_arrays(engine: Engine) -> dict[str, NDArray[Any]]:
@@ -61,11 +67,16 @@ def restored_engine(
 def rewind(engine: Engine, start: Arrays) -> None:
     """Bring an engine back to what `saved_arrays` told of it before its first step.
 
-    The arrays of its bodies stay where they are; none may have come or gone since.
+    The arrays of its bodies stay where they are; none may have come or gone since, but they may
+    have been altered.
     """
-    candidates, contacts = start["broad_phase.candidates"], start["contacts.pairs"]
-    engine.resize(candidates=len(candidates), contacts=len(contacts))  # a list follows from these
+    own = named_arrays(engine.world)
+    known = all(np.array_equal(own[name], start[name]) for name in _KNOWN_BY)
+    engine.resize(**rows_of(start))  # a list follows from these
     _fill(engine.world, start)
+    if not known:
+        engine.begin(start["rank"].copy(), start["generation"].copy())
+        engine.forms += 1
     engine.start_over()
 
 
