@@ -27,7 +27,7 @@ def scene_of(seed: int) -> t2.Scene:
     names = [body.name for body in scene.bodies][FIRST:]
     if seed % 2:
         scene.add_spring(names[0], names[1], stiffness=40.0, damping=1.0, rest_length=2.0)
-        scene.add_field(force=("mass*0.5[m/s^2]", "0[N]"))
+        scene.add_field(force=("mass*0.5[m/s^2]", "-mass*0.5[1/s^2]*y(position)"))
     for k, name in enumerate(("hub", "arm")):
         place = (2.5 + 0.6 * k, 3.3)
         scene.add_body(SHAPES[k], mass=1.0, position=place, name=name, group=-7, **STATED)
