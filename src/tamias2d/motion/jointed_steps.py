@@ -6,6 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
+from tamias2d.motion.adaptive import Adaptive
+from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.held_splitting import HeldSplitting
 from tamias2d.motion.integrator import Integrator
 from tamias2d.motion.joint_decision import begin
@@ -16,6 +18,7 @@ from tamias2d.motion.loads import Field, Loads, state_of
 from tamias2d.motion.mechanisms import fitted
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, moved_end
+from tamias2d.motion.step_batch import StepBatch
 from tamias2d.state import Array, ExertingConstraint
 
 _REFINED = 6  # times that a step is taken anew to end at an event of a joint
@@ -47,23 +50,50 @@ class JointedSteps:
         ]
 
     def until(
-        self, start: float, end: float, position: Array, velocity: Array
-    ) -> Iterator[DenseStep]:
-        """Yield steps from a time to another, s, or to the first event of a joint."""
+        self, start: float, end: float, position: Array, velocity: Array, *, most: int = 1
+    ) -> Iterator[DenseStep | StepBatch]:
+        """Yield steps from a time to another, s, or to the first event of a joint.
+
+        Up to `most` are one where they can be taken at once.
+        """
         if self.mechanisms and start == 0:
             position, velocity = fitted(self.mechanisms, start, position, velocity)
         if self._limited:
             velocity = self._begun(start, position, velocity)
         while start < end:
+            batch = self._batch(start, end, position, velocity, most)
+            if batch is not None:
+                if self._limited:
+                    middles = (np.array(batch.times[:-1]) + batch.times[1:]) / 2
+                    self._grow(batch.at(middles)[:, 0])
+                yield batch if most > 1 else batch.step(0)
+                start, (position, velocity) = batch.end, batch.last
+                continue
             step = self._step(start, end, position, velocity)
             event = self._event(step)
             step = event or step
-            for own, one in self._limited:
-                one.grow(step.at((step.start + step.end) / 2)[0][own])
+            self._grow(step.at((step.start + step.end) / 2)[0][None])
             yield step
             if event:
                 return  # what follows is another motion
             start, (position, velocity) = step.end, step.last
+
+    def _batch(
+        self, start: float, end: float, position: Array, velocity: Array, most: int
+    ) -> StepBatch | None:
+        """Return several steps, if nothing else than steps can happen and all are known."""
+        steps = self._integrator
+        if self._pressing or not isinstance(steps, FixedSteps | Adaptive):
+            return None
+        marching = self._loads.marching(self._field.bodies, start)
+        if marching is None:
+            return None
+        return steps.marched(self._field, marching, start, end, position, velocity, most=most)
+
+    def _grow(self, positions: Array) -> None:
+        """Let mechanisms know how large they have been, by coordinates (k, n, 3)."""
+        for own, one in self._limited:
+            one.grow(positions[:, own])
 
     @cached_property
     def _free(self) -> Field:

@@ -14,7 +14,7 @@ import numpy as np
 from tamias2d.generated import definitions
 from tamias2d.motion.bounded_least import bounded_sum
 from tamias2d.motion.constraint_rows import ConstraintRows
-from tamias2d.motion.joint_code import JointCodes, Pushes
+from tamias2d.motion.joint_code import JointCode, JointCodes, Pushes
 from tamias2d.motion.joint_events import (
     BREAKS,
     STRIKES,
@@ -133,6 +133,23 @@ class LimitedMechanism:
                 )  # fmt: skip
         return self._known[mode]
 
+    def code_at(self, time: float) -> JointCode | None:
+        """Return what finds reactions and places faster from a time in s on, if anything does.
+
+        Nothing does where something else may happen in its joints (`may_change`).
+        """
+        mode = self.mode(time)
+        return None if self.may_change(mode) else self.within(mode).code
+
+    def may_change(self, mode: Mode) -> bool:
+        """Return whether its joints may leave a mode by themselves."""
+        slips = any(np.isfinite(self.most(of)) for of, _ in mode.driven if of[0] not in mode.broken)
+        teeth = any(
+            each.pitch is not None and of[0] not in mode.broken
+            for of, each in self.freedoms.items()
+        )
+        return slips or teeth or bool(self.sides(mode)) or bool(self.breaking(mode))
+
     def take_code(self, codes: JointCodes) -> None:
         """Let code find reactions and places, in each mode."""
         self._codes = codes
@@ -196,9 +213,9 @@ class LimitedMechanism:
             if np.isfinite(self.end(of, side, mode))
         ]
 
-    def grow(self, position: Array) -> None:
-        """Note how large it is between two events: at one, all its places may be the same."""
-        self._largest = max(self._largest, self._whole.extent(position))
+    def grow(self, positions: Array) -> None:
+        """Note how large it is (k, n, 3) between two events: at one its places may be the same."""
+        self._largest = max(self._largest, *map(self._whole.extent, positions))
 
     def length(self, position: Array) -> float:
         """Return a length that is not small, m: of the mechanism, now or where it was largest."""
