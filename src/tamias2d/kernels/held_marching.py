@@ -13,6 +13,8 @@ import numpy as np
 
 from tamias2d.generated.schemes import FACTS
 from tamias2d.kernels.choice import kernel
+from tamias2d.kernels.error_call import followed
+from tamias2d.kernels.error_source import error_equation
 from tamias2d.kernels.force_demand import forces_on
 from tamias2d.kernels.force_source import arguments
 from tamias2d.kernels.held_source import HeldDemand
@@ -20,13 +22,14 @@ from tamias2d.kernels.jointing import KernelJoints
 from tamias2d.kernels.march_call import MarchCall
 from tamias2d.kernels.march_source import march
 from tamias2d.motion.joint_code import JointCode
-from tamias2d.motion.marching import Control, HeldMarching, Kick, Start, Steps
+from tamias2d.motion.marching import Control, Error, HeldMarching, Kick, Rule, Start, Steps
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import loads_feel_velocity
 from tamias2d.state import Array
 
 _MOST = 4  # mechanisms in one source
 _LONGEST_WAIT = 255  # calls; rows that are in doubt everywhere cost one trial in so many steps
+_LIKELY = 1000  # steps whose errors are asked for by those who cannot say how many follow
 _GENERALLY = 6e-5  # s, of reactions or of a return, one by one by compiled code
 
 Placed: TypeAlias = tuple[Sequence[int], JointCode]
@@ -137,6 +140,24 @@ class KernelHeldMarching:
         """Take at most some steps towards a limit."""
         call = self._call(scheme, start, most, (limit - time) / control.step)
         return None if call is None else self._heard(call.adaptive(time, limit, control))
+
+    def follow(
+        self,
+        times: Sequence[float],
+        paths: Array,
+        ends: Array,
+        rule: Rule,
+        sweeps: int,
+        error: Error,
+    ) -> bool:
+        """Integrate the error of steps along their paths, and return with it to joints."""
+        code = kernel(*error_equation(self._demand), "follow")
+        compiled = code.compiled(_LIKELY)
+        if compiled is None and any(each.is_compiled for each in self._codes):
+            code.otherwise(len(times) - 1, (sweeps * len(rule.nodes) + 1) * _GENERALLY)
+            return False
+        done = followed(self, code, compiled, times, paths, rule, sweeps, error, ends=ends)
+        return done == len(times) - 1
 
     def _heard(self, steps: Steps) -> Steps:
         """Wait ever longer with the next call while none takes a step."""

@@ -39,12 +39,12 @@ _NAMES = {
     "power": POWER,
     "damping": DAMPING,
 }
-_HEAD = '''"""Steps of Tamias2D by {family}: {demand}.
+HEAD = '''"""Steps of Tamias2D by {family}: {demand}.
 
 Made from the generated functions and from nothing else; its bits are those of the general code.
 """
 '''
-_ROWS = '''def same(one, other):
+ROWS = '''def same(one, other):
     """Whether two rows are equal."""
     for j in range(len(one)):
         if one[j] != other[j]:
@@ -254,52 +254,6 @@ if not fitted(end, position_end, velocity_end, {held}):
     return k
 unmoved = same(position_end, reached[k][0]) and same(velocity_end, reached[k][1])"""
 
-_ERROR = '''def follow(
-    times, paths, nodes, early, whole, sweeps, error, largest, work_0, work_1, {tables}
-):
-    """Integrate the error of a path over its steps; return over how many.
-
-    It ends before, where a force has no value beside the path.
-    """
-    ahead, rate, pull = error[0], error[1], error[2]
-    lacking, place, speed, turn, bend = work_0, work_1[0], work_1[1], work_1[2], work_1[3]
-    for k in range(len(times) - 1):
-        time, step = times[k], times[k + 1] - times[k]
-        path, velocity, rates = paths[k][0], paths[k][1], paths[k][2]
-        for j in range(len(ahead)):
-            lacking[0][j] = pull[j] - rates[0][j]
-        for sweep in range(sweeps):
-            for i in range(1, len(nodes)):
-                weights = whole if sweep > 0 else early
-                last = len(nodes) if sweep > 0 else i
-                summed(weights[0][i], last, lacking, turn)
-                summed(weights[1][i], last, lacking, bend)
-                for j in range(len(ahead)):
-                    way = ahead[j] + step * nodes[i] * rate[j] + step * step * bend[j]
-                    place[j] = path[i][j] + way
-                    speed[j] = velocity[i][j] + (rate[j] + step * turn[j])
-                if not accelerations(time + step * nodes[i], place, speed, pull, {tables}):
-                    return k
-                for j in range(len(ahead)):
-                    lacking[i][j] = pull[j] - rates[i][j]
-        for i in range(1, len(nodes)):
-            summed(whole[0][i], len(nodes), lacking, turn)
-            summed(whole[1][i], len(nodes), lacking, bend)
-            for j in range(len(ahead)):
-                place[j] = ahead[j] + step * nodes[i] * rate[j] + step * step * bend[j]
-                largest[j] = max(largest[j], abs(place[j]))
-        copy(place, ahead)
-        moved(rate, step, turn, rate)
-    return len(times) - 1
-'''
-_SUMMED = '''def summed(weights, last, rows, total):
-    """Set a row to the weighted sum of the first of some rows."""
-    for j in range(len(total)):
-        total[j] = weights[0] * rows[0][j]
-    for n in range(1, last):
-        for j in range(len(total)):
-            total[j] = total[j] + weights[n] * rows[n][j]'''
-
 
 @dataclass(frozen=True)
 class March:
@@ -361,22 +315,10 @@ def _splitting(scheme: str, demand: ForceDemand | HeldDemand) -> March | None:
 
 
 @cache
-def error_equation(demand: ForceDemand) -> tuple[str, str]:
-    """Return the source that integrates the error of paths: for the compiler, and plain."""
-    text = _ERROR.format(tables=", ".join(tables_of_forces(demand))).rstrip()
-    helpers, imports = forces(demand)
-    helpers += [
-        part for part in _ROWS.split("\n\n\n") if part.startswith(("def copy", "def moved"))
-    ]
-    head = _HEAD.replace("Steps", "Errors of steps").format(family="their equation", demand=demand)
-    return joined(head, imports, [*helpers, _SUMMED], text)
-
-
-@cache
 def alone(demand: ForceDemand) -> tuple[str, str]:
     """Return the source of the accelerations of a demand: for the compiler, and plain."""
     helpers, imports = forces(demand)
-    head = _HEAD.replace("Steps", "Accelerations").format(family="all forces", demand=demand)
+    head = HEAD.replace("Steps", "Accelerations").format(family="all forces", demand=demand)
     return joined(head, imports, helpers[:-1], helpers[-1])
 
 
@@ -396,6 +338,15 @@ def _flat(rows: Sequence[Weighted], moments: Sequence[tuple[float, float]]) -> t
         starts.append(len(columns))
     divisors = [float(divisor) for divisor, _ in rows]
     return starts, columns, divisors, weights, [float(n) for moment in moments for n in moment]
+
+
+def functions(
+    demand: ForceDemand | HeldDemand, *, drifting: bool = False
+) -> tuple[list[str], list[str]]:
+    """Return the functions of all accelerations, and of joints, and what they import."""
+    if isinstance(demand, ForceDemand):
+        return forces(demand)
+    return held(demand, drifting=drifting)
 
 
 def _texts(
@@ -419,16 +370,12 @@ def _texts(
     names["stages"] = textwrap.indent(step.format(**names), " " * deep)
     names["rows"] = "\n".join(f"    {line}" for line in work)
     text = template.format(**names).rstrip()
-    helpers, imports = (
-        forces(demand)
-        if isinstance(demand, ForceDemand)
-        else held(demand, drifting=step is _HELD_SPLITTING)
-    )
-    helpers += _ROWS.split("\n\n\n")
+    helpers, imports = functions(demand, drifting=step is _HELD_SPLITTING)
+    helpers += ROWS.split("\n\n\n")
     if template is _ADAPTIVE:
         helpers += _controls()
         imports = [*imports, "sqrt"]
-    return joined(_HEAD.format(family=family, demand=demand), imports, helpers, text)
+    return joined(HEAD.format(family=family, demand=demand), imports, helpers, text)
 
 
 def _held_names(demand: HeldDemand, template: str, *, splits: bool) -> dict[str, str]:

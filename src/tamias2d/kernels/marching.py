@@ -14,12 +14,14 @@ import numpy as np
 
 from tamias2d.generated.schemes import FACTS
 from tamias2d.kernels.choice import kernel
+from tamias2d.kernels.error_call import followed
+from tamias2d.kernels.error_source import error_equation
 from tamias2d.kernels.force_demand import ForceDemand, Tables, forces_on
 from tamias2d.kernels.force_source import arguments
 from tamias2d.kernels.held_marching import held_marching
 from tamias2d.kernels.jointing import joint_code
 from tamias2d.kernels.march_call import MarchCall
-from tamias2d.kernels.march_source import alone, error_equation, march
+from tamias2d.kernels.march_source import alone, march
 from tamias2d.motion import Method
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.loads import Loads
@@ -138,7 +140,6 @@ class KernelMarching:
         self, times: Sequence[float], paths: Array, rule: Rule, sweeps: int, error: Error
     ) -> bool | None:
         """Integrate the error of steps along their paths (k, 3, m, n, 3)."""
-        axes, bodies = self.demand.axes, paths.shape[-2]
         turned = not self.demand.rotation and (
             paths[:, 1, :, :, 2].any() or error.state[:, :, 2].any()
         )
@@ -149,26 +150,7 @@ class KernelMarching:
         if compiled is None and self._heavy:
             code.otherwise(len(times) - 1, sweeps * len(rule.nodes) * self._pace)
             return None
-        flat = paths[..., :axes].swapaxes(-1, -2).reshape(*paths.shape[:3], -1)
-        state, largest = (
-            part[..., :axes].swapaxes(-1, -2).reshape(*part.shape[:-2], -1)
-            for part in (error.state, error.largest)
-        )
-        numbers = np.array(times), flat, rule.nodes, rule.early, rule.whole
-        work = np.zeros((len(rule.nodes), axes * bodies)), np.zeros((4, axes * bodies))
-        inputs: list[Any] = [*numbers, sweeps, state, largest, *work]
-        if compiled is not None:
-            done = compiled(*inputs, *self.tables)
-        else:
-            inputs = [part if isinstance(part, int) else part.tolist() for part in inputs]
-            try:
-                done = code.plain(*inputs, *self.lists)
-            except (ArithmeticError, ValueError):
-                return False
-            state, largest = np.array(inputs[6]), np.array(inputs[7])
-        for whole, found in ((error.state, state), (error.largest, largest)):
-            rows = found.reshape(*found.shape[:-1], axes, bodies).swapaxes(-1, -2)
-            whole[..., :axes] = rows
+        done = followed(self, code, compiled, times, paths, rule, sweeps, error)
         return bool(done == len(times) - 1)
 
     def _call(self, scheme: str, start: Start, most: int, ahead: float) -> MarchCall | None:

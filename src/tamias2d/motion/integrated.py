@@ -10,7 +10,7 @@ from tamias2d.errors import TamiasError
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.answers import Answers
 from tamias2d.motion.constrained import ConstrainedMotion
-from tamias2d.motion.error_equation import ErrorEquation, Watch, rule_beside
+from tamias2d.motion.error_equation import ErrorEquation, Held, Watch, rule_beside
 from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.halved import Halved, Halving
 from tamias2d.motion.held_splitting import HeldSplitting
@@ -340,10 +340,16 @@ class IntegratedMotion(Answers):
         """Yield steps, up to the first event of a joint: one by one where it is not known there."""
         jointed = JointedSteps(self._loads, self._stepping(field), field, field.constraints)
         watched = self._batching if jointed.mechanisms else None
-        for step in jointed.until(start, end, *now, most=most):
-            if isinstance(watched, ErrorEquation):
-                for each in _apart([step]):
-                    watched.follow(field, each, partial(fitted, jointed.mechanisms))
+        watched = watched if isinstance(watched, ErrorEquation) else None
+
+        def many() -> int:
+            return most if watched is None else min(most, watched.at_once)
+
+        for step in jointed.until(start, end, *now, most=many):
+            if watched is not None:
+                first = step.times[0] if isinstance(step, StepBatch) else step.start
+                marching = self._loads.marching(field.bodies, first)
+                watched.follow(field, step, Held(partial(fitted, jointed.mechanisms), marching))
             if isinstance(step, StepBatch):
                 yield from self._counted(field, step)
                 continue

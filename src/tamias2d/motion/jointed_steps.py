@@ -1,6 +1,6 @@
 """Steps of jointed bodies: they end where joints hold, and at what these do in an instant."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from functools import cached_property
 
@@ -40,6 +40,8 @@ class JointedSteps:
         self._loads = loads
         self.mechanisms = loads.mechanisms(field.bodies)
         """Those that hold some, with the rows of the bodies in each."""
+        constraints = [each for each in constraints if each is not None]
+        self._constrained = bool(constraints)
         self._pressing: list[ExertingConstraint] = []
         """What lasting contacts do to these bodies, each once."""
         for constraint in constraints:
@@ -50,7 +52,13 @@ class JointedSteps:
         ]
 
     def until(
-        self, start: float, end: float, position: Array, velocity: Array, *, most: int = 1
+        self,
+        start: float,
+        end: float,
+        position: Array,
+        velocity: Array,
+        *,
+        most: Callable[[], int] = lambda: 1,
     ) -> Iterator[DenseStep | StepBatch]:
         """Yield steps from a time to another, s, or to the first event of a joint.
 
@@ -61,12 +69,13 @@ class JointedSteps:
         if self._limited:
             velocity = self._begun(start, position, velocity)
         while start < end:
-            batch = self._batch(start, end, position, velocity, most)
+            many = most()
+            batch = self._batch(start, end, position, velocity, many)
             if batch is not None:
                 if self._limited:
                     middles = (np.array(batch.times[:-1]) + batch.times[1:]) / 2
                     self._grow(batch.at(middles)[:, 0])
-                yield batch if most > 1 else batch.step(0)
+                yield batch if many > 1 else batch.step(0)
                 start, (position, velocity) = batch.end, batch.last
                 continue
             step = self._step(start, end, position, velocity)
@@ -83,7 +92,7 @@ class JointedSteps:
     ) -> StepBatch | None:
         """Return several steps, if nothing else than steps can happen and all are known."""
         steps = self._integrator
-        if self._pressing or not isinstance(steps, FixedSteps | Adaptive):
+        if self._constrained or not isinstance(steps, FixedSteps | Adaptive):
             return None
         marching = self._loads.marching(self._field.bodies, start)
         if marching is None:

@@ -146,3 +146,18 @@ class HeldMarching(Protocol):
         self, scheme: str, time: float, limit: float, most: int, start: Start, control: Control
     ) -> Steps | None:
         """Step by a generated pair, as free bodies do."""
+
+    def follow(
+        self,
+        times: Sequence[float],
+        paths: Array,
+        ends: Array,
+        rule: Rule,
+        sweeps: int,
+        error: Error,
+    ) -> bool:
+        """Integrate the error of steps along their paths (k, 3, m, n, 3), and change it.
+
+        Exact motion returns to joints beside the end (k, 2, n, 3) of each. Nothing is changed where
+        that is not known for all, which is returned.
+        """
