@@ -30,6 +30,7 @@ from tamias2d.state import Array
 _MOST = 4  # mechanisms in one source
 _LONGEST_WAIT = 255  # calls; rows that are in doubt everywhere cost one trial in so many steps
 _LIKELY = 1000  # steps whose errors are asked for by those who cannot say how many follow
+_FEW = 16  # steps
 _GENERALLY = 6e-5  # s, of reactions or of a return, one by one by compiled code
 
 Placed: TypeAlias = tuple[Sequence[int], JointCode]
@@ -84,7 +85,7 @@ class KernelHeldMarching:
         """Take the tables of forces, and mechanisms with the places of their bodies."""
         self._demand = demand
         self._felt = felt
-        self._left_out = self._waited = 0
+        self._asked = self._left_out = self._waited = 0
         self._codes = [code for _, code in held]
         self.tables: list[Any] = [*forces]
         for own, code in held:
@@ -169,6 +170,9 @@ class KernelHeldMarching:
         self, scheme: str, start: Start, most: int, ahead: float, *, felt: bool = True
     ) -> MarchCall | None:
         """Return what is to be called; None where it is unknown, or one by one is faster."""
+        self._asked += most
+        if self._asked < _FEW and ahead < _FEW:  # in which making a source does not pay
+            return None
         found = march(scheme, self._demand)
         if found is None or self._left_out:
             self._left_out = max(self._left_out - 1, 0)

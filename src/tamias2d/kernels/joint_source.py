@@ -335,8 +335,14 @@ def _copies(body: str, demand: JointDemand) -> list[str]:
         *(formula.function for kind in demand.pushed for formula in _formulas(functions_of(kind))),
     ]
     called = [f for f in dict.fromkeys(known) if re.search(rf"(?<!def ){f.__name__}\(", body)]
-    copies = [copied(f, _NAMES if f in _BOUNDED else {}) for f in called]
-    return [copied(power, {}), *copies] if "power(" in "".join(copies) else copies
+    copies = [_copy(f) for f in called]
+    return [_copy(power), *copies] if "power(" in "".join(copies) else copies
+
+
+@cache
+def _copy(function: Callable[..., Any]) -> str:
+    """Return the text of a function: several sources need it, and it takes a millisecond."""
+    return copied(function, _NAMES if function in _BOUNDED else {})
 
 
 def _formulas(functions: ConstraintFunctions) -> Iterator[Formula]:

@@ -182,24 +182,31 @@ class Adaptive:
 
         None are returned where that is the first, or where that one misses what a law does.
         """
-        memory = self.memory(field, start, limit, position, velocity)
-        known = field.known(start, position, velocity)
-        before = replace(memory), replace(field.tally)
+        undo = self.undone(field, start, limit, position, velocity)
         steps = self._marched(field, marching, start, limit, position, velocity, most)
         if steps is None:
             return None
         missed = self._missed(field, steps.times, steps.at)
         if missed is None:
             return MovedBatch(steps)
-        vars(memory).update(vars(before[0]))  # anew, at the cost of those before alone
-        vars(field.tally).update(vars(before[1]))
-        field.forget()
-        if known is not None:
-            field.remember(start, position, velocity, known)
+        undo()  # anew, at the cost of those before alone
         if missed.step == 0:
             return None
         steps = self._marched(field, marching, start, limit, position, velocity, missed.step)
         return None if steps is None else MovedBatch(steps)
+
+    def undone(
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> Callable[[], None]:
+        """Return what takes back all steps that are taken from a state on."""
+        memory = self.memory(field, start, limit, position, velocity)
+        before, steps = replace(memory), field.undone(start, position, velocity)
+
+        def undo() -> None:
+            vars(memory).update(vars(before))
+            steps()
+
+        return undo
 
     def _marched(
         self,

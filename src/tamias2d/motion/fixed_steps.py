@@ -101,6 +101,17 @@ class FixedSteps:
             return None
         return MovedBatch(StepBatch(steps.times, steps.knots, reached=steps.reached))
 
+    def undone(
+        self,
+        field: MemoisedField,
+        start: float,
+        limit: float,  # noqa: ARG002
+        position: Array,
+        velocity: Array,
+    ) -> Callable[[], None]:
+        """Return what takes back all steps that are taken from a state on."""
+        return field.undone(start, position, velocity)
+
     def _one_by_one(
         self, field: MemoisedField, times: list[float], position: Array, velocity: Array
     ) -> StepBatch:

@@ -6,7 +6,7 @@ as the scheme is without joints.
 Source: Andersen (1983); Hairer, Lubich and Wanner (2006), section VII.1.4.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from tamias2d.generated.schemes import SPLITTING
 from tamias2d.motion.fixed_steps import FixedSteps
@@ -53,6 +53,19 @@ class HeldSplitting(FixedSteps):
         if kick is not None:
             self.kicks.remember(*kick)
         return StepBatch(steps.times, steps.knots)
+
+    def undone(
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> Callable[[], None]:
+        """Return what takes back all steps that are taken from a state on."""
+        steps = super().undone(field, start, limit, position, velocity)
+        kicks = self.kicks.undone(start, position, velocity)
+
+        def undo() -> None:
+            kicks()
+            steps()
+
+        return undo
 
     def advance(
         self,

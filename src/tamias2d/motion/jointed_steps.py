@@ -18,6 +18,7 @@ from tamias2d.motion.loads import Field, Loads, state_of
 from tamias2d.motion.mechanisms import fitted
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, moved_end
+from tamias2d.motion.quiet_steps import quiet
 from tamias2d.motion.step_batch import StepBatch
 from tamias2d.state import Array, ExertingConstraint
 
@@ -68,20 +69,22 @@ class JointedSteps:
             position, velocity = fitted(self.mechanisms, start, position, velocity)
         if self._limited:
             velocity = self._begun(start, position, velocity)
+        taken = 0
         while start < end:
             many = most()
-            batch = self._batch(start, end, position, velocity, many)
+            some = min(many, max(taken, 1)) if self._limited else many  # those beyond it are lost
+            batch = self._batch(start, end, position, velocity, some)
+            taken += 1 if batch is None else len(batch.times) - 1
             if batch is not None:
-                if self._limited:
-                    middles = (np.array(batch.times[:-1]) + batch.times[1:]) / 2
-                    self._grow(batch.at(middles)[:, 0])
+                middles = (np.array(batch.times[:-1]) + batch.times[1:]) / 2
+                self._grow(middles, batch.at)
                 yield batch if many > 1 else batch.step(0)
                 start, (position, velocity) = batch.end, batch.last
                 continue
             step = self._step(start, end, position, velocity)
             event = self._event(step)
             step = event or step
-            self._grow(step.at((step.start + step.end) / 2)[0][None])
+            self._grow(np.array([(step.start + step.end) / 2]), step.states)
             yield step
             if event:
                 return  # what follows is another motion
@@ -90,19 +93,30 @@ class JointedSteps:
     def _batch(
         self, start: float, end: float, position: Array, velocity: Array, most: int
     ) -> StepBatch | None:
-        """Return several steps, if nothing else than steps can happen and all are known."""
+        """Return several steps if all are known, and surely nothing else happens in joints."""
         steps = self._integrator
         if self._constrained or not isinstance(steps, FixedSteps | Adaptive):
             return None
         marching = self._loads.marching(self._field.bodies, start)
         if marching is None:
             return None
-        return steps.marched(self._field, marching, start, end, position, velocity, most=most)
+        field, now = self._field, (position, velocity)
+        undo = steps.undone(field, start, end, *now)
+        batch = steps.marched(field, marching, start, end, *now, most=most)
+        if batch is None:
+            return None
+        count = min((quiet(one, own, batch) for own, one in self._limited), default=most)
+        if count >= len(batch.times) - 1:
+            return batch
+        undo()  # what follows an event is another motion
+        return steps.marched(field, marching, start, end, *now, most=count) if count else None
 
-    def _grow(self, positions: Array) -> None:
-        """Let mechanisms know how large they have been, by coordinates (k, n, 3)."""
-        for own, one in self._limited:
-            one.grow(positions[:, own])
+    def _grow(self, times: Array, states: Callable[[Array], Array]) -> None:
+        """Let mechanisms know how large they have been, by states at times, s."""
+        if self._limited:
+            positions = states(times)[:, 0]
+            for own, one in self._limited:
+                one.grow(positions[:, own])
 
     @cached_property
     def _free(self) -> Field:

@@ -136,19 +136,21 @@ class LimitedMechanism:
     def code_at(self, time: float) -> JointCode | None:
         """Return what finds reactions and places faster from a time in s on, if anything does.
 
-        Nothing does where something else may happen in its joints (`may_change`).
+        Nothing does where only what joints exert tells how its mode ends.
         """
         mode = self.mode(time)
-        return None if self.may_change(mode) else self.within(mode).code
+        return self.within(mode).code if self.is_measured(mode) else None
 
-    def may_change(self, mode: Mode) -> bool:
-        """Return whether its joints may leave a mode by themselves."""
-        slips = any(np.isfinite(self.most(of)) for of, _ in mode.driven if of[0] not in mode.broken)
-        teeth = any(
-            each.pitch is not None and of[0] not in mode.broken
-            for of, each in self.freedoms.items()
+    def is_measured(self, mode: Mode) -> bool:
+        """Return whether measures tell where a mode ends: nothing that may give way holds.
+
+        Not so a distance that may turn around at its shortest.
+        """
+        may_slip = any(np.isfinite(self.most(of)) for of in self._keeping(mode))
+        turns = any(
+            side < 0 and self.freedoms[of].measure == "distance" for of, side in self.sides(mode)
         )
-        return slips or teeth or bool(self.sides(mode)) or bool(self.breaking(mode))
+        return not (mode.held or may_slip or turns or self.breaking(mode))
 
     def take_code(self, codes: JointCodes) -> None:
         """Let code find reactions and places, in each mode."""

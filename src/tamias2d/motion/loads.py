@@ -114,7 +114,7 @@ class Loads:
             if code is None:
                 return None
             placed.append((own, code))
-        return self._held(bodies, placed)
+        return self._held(bodies, placed) if placed else None
 
     def struck(
         self, time: float, impulses: Mapping[int, Acceleration], state: StateOf
