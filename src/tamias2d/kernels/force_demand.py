@@ -67,8 +67,13 @@ Tables = dict[str, Array]
 """The numbers of a demand by the names of its source: floats (k,), and rows of bodies (k,)."""
 
 
-def forces_on(scene: Scene, bodies: Sequence[int]) -> tuple[ForceDemand, Tables] | None:
-    """Return what acts on a group of bodies; None where no code is made for it."""
+def forces_on(
+    scene: Scene, bodies: Sequence[int], *, turned: bool = False
+) -> tuple[ForceDemand, Tables] | None:
+    """Return what acts on a group of bodies, which may be turned by something else.
+
+    None where no code is made for it.
+    """
     laws = _laws(scene, bodies)
     if laws is None:
         return None
@@ -76,7 +81,8 @@ def forces_on(scene: Scene, bodies: Sequence[int]) -> tuple[ForceDemand, Tables]
     loads = [steady_load(scene, k) for k in bodies]
     springs = [s for s in scene.springs if set(s.bodies) & set(bodies)]
     rotation = (
-        any(load[TURNING] for load in loads)
+        turned
+        or any(load[TURNING] for load in loads)
         or any(b.angular_velocity or b.angular_drag or b.shape is not None for b in feeling)
         or any(component == TURNING or _turns(shape) for component, shape in laws.shapes)
         or anchored(springs)

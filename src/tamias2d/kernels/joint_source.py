@@ -14,7 +14,7 @@ from tamias2d.generated import definitions
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.kernels import elimination, row_products
 from tamias2d.kernels.copied import copied
-from tamias2d.kernels.march_source import joined
+from tamias2d.kernels.joined import joined
 from tamias2d.motion.mechanism import APART, MOST, ROUNDING
 from tamias2d.spec.constraint import ENDS
 from tamias2d.spec.constraint_functions import ConstraintFunctions, Formula
@@ -251,28 +251,48 @@ _DRIFT = '''def drift(time, duration, position, velocity, multipliers, {tables})
     return {doubted}'''
 
 
+_HELPERS = (_FACTORS_OF, _LEAVE, _ANSWER, _MISSED)
+
+
 @cache
 def joints(demand: JointDemand) -> tuple[str, str]:
     """Return the source of reactions and of the return: for the compiler, and plain.
 
     They are one source, because most of what they need is the same.
     """
-    loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate", "convective")]
-    loops += [_pull_of(kind) for kind in demand.pushed if kind == "travel"]
-    helpers = (_FACTORS_OF, _LEAVE, _ANSWER, _MISSED, _REACT, _FIT)
-    return _source(demand, loops, helpers, _ENTRY)
+    return _source(demand, _loops_of(demand), (*_HELPERS, _REACT, _FIT), _ENTRY)
 
 
 @cache
 def drifts(demand: JointDemand) -> tuple[str, str]:
     """Return the source of drifts that end where joints hold, likewise."""
     loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate")]
-    return _source(demand, loops, (_FACTORS_OF, _LEAVE, _ANSWER), _DRIFT)
+    return _source(demand, loops, _HELPERS[:-1], _DRIFT)
+
+
+def functions(demand: JointDemand, *, drifting: bool = False) -> tuple[list[str], list[str]]:
+    """Return `react`, `fit` and perhaps `drift` with what they call, and what that imports."""
+    made = (*_HELPERS, _REACT, _FIT, *([_DRIFT] if drifting else []))
+    return _functions(demand, _loops_of(demand), made)
+
+
+def _loops_of(demand: JointDemand) -> list[str]:
+    loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate", "convective")]
+    return loops + [_pull_of(kind) for kind in demand.pushed if kind == "travel"]
 
 
 def _source(
     demand: JointDemand, loops: Sequence[str], helpers: Sequence[str], entry: str
 ) -> tuple[str, str]:
+    texts, imports = _functions(demand, loops, (*helpers, entry))
+    head = f'"""Joints of Tamias2D: {demand}.\n\nMade from the generated functions.\n"""\n'
+    return joined(head, imports, texts[:-1], texts[-1])
+
+
+def _functions(
+    demand: JointDemand, loops: Sequence[str], templates: Sequence[str]
+) -> tuple[list[str], list[str]]:
+    """Return functions after all that they call, and the names to be imported from `math`."""
     names = {
         "tables": ", ".join(tables_of(demand)),
         "kinds": ", ".join(f"{kind}_given, {kind}_ends" for kind in demand.kinds),
@@ -294,14 +314,11 @@ def _source(
         "settled": _SETTLED,
         "rounds": _ROUNDS,
     }
-    parts = [template.format(**names) for template in (*helpers, entry)]
-    helpers = [*loops, *parts[:-1]]
-    used = "\n".join([*helpers, parts[-1]])
+    texts = [*loops, *(template.format(**names) for template in templates)]
+    used = "\n".join(texts)
     copies = _copies(used, demand)
     used = "\n".join([*copies, used])
-    imports = [name for name in _IN_MATH if re.search(rf"\b{name}\b", used)]
-    head = f'"""Joints of Tamias2D: {demand}.\n\nMade from the generated functions.\n"""\n'
-    return joined(head, imports, [*copies, *helpers], parts[-1])
+    return [*copies, *texts], [name for name in _IN_MATH if re.search(rf"\b{name}\b", used)]
 
 
 def _copies(body: str, demand: JointDemand) -> list[str]:
@@ -318,8 +335,14 @@ def _copies(body: str, demand: JointDemand) -> list[str]:
         *(formula.function for kind in demand.pushed for formula in _formulas(functions_of(kind))),
     ]
     called = [f for f in dict.fromkeys(known) if re.search(rf"(?<!def ){f.__name__}\(", body)]
-    copies = [copied(f, _NAMES if f in _BOUNDED else {}) for f in called]
-    return [copied(power, {}), *copies] if "power(" in "".join(copies) else copies
+    copies = [_copy(f) for f in called]
+    return [_copy(power), *copies] if "power(" in "".join(copies) else copies
+
+
+@cache
+def _copy(function: Callable[..., Any]) -> str:
+    """Return the text of a function: several sources need it, and it takes a millisecond."""
+    return copied(function, _NAMES if function in _BOUNDED else {})
 
 
 def _formulas(functions: ConstraintFunctions) -> Iterator[Formula]:

@@ -58,17 +58,32 @@ class KernelJoints:
     """
 
     def __init__(self, demand: JointDemand, tables: Tables, numbers: NDArray[np.int64]) -> None:
-        self._demand = demand
-        self._tables = [tables[name] for name in tables_of(demand)]
+        self.demand = demand
+        self.tables = [tables[name] for name in tables_of(demand)]
         self._numbers = numbers
         self._sizes = tables["sizes"]
         self._doubtful = float(tables["doubtful"][0])
-        self._begun = False
+        self.begun = False
+        """Whether it is known if rows may fade: its tables stay as they are from then on."""
 
     @cached_property
-    def _lists(self) -> list[list[Any]]:
+    def lists(self) -> list[list[Any]]:
         """The tables as plain Python takes them."""
-        return [table.tolist() for table in self._tables]
+        return [table.tolist() for table in self.tables]
+
+    @property
+    def count(self) -> int:
+        """How many rows there are."""
+        return len(self._numbers)
+
+    @property
+    def is_compiled(self) -> bool:
+        """Whether reactions are found by compiled code."""
+        return self._code.compiled(_LIKELY) is not None
+
+    @property
+    def _code(self) -> Kernel:
+        return kernel(*joint_source.joints(self.demand), "joints")
 
     def react(
         self, time: float, position: Array, velocity: Array, free: Array
@@ -90,23 +105,22 @@ class KernelJoints:
         self, time: float, duration: float, position: Array, velocity: Array
     ) -> tuple[Array, Array] | None:
         """Return places (n, 3) after a drift, and velocities along it (GD24)."""
-        code = kernel(*joint_source.drifts(self._demand), "drift")
+        code = kernel(*joint_source.drifts(self.demand), "drift")
         rows, found = self._called(code, (time, duration), (position, velocity))
         return None if rows == DOUBTED else (_rows(found[0]), _rows(found[1]))
 
     def _run(self, fitting: bool, time: float, *states: Array) -> tuple[int, list[Array]]:
         """Return what the rows are, and states and multipliers after a kernel."""
         rows, found = self._tried(fitting, time, *states)
-        if rows == FADED and not self._begun:
+        if rows == FADED and not self.begun:
             self._sizes[2:] = (0.0, self._doubtful, 0.0, self._doubtful)
-            self.__dict__.pop("_lists", None)
+            self.__dict__.pop("lists", None)
             rows, found = self._tried(fitting, time, *states)
-        self._begun = True
+        self.begun = True
         return rows, found
 
     def _tried(self, fitting: bool, time: float, *states: Array) -> tuple[int, list[Array]]:
-        code = kernel(*joint_source.joints(self._demand), "joints")
-        return self._called(code, (fitting, time), states)
+        return self._called(self._code, (fitting, time), states)
 
     def _called(
         self, code: Kernel, numbers: tuple[float, ...], states: Sequence[Array]
@@ -115,10 +129,10 @@ class KernelJoints:
         compiled: Callable[..., int] | None = code.compiled(_LIKELY)
         rows = [state.T.flatten() for state in states] + [np.zeros(len(self._numbers))]
         if compiled is not None:
-            return compiled(*numbers, *rows, *self._tables), rows
+            return compiled(*numbers, *rows, *self.tables), rows
         lists = [row.tolist() for row in rows]
         try:
-            found: int = code.plain(*numbers, *lists, *self._lists)
+            found: int = code.plain(*numbers, *lists, *self.lists)
         except (ArithmeticError, ValueError):  # where compiled code goes on with what is not finite
             return DOUBTED, []
         return found, [np.array(row) for row in lists]

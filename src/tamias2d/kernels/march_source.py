@@ -15,11 +15,11 @@ from typing import Any
 from tamias2d.generated.schemes import RUNGE_KUTTA, SPLITTING, Weighted
 from tamias2d.kernels.copied import copied
 from tamias2d.kernels.force_demand import ForceDemand
-from tamias2d.kernels.force_source import arguments as tables_of, source as forces
+from tamias2d.kernels.force_source import arguments as tables_of_forces, source as forces
+from tamias2d.kernels.held_source import HeldDemand, held_tables, source as held
+from tamias2d.kernels.joined import joined
 from tamias2d.motion import adaptive
 
-HELPER = '@njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)'
-ENTRY = '@njit(cache=True, error_model="numpy", nogil=True, no_cfunc_wrapper=True)'
 EVALUATIONS, REJECTED, KNOWN, DONE, SETTLED = range(5)
 """Places in `told`: accelerations and rejected steps so far; whether the last accelerations are
 known (1); steps that are done; accelerations up to the last of them. Rejected ones follow."""
@@ -39,12 +39,12 @@ _NAMES = {
     "power": POWER,
     "damping": DAMPING,
 }
-_HEAD = '''"""Steps of Tamias2D by {family}: {demand}.
+HEAD = '''"""Steps of Tamias2D by {family}: {demand}.
 
 Made from the generated functions and from nothing else; its bits are those of the general code.
 """
 '''
-_ROWS = '''def same(one, other):
+ROWS = '''def same(one, other):
     """Whether two rows are equal."""
     for j in range(len(one)):
         if one[j] != other[j]:
@@ -79,12 +79,12 @@ _BEGIN = """        time = times[k]
         told[{done}] = k
         if told[{known}] == 0:
             told[{evaluations}] += 1
-            if not accelerations(time, position, velocity, rate, {tables}):
+            if not {accelerations}(time, position, velocity, rate, {tables}):
                 return k
             told[{known}] = 1
         told[{settled}] = told[{evaluations}]
         told[{settled} + 1] = told[{rejected}]"""
-_FIXED = '''def advance(times, places, speeds, rates, {scheme}, {work}, told, felt, {tables}):
+_FIXED = '''def advance(times, {states}, {scheme}, {work}, told, felt, {tables}):
     """Step from each time to the next, as long as forces have values; return how many steps."""
 {rows}
     for k in range(len(times) - 1):
@@ -96,12 +96,12 @@ _FIXED = '''def advance(times, places, speeds, rates, {scheme}, {work}, told, fe
             copy(asked, rate_end)
         else:
             told[{evaluations}] += 1
-            if not accelerations(end, position_end, velocity_end, rate_end, {tables}):
-                return k
+            if not {accelerations}(end, position_end, velocity_end, rate_end, {tables}):
+                return k{back}
     return len(times) - 1
 '''
 _ADAPTIVE = '''def advance(
-    limits, times, places, speeds, rates, dense, control, {scheme}, {work}, told, felt, {tables}
+    limits, times, {states}, dense, control, {scheme}, {work}, told, felt, {tables}
 ):
     """Step towards limits, one each, as far as its error allows; return how many steps.
 
@@ -151,7 +151,7 @@ _ADAPTIVE = '''def advance(
                 break
             told[{rejected}] += 1
             rejected = True
-            time_step *= shrinking(error, control[{power}])
+            time_step *= shrinking(error, control[{power}]){back}
         times[k + 1] = end
         longer = time_step * growth(
             error, control[{last_error}], control[{power}], control[{damping}], rejected
@@ -163,7 +163,7 @@ _ADAPTIVE = '''def advance(
         for r in range(len(starts) - 1 - stages - errors):
             row = stages + errors + r
             weighted(starts[row], starts[row + 1], columns, weights, slopes, dense[k][r])
-        if reused:
+        if reused{unmoved}:
             copy(asked, rate_end)
         else:
             told[{known}] = 0
@@ -185,7 +185,7 @@ for s in range(1, stages):
         continue
     told[{evaluations}] += 1
     moment = time + moments[2 * s] * time_step / moments[2 * s + 1]
-    if not accelerations(moment, asked_places[s], velocities[s], slopes[s], {tables}):
+    if not {accelerations}(moment, asked_places[s], velocities[s], slopes[s], {tables}):
         return k
 first, last = starts[stages - 1], starts[stages]
 factor = time_step / divisors[stages - 1]
@@ -222,52 +222,37 @@ for p in range(len(kicks)):
         moved(position_end, factor, velocity_end, position_end)
 reused = moment == end and same(asked_place, position_end)
 reused = reused and (not felt or same(asked_speed, velocity_end))"""
-
-_ERROR = '''def follow(
-    times, paths, nodes, early, whole, sweeps, error, largest, work_0, work_1, {tables}
-):
-    """Integrate the error of a path over its steps; return over how many.
-
-    It ends before, where a force has no value beside the path.
-    """
-    ahead, rate, pull = error[0], error[1], error[2]
-    lacking, place, speed, turn, bend = work_0, work_1[0], work_1[1], work_1[2], work_1[3]
-    for k in range(len(times) - 1):
-        time, step = times[k], times[k + 1] - times[k]
-        path, velocity, rates = paths[k][0], paths[k][1], paths[k][2]
-        for j in range(len(ahead)):
-            lacking[0][j] = pull[j] - rates[0][j]
-        for sweep in range(sweeps):
-            for i in range(1, len(nodes)):
-                weights = whole if sweep > 0 else early
-                last = len(nodes) if sweep > 0 else i
-                summed(weights[0][i], last, lacking, turn)
-                summed(weights[1][i], last, lacking, bend)
-                for j in range(len(ahead)):
-                    way = ahead[j] + step * nodes[i] * rate[j] + step * step * bend[j]
-                    place[j] = path[i][j] + way
-                    speed[j] = velocity[i][j] + (rate[j] + step * turn[j])
-                if not accelerations(time + step * nodes[i], place, speed, pull, {tables}):
-                    return k
-                for j in range(len(ahead)):
-                    lacking[i][j] = pull[j] - rates[i][j]
-        for i in range(1, len(nodes)):
-            summed(whole[0][i], len(nodes), lacking, turn)
-            summed(whole[1][i], len(nodes), lacking, bend)
-            for j in range(len(ahead)):
-                place[j] = ahead[j] + step * nodes[i] * rate[j] + step * step * bend[j]
-                largest[j] = max(largest[j], abs(place[j]))
-        copy(place, ahead)
-        moved(rate, step, turn, rate)
-    return len(times) - 1
-'''
-_SUMMED = '''def summed(weights, last, rows, total):
-    """Set a row to the weighted sum of the first of some rows."""
-    for j in range(len(total)):
-        total[j] = weights[0] * rows[0][j]
-    for n in range(1, last):
-        for j in range(len(total)):
-            total[j] = total[j] + weights[n] * rows[n][j]'''
+_HELD_SPLITTING = """copy(position, position_end)
+copy(velocity, velocity_end)
+copy(asked, asked_before)
+copy(asked_place, place_before)
+copy(asked_speed, speed_before)
+moments[1] = moments[0]
+for p in range(len(kicks)):
+    length = parts[4 * p] * time_step / parts[4 * p + 1]
+    moment = time + parts[4 * p + 2] * time_step / parts[4 * p + 3]
+    if kicks[p]:
+        asked_is_known = moment == moments[0] and same(asked_place, position_end)
+        if not (asked_is_known and (not felt or same(asked_speed, velocity_end))):
+            told[{evaluations}] += 1
+            if not accelerations(moment, position_end, velocity_end, asked, {forces}):
+                return k
+            copy(position_end, asked_place)
+            copy(velocity_end, asked_speed)
+            moments[0] = moment
+        moved(velocity_end, length, asked, velocity_end)
+    elif not drifted(moment, length, position_end, velocity_end, {held}):
+        return k
+if not fitted(time + time_step, position_end, velocity_end, {held}):
+    return k
+reused = False"""
+_RETURN = """
+copy(position_end, reached[k][0])
+copy(velocity_end, reached[k][1])
+copy(rate_end, reached[k][2])
+if not fitted(end, position_end, velocity_end, {held}):
+    return k
+unmoved = same(position_end, reached[k][0]) and same(velocity_end, reached[k][1])"""
 
 
 @dataclass(frozen=True)
@@ -283,18 +268,15 @@ class March:
     """Blocks of rows that it works on, each row as long as one of `places`."""
     slopes: int
     """Of the velocity in a step, for its path; 0 for steps whose length is given."""
+    returns: bool = False
+    """Whether each step ends with a return to joints, and where it led before is told."""
 
 
 @cache
-def march(scheme: str, demand: ForceDemand) -> March | None:
+def march(scheme: str, demand: ForceDemand | HeldDemand) -> March | None:
     """Return the source of the steps of a scheme under the forces of a demand, if there is one."""
     if scheme in SPLITTING:
-        parts = SPLITTING[scheme].parts
-        kicks = [int(kick) for kick, *_ in parts]
-        numbers = [float(number) for _, *lengths in parts for number in lengths]
-        work = "asked, asked_place, asked_speed = work_0[0], work_0[1], work_0[2]"
-        texts = _texts(demand, "kicks and drifts", _SPLITTING, _FIXED, "kicks, parts", [work])
-        return March(*texts, (kicks, numbers), (3,), 0)
+        return _splitting(scheme, demand)
     if scheme not in RUNGE_KUTTA:
         return None
     table = RUNGE_KUTTA[scheme]
@@ -310,27 +292,41 @@ def march(scheme: str, demand: ForceDemand) -> March | None:
     at_end = max((s for s, (up, down) in enumerate(table.moments) if s and up == down), default=0)
     lists = _flat(rows, table.moments)
     work_sizes = (stages, stages, stages, 1, *((errors, errors) if errors else ()))
-    return March(*texts, (stages, errors, at_end, *lists), work_sizes, len(table.dense))
+    numbers = (stages, errors, at_end, *lists)
+    returns = isinstance(demand, HeldDemand)
+    return March(*texts, numbers, work_sizes, len(table.dense), returns)
 
 
-@cache
-def error_equation(demand: ForceDemand) -> tuple[str, str]:
-    """Return the source that integrates the error of paths: for the compiler, and plain."""
-    text = _ERROR.format(tables=", ".join(tables_of(demand))).rstrip()
-    helpers, imports = forces(demand)
-    helpers += [
-        part for part in _ROWS.split("\n\n\n") if part.startswith(("def copy", "def moved"))
-    ]
-    head = _HEAD.replace("Steps", "Errors of steps").format(family="their equation", demand=demand)
-    return joined(head, imports, [*helpers, _SUMMED], text)
+def _splitting(scheme: str, demand: ForceDemand | HeldDemand) -> March | None:
+    """Return the source of kicks and drifts; of springs and motors kicks are not known here."""
+    parts = SPLITTING[scheme].parts
+    kicks = [int(kick) for kick, *_ in parts]
+    numbers = [float(number) for _, *lengths in parts for number in lengths]
+    work = ["asked, asked_place, asked_speed = work_0[0], work_0[1], work_0[2]"]
+    if isinstance(demand, ForceDemand):
+        texts = _texts(demand, "kicks and drifts", _SPLITTING, _FIXED, "kicks, parts", work)
+        return March(*texts, (kicks, numbers), (3,), 0)
+    if demand.joints.pushed:
+        return None
+    work += ["asked_before, place_before, speed_before = work_1[0], work_1[1], work_1[2]"]
+    work += ["moments = work_2[0]"]
+    texts = _texts(demand, "kicks and drifts", _HELD_SPLITTING, _FIXED, "kicks, parts", work)
+    return March(*texts, (kicks, numbers), (3, 3, 1), 0)
 
 
 @cache
 def alone(demand: ForceDemand) -> tuple[str, str]:
     """Return the source of the accelerations of a demand: for the compiler, and plain."""
     helpers, imports = forces(demand)
-    head = _HEAD.replace("Steps", "Accelerations").format(family="all forces", demand=demand)
+    head = HEAD.replace("Steps", "Accelerations").format(family="all forces", demand=demand)
     return joined(head, imports, helpers[:-1], helpers[-1])
+
+
+def tables_of(demand: ForceDemand | HeldDemand) -> list[str]:
+    """Return the names of the tables that steps take, in order."""
+    if isinstance(demand, ForceDemand):
+        return tables_of_forces(demand)
+    return [*tables_of_forces(demand.forces), *held_tables(demand)]
 
 
 def _flat(rows: Sequence[Weighted], moments: Sequence[tuple[float, float]]) -> tuple[Any, ...]:
@@ -344,35 +340,55 @@ def _flat(rows: Sequence[Weighted], moments: Sequence[tuple[float, float]]) -> t
     return starts, columns, divisors, weights, [float(n) for moment in moments for n in moment]
 
 
+def functions(
+    demand: ForceDemand | HeldDemand, *, drifting: bool = False
+) -> tuple[list[str], list[str]]:
+    """Return the functions of all accelerations, and of joints, and what they import."""
+    if isinstance(demand, ForceDemand):
+        return forces(demand)
+    return held(demand, drifting=drifting)
+
+
 def _texts(
-    demand: ForceDemand, family: str, step: str, template: str, scheme: str, work: Sequence[str]
+    demand: ForceDemand | HeldDemand,
+    family: str,
+    step: str,
+    template: str,
+    scheme: str,
+    work: Sequence[str],
 ) -> tuple[str, str]:
     """Return the source for the compiler, and without its marks."""
     blocks = sorted(set(re.findall(r"work_\d", " ".join(work))))
-    names = {**_NAMES, "tables": ", ".join(tables_of(demand)), "scheme": scheme}
-    names["work"] = ", ".join(blocks)
+    tables = tables_of(demand)
+    names = {**_NAMES, "tables": ", ".join(tables), "scheme": scheme, "work": ", ".join(blocks)}
+    names |= {"states": "places, speeds, rates", "accelerations": "accelerations"}
+    names |= {"back": "", "unmoved": ""}
+    if isinstance(demand, HeldDemand):
+        names |= _held_names(demand, template, splits=step is _HELD_SPLITTING)
     deep = 12 if template is _ADAPTIVE else 8
     names["begin"] = _BEGIN.format(**names)
     names["stages"] = textwrap.indent(step.format(**names), " " * deep)
     names["rows"] = "\n".join(f"    {line}" for line in work)
     text = template.format(**names).rstrip()
-    helpers, imports = forces(demand)
-    helpers += _ROWS.split("\n\n\n")
+    helpers, imports = functions(demand, drifting=step is _HELD_SPLITTING)
+    helpers += ROWS.split("\n\n\n")
     if template is _ADAPTIVE:
         helpers += _controls()
         imports = [*imports, "sqrt"]
-    return joined(_HEAD.format(family=family, demand=demand), imports, helpers, text)
+    return joined(HEAD.format(family=family, demand=demand), imports, helpers, text)
 
 
-def joined(
-    head: str, imports: Sequence[str], helpers: Sequence[str], entry: str
-) -> tuple[str, str]:
-    """Return a source of helpers and an entry for the compiler, and without its marks."""
-    if imports:
-        head += f"\nfrom math import {', '.join(sorted(set(imports)))}"
-    marked = (f"{HELPER}\n{each}" for each in helpers)
-    compiled = "\n\n\n".join([f"{head}\nfrom numba import njit", *marked, f"{ENTRY}\n{entry}"])
-    return compiled + "\n", "\n\n\n".join([head, *helpers, entry]) + "\n"
+def _held_names(demand: HeldDemand, template: str, *, splits: bool) -> dict[str, str]:
+    """What stands in a template where joints hold: steps of slopes end with the return to them."""
+    tables = ", ".join(held_tables(demand))
+    names = {"accelerations": "held_accelerations", "held": tables}
+    if splits:
+        return names | {"forces": ", ".join(tables_of_forces(demand.forces))}
+    back = _RETURN.format(held=tables)
+    if template is _FIXED:
+        back += "\nif not unmoved:\n    told[{known}] = 0".format(**_NAMES)
+    names["back"] = back.replace("\n", "\n        ")
+    return names | {"states": "places, speeds, rates, reached", "unmoved": " and unmoved"}
 
 
 def _controls() -> list[str]:

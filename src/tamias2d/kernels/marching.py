@@ -13,23 +13,15 @@ from typing import Any
 import numpy as np
 
 from tamias2d.generated.schemes import FACTS
-from tamias2d.kernels.choice import Kernel, kernel
+from tamias2d.kernels.choice import kernel
+from tamias2d.kernels.error_call import followed
+from tamias2d.kernels.error_source import error_equation
 from tamias2d.kernels.force_demand import ForceDemand, Tables, forces_on
 from tamias2d.kernels.force_source import arguments
+from tamias2d.kernels.held_marching import held_marching
 from tamias2d.kernels.jointing import joint_code
-from tamias2d.kernels.march_source import (
-    DONE,
-    ERROR,
-    EVALUATIONS,
-    KNOWN,
-    REJECTED,
-    SETTLED,
-    STEP,
-    March,
-    alone,
-    error_equation,
-    march,
-)
+from tamias2d.kernels.march_call import MarchCall
+from tamias2d.kernels.march_source import alone, march
 from tamias2d.motion import Method
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.loads import Loads
@@ -39,8 +31,6 @@ from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity
 from tamias2d.state import Array
 
-_PLAIN = 32  # steps at once as plain Python, after which compiling may have come to pay
-_TOLD = 6  # places in `told`
 _HEAVY = 150  # numbers of forces, from which NumPy is faster than plain Python
 _GENERALLY = 4e-5, 5e-8  # s, of a term and of each number, by NumPy
 _LIKELY = 1000  # accelerations are asked for by those who cannot say how often they will
@@ -51,7 +41,7 @@ def march_by_kernels(motion: Motion, scene: Scene) -> None:
     if not isinstance(motion, IntegratedMotion):
         return
     if scene.joints:
-        motion.take_joint_codes(joint_code, _makers(scene))
+        motion.take_joint_codes(joint_code, _makers(scene), held_marching(scene))
     else:
         motion.marching = _makers(scene)
 
@@ -79,6 +69,7 @@ class KernelMarching:
 
     def __init__(self, demand: ForceDemand, tables: Tables, *, felt: bool) -> None:
         self.demand = demand
+        self.axes = demand.axes
         self.tables = [tables[name] for name in arguments(demand)]
         self.felt = felt
         work = sum(len(table) for table in self.tables)
@@ -131,15 +122,7 @@ class KernelMarching:
     ) -> Steps | None:
         """Take at most some steps towards a limit."""
         call = self._call(scheme, start, most, (limit - time) / control.step)
-        if call is None:
-            return None
-        call.rows[0][0] = time
-        numbers = call.array(list(astuple(control)))
-        count = call.go(call.array([limit]), control=numbers)
-        finished = count == call.most or bool(call.rows[0][count] >= limit)
-        if count:
-            control.step, control.error = float(numbers[STEP]), float(numbers[ERROR])
-        return call.steps(count, finished=finished)
+        return None if call is None else call.adaptive(time, limit, control)
 
     def along(self, scheme: str, times: Sequence[float], start: Start) -> Steps | None:
         """Step from each of the times to the next, as nothing is too large an error."""
@@ -157,7 +140,6 @@ class KernelMarching:
         self, times: Sequence[float], paths: Array, rule: Rule, sweeps: int, error: Error
     ) -> bool | None:
         """Integrate the error of steps along their paths (k, 3, m, n, 3)."""
-        axes, bodies = self.demand.axes, paths.shape[-2]
         turned = not self.demand.rotation and (
             paths[:, 1, :, :, 2].any() or error.state[:, :, 2].any()
         )
@@ -168,29 +150,10 @@ class KernelMarching:
         if compiled is None and self._heavy:
             code.otherwise(len(times) - 1, sweeps * len(rule.nodes) * self._pace)
             return None
-        flat = paths[..., :axes].swapaxes(-1, -2).reshape(*paths.shape[:3], -1)
-        state, largest = (
-            part[..., :axes].swapaxes(-1, -2).reshape(*part.shape[:-2], -1)
-            for part in (error.state, error.largest)
-        )
-        numbers = np.array(times), flat, rule.nodes, rule.early, rule.whole
-        work = np.zeros((len(rule.nodes), axes * bodies)), np.zeros((4, axes * bodies))
-        inputs: list[Any] = [*numbers, sweeps, state, largest, *work]
-        if compiled is not None:
-            done = compiled(*inputs, *self.tables)
-        else:
-            inputs = [part if isinstance(part, int) else part.tolist() for part in inputs]
-            try:
-                done = code.plain(*inputs, *self.lists)
-            except (ArithmeticError, ValueError):
-                return False
-            state, largest = np.array(inputs[6]), np.array(inputs[7])
-        for whole, found in ((error.state, state), (error.largest, largest)):
-            rows = found.reshape(*found.shape[:-1], axes, bodies).swapaxes(-1, -2)
-            whole[..., :axes] = rows
+        done = followed(self, code, compiled, times, paths, rule, sweeps, error)
         return bool(done == len(times) - 1)
 
-    def _call(self, scheme: str, start: Start, most: int, ahead: float) -> "_Call | None":
+    def _call(self, scheme: str, start: Start, most: int, ahead: float) -> MarchCall | None:
         """Return what is to be called; None where it is unknown, or the general code is faster."""
         found = march(scheme, self.demand)
         turned = not self.demand.rotation and start.velocity[:, 2].any()
@@ -201,80 +164,4 @@ class KernelMarching:
         if compiled is None and self._heavy:
             code.otherwise(most, FACTS[scheme].evaluations * self._pace)
             return None
-        return _Call(self, found, code, compiled, start, most)
-
-
-class _Call:
-    """One call of a kernel: its rows of numbers, and what they mean."""
-
-    def __init__(
-        self,
-        owner: KernelMarching,
-        found: March,
-        code: Kernel,
-        compiled: Callable[..., Any] | None,
-        start: Start,
-        most: int,
-    ) -> None:
-        self._code = code
-        self.compiled = compiled
-        self.most = most if self.compiled else min(most, _PLAIN)
-        self._start = start
-        self._slopes = found.slopes
-        self._axes = owner.demand.axes
-        size = self._axes * len(start.position)
-        states = (self._rows(self.most + 1, size) for _ in range(3))
-        self.rows = [self.array([0.0] * (self.most + 1)), *states]
-        self._dense = self._rows(self.most, found.slopes, size) if found.slopes else None
-        self._told = self.array([0] * _TOLD)
-        scheme = (self.array(part) if isinstance(part, list) else part for part in found.scheme)
-        work = (self._rows(count, size) for count in found.work)
-        tables = owner.tables if self.compiled else owner.lists
-        self._rest = (*scheme, *work, self._told, owner.felt, *tables)
-        for row, given in zip(self.rows[1:], start, strict=True):
-            if given is not None:
-                flat = given[:, : self._axes].T.ravel()
-                row[0][:] = flat if self.compiled else flat.tolist()
-        self._told[KNOWN] = int(start.acceleration is not None)
-
-    def array(self, values: list[Any]) -> Any:
-        """Return values as the code takes them."""
-        return np.array(values) if self.compiled else values
-
-    def _rows(self, *shape: int) -> Any:
-        rows = np.zeros(shape)
-        return rows if self.compiled else rows.tolist()
-
-    def go(self, *first: Any, control: Any = None) -> int:
-        """Run the kernel; return how many steps it took."""
-        extra = () if self._dense is None else (self._dense, control)
-        arguments = (*first, *self.rows, *extra, *self._rest)
-        if self.compiled is not None:
-            return int(self.compiled(*arguments))
-        try:
-            return self._code.plain(*arguments)
-        except (ArithmeticError, ValueError):  # where compiled code goes on with what is not finite
-            return int(self._told[DONE])
-
-    def steps(self, count: int, *, finished: bool) -> Steps:
-        """Return the steps; what one that was begun and not ended has cost is left out."""
-        times, *states = self.rows
-        told = self._told[SETTLED : SETTLED + 2]
-        if finished:
-            told = self._told[EVALUATIONS], self._told[REJECTED]
-        position = self._start.position
-        knots = np.zeros((count + 1, 3, len(position), 3))
-        for part, rows in enumerate(states):
-            knots[:, part, :, : self._axes] = self._bodies(np.array(rows[: count + 1]))
-        if self._axes == 2:
-            knots[:, 0, :, 2] = position[:, 2]
-        dense = np.zeros((self._slopes, count, len(position), 3))
-        if self._dense is not None and count:
-            slopes = np.array(self._dense[:count])
-            dense[..., : self._axes] = self._bodies(slopes.swapaxes(0, 1))
-        ends = np.array(times[: count + 1]).tolist()
-        return Steps(ends, knots, bool(self._told[KNOWN]), dense, int(told[0]), int(told[1]))
-
-    def _bodies(self, rows: Array) -> Array:
-        """Return rows (..., axes n) as (..., n, axes)."""
-        return rows.reshape(*rows.shape[:-1], self._axes, -1).swapaxes(-1, -2)
+        return MarchCall(self, found, code, compiled, start, most, felt=self.felt)

@@ -15,10 +15,10 @@ import numpy as np
 from tamias2d.errors import SimulationError
 from tamias2d.generated.schemes import Pair
 from tamias2d.motion.law_resolution import LawResolution, States, Unresolved
-from tamias2d.motion.marching import Control, Start, name_of
+from tamias2d.motion.marching import Control, HeldMarching, Marching, Start, name_of
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, dense_path
-from tamias2d.motion.step_batch import StepBatch
+from tamias2d.motion.step_batch import MovedBatch, StepBatch
 from tamias2d.spec.functions import Scalar, largest, sqrt
 from tamias2d.state import Array
 
@@ -167,6 +167,70 @@ class Adaptive:
             if known is not None:
                 field.remember(start, position, velocity, known)
 
+    def marched(
+        self,
+        field: MemoisedField,
+        marching: HeldMarching,
+        start: float,
+        limit: float,
+        position: Array,
+        velocity: Array,
+        *,
+        most: int,
+    ) -> StepBatch | None:
+        """Take several steps of jointed bodies at once, fewer where it is open how one ends.
+
+        None are returned where that is the first, or where that one misses what a law does.
+        """
+        undo = self.undone(field, start, limit, position, velocity)
+        steps = self._marched(field, marching, start, limit, position, velocity, most)
+        if steps is None:
+            return None
+        missed = self._missed(field, steps.times, steps.at)
+        if missed is None:
+            return MovedBatch(steps)
+        undo()  # anew, at the cost of those before alone
+        if missed.step == 0:
+            return None
+        steps = self._marched(field, marching, start, limit, position, velocity, missed.step)
+        return None if steps is None else MovedBatch(steps)
+
+    def undone(
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> Callable[[], None]:
+        """Return what takes back all steps that are taken from a state on."""
+        memory = self.memory(field, start, limit, position, velocity)
+        before, steps = replace(memory), field.undone(start, position, velocity)
+
+        def undo() -> None:
+            vars(memory).update(vars(before))
+            steps()
+
+        return undo
+
+    def _marched(
+        self,
+        field: MemoisedField,
+        marching: Marching | HeldMarching,
+        start: float,
+        limit: float,
+        position: Array,
+        velocity: Array,
+        most: int,
+    ) -> StepBatch | None:
+        """Take several steps by what takes them at once, whatever they miss of a law."""
+        memory = self.memory(field, start, limit, position, velocity)
+        now = Start(position, velocity, field.known(start, position, velocity))
+        control = Control(
+            memory.step, memory.error, **vars(self.tolerance),
+            power=self.power, damping=self.damping,
+        )  # fmt: skip
+        steps = marching.adaptive(name_of(self.scheme), start, limit, most, now, control)
+        if steps is None or not field.took(steps):
+            return None
+        memory.step, memory.error = control.step, control.error
+        return StepBatch(steps.times, steps.knots, steps.dense, steps.reached)
+
     def _missed(
         self, field: MemoisedField, times: Sequence[float], states: States
     ) -> Unresolved | None:
@@ -188,18 +252,10 @@ class Adaptive:
         most: int,
     ) -> StepBatch:
         """Take several steps at once, if the field can, whatever they miss of a law."""
-        memory = self.memory(field, start, limit, position, velocity)
         if field.marching is not None:
-            now = Start(position, velocity, field.known(start, position, velocity))
-            control = Control(
-                memory.step, memory.error, **vars(self.tolerance),
-                power=self.power, damping=self.damping,
-            )  # fmt: skip
-            name = name_of(self.scheme)
-            steps = field.marching.adaptive(name, start, limit, most, now, control)
-            if steps is not None and field.took(steps):
-                memory.step, memory.error = control.step, control.error
-                return StepBatch(steps.times, steps.knots, steps.dense)
+            steps = self._marched(field, field.marching, start, limit, position, velocity, most)
+            if steps is not None:
+                return steps
         end, pair = self._accepted(field, start, limit, position, velocity)
         if field.marching is not None:
             field.settle(end, pair.position, pair.velocity)

@@ -90,6 +90,30 @@ class ConstraintRows:
         """Return the second derivatives of the rows (m,) where no body is accelerated."""
         return self._summed("convective", time, position, velocity)
 
+    def along(self, times: Array, position: Array, velocity: Array) -> tuple[Array, Array]:
+        """Return values and rates (k, m) at times (k,), s, of coordinates and rates (k, n, 3).
+
+        They are those of single times but for rounding: NumPy has functions of its own for arrays.
+        """
+        values, rates = np.empty((2, len(times), self.count))
+        still = np.broadcast_to(self.fixed, (len(times), *self.fixed.shape))
+        places = np.concatenate((position, still + times[:, None, None] * self.told), axis=1)
+        speeds = np.concatenate((velocity, np.broadcast_to(self.told, still.shape)), axis=1)
+        for block in self.blocks:
+            known: dict[str, Any] = {"time": times[:, None], **block.given}
+            for end in block.functions.bodies:
+                x, y, turn = np.moveaxis(places[:, block.ends[end]], -1, 0)
+                known[f"position_{end}"], known[f"orientation_{end}"] = (x, y), turn
+                x, y, turn = np.moveaxis(speeds[:, block.ends[end]], -1, 0)
+                known[f"velocity_{end}"], known[f"angular_velocity_{end}"] = (x, y), turn
+            for name, found in (("constraint", values), ("rate", rates)):
+                formula: Formula = getattr(block.functions, name)
+                count, joints = block.shape
+                with np.errstate(all="ignore"):
+                    for i, row in enumerate(_evaluated(formula, known, count)):
+                        found[:, block.first + i * joints : block.first + (i + 1) * joints] = row
+        return values, rates
+
     def slopes(self, time: float, position: Array) -> Array:
         """Return the slopes (m, n, 3) of the rows by the coordinates of the bodies that move."""
         found = np.zeros((self.count, self.moving + len(self.fixed), 3))

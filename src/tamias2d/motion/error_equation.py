@@ -11,6 +11,7 @@ Joints hold exact motion too: as steps do, P + e returns to them after each (GD1
 
 from collections.abc import Callable, Sequence
 from functools import cache
+from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -18,7 +19,7 @@ from numpy.polynomial import legendre
 
 from tamias2d.errors import SimulationError
 from tamias2d.motion.adaptive import Adaptive
-from tamias2d.motion.marching import Error, Rule
+from tamias2d.motion.marching import Error, HeldMarching, Rule
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, derivative
 from tamias2d.motion.step_batch import StepBatch
@@ -29,6 +30,15 @@ _AT_ONCE, _SHARE = 4, 4
 
 Fitted: TypeAlias = Callable[[float, Array, Array], tuple[Array, Array]]
 """Moves coordinates and rates (n, 3) at a time in s to where joints hold; raises `JointError`."""
+
+
+class Held(NamedTuple):
+    """How joints hold some bodies."""
+
+    fitted: Fitted
+    marching: HeldMarching | None
+    """What knows that for many steps at once, if anything does."""
+
 
 Watch: TypeAlias = Callable[[float, Array, Array], None]
 """Hears of the time reached, s, and of the largest errors and extents (n, 3) so far, m and rad."""
@@ -64,28 +74,36 @@ class ErrorEquation:
         most: int,
     ) -> StepBatch:
         """Take several steps at once, if the field can; raises as those do."""
-        most = min(most, max(_AT_ONCE, self._taken // _SHARE))
+        most = min(most, self.at_once)
         steps = self._steps.batch(field, start, limit, position, velocity, most=most)
-        self._taken += len(steps.times) - 1
         self._go_on(field, _Path(steps.times, steps.knots[:, :2], steps.coefficients), None)
         return steps
 
-    def follow(self, field: MemoisedField, step: DenseStep, fitted: Fitted) -> None:
-        """Integrate the error over a step that was taken, and that ends where joints hold."""
-        states = np.stack([np.stack(step.first), np.stack(step.last)])
-        path = _Path([step.start, step.end], states, step.coefficients[:, None])
-        self._go_on(field, path, fitted)
+    @property
+    def at_once(self) -> int:
+        """How many steps are taken before somebody may have seen enough."""
+        return max(_AT_ONCE, self._taken // _SHARE)
 
-    def _go_on(self, field: MemoisedField, path: "_Path", fitted: Fitted | None) -> None:
+    def follow(self, field: MemoisedField, steps: StepBatch | DenseStep, held: Held) -> None:
+        """Integrate the error over steps that were taken, and that end where joints hold."""
+        if isinstance(steps, StepBatch):
+            path = _Path(steps.times, steps.knots[:, :2], steps.coefficients)
+        else:
+            states = np.stack([np.stack(steps.first), np.stack(steps.last)])
+            path = _Path([steps.start, steps.end], states, steps.coefficients[:, None])
+        self._go_on(field, path, held)
+
+    def _go_on(self, field: MemoisedField, path: "_Path", held: Held | None) -> None:
         """Integrate the error over some steps, unless something hides it, and tell who watches."""
+        self._taken += len(path.times) - 1
         if self.largest is not None:
-            self.largest = self._followed(field, path, fitted)
+            self.largest = self._followed(field, path, held)
         if self._steps.missed:
             self.largest = None
         if self.largest is not None:
             self._watch(path.times[-1], self.largest, self._high - self._low)
 
-    def _followed(self, field: MemoisedField, path: "_Path", fitted: Fitted | None) -> Array | None:
+    def _followed(self, field: MemoisedField, path: "_Path", held: Held | None) -> Array | None:
         """Return the largest errors up to the end of some steps, whose errors are integrated."""
         first, last = (path.times[0], *path.states[0]), (path.times[-1], *path.states[-1])
         beside = field.beside()
@@ -100,13 +118,28 @@ class ErrorEquation:
             self._high = np.maximum(self._high, path.states[:, 0].max(axis=0))
             self._end = last
             nodes = along(path.coefficients, np.diff(path.times) / 2, self._rule.nodes)
-            if not self._integrated(beside, path.times, nodes, self._error):
+            if held is not None:
+                self._returned(beside, path, nodes, self._error, held)
+            elif not self._integrated(beside, path.times, nodes, self._error):
                 return None
-            if fitted is not None:
-                _return_to_joints(self._error, last, fitted)
         except SimulationError:
             return None
         return self._error.largest if np.isfinite(self._error.state).all() else None
+
+    def _returned(
+        self, field: MemoisedField, path: "_Path", nodes: Array, error: Error, held: Held
+    ) -> None:
+        """Integrate the error over steps of jointed bodies, at once where that is known."""
+        rule, times, ends = self._rule, path.times, path.states[1:]
+        if held.marching is not None:
+            known = held.marching.follow(times, nodes, ends, rule, self._sweeps, error)
+            if known:
+                count = self._sweeps * (len(rule.nodes) - 1)
+                field.tally.force_evaluations += count * (len(times) - 1)
+                return
+        for k, (time, end) in enumerate(pairwise(times)):
+            follow_step(field, rule, self._sweeps, time, end - time, nodes[k], error)
+            _return_to_joints(error, (end, *ends[k]), held.fitted)
 
     def _integrated(
         self, field: MemoisedField, times: Sequence[float], paths: Array, error: Error

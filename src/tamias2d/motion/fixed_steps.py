@@ -9,10 +9,10 @@ import numpy as np
 from tamias2d.errors import TamiasError
 from tamias2d.generated.schemes import SPLITTING
 from tamias2d.motion.loads import Field
-from tamias2d.motion.marching import Start, name_of
+from tamias2d.motion.marching import HeldMarching, Start, name_of
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, hermite
-from tamias2d.motion.step_batch import StepBatch
+from tamias2d.motion.step_batch import MovedBatch, StepBatch
 from tamias2d.state import Array
 
 Scheme: TypeAlias = Callable[[float, float, Array, Array, Field], tuple[Any, Any]]
@@ -59,13 +59,9 @@ class FixedSteps:
         Raises:
             TamiasError: there is no value within the first step.
         """
-        first = int(np.searchsorted(self.times, start, side="right"))
-        ends = self.times[first : first + most]
-        count = int(np.searchsorted(ends, limit))  # up to the first that is not before it
-        times = [start, *ends[:count].tolist(), *([limit] if count < len(ends) else [])]
+        times, ahead = self.ends(start, limit, most)
         if field.marching is not None:
             now = Start(position, velocity, field.known(start, position, velocity))
-            ahead = len(self.times) - first
             steps = field.marching.fixed(name_of(self.scheme), times, now, ahead)
             if steps is not None and field.took(steps):
                 return StepBatch(steps.times, steps.knots)
@@ -74,6 +70,47 @@ class FixedSteps:
         if field.marching is not None:
             field.settle(batch.end, *batch.last)
         return batch
+
+    def ends(self, start: float, limit: float, most: int) -> tuple[list[float], int]:
+        """Return a time, s, and the next ends of steps after it; and how many there are in all."""
+        first = int(np.searchsorted(self.times, start, side="right"))
+        ends = self.times[first : first + most]
+        count = int(np.searchsorted(ends, limit))  # up to the first that is not before it
+        times = [start, *ends[:count].tolist(), *([limit] if count < len(ends) else [])]
+        return times, len(self.times) - first
+
+    def marched(
+        self,
+        field: MemoisedField,
+        marching: HeldMarching,
+        start: float,
+        limit: float,
+        position: Array,
+        velocity: Array,
+        *,
+        most: int,
+    ) -> StepBatch | None:
+        """Take several steps of jointed bodies at once, fewer where it is open how one ends.
+
+        None are returned where that is the first.
+        """
+        times, ahead = self.ends(start, limit, most)
+        now = Start(position, velocity, field.known(start, position, velocity))
+        steps = marching.fixed(name_of(self.scheme), times, now, ahead)
+        if steps is None or not field.took(steps):
+            return None
+        return MovedBatch(StepBatch(steps.times, steps.knots, reached=steps.reached))
+
+    def undone(
+        self,
+        field: MemoisedField,
+        start: float,
+        limit: float,  # noqa: ARG002
+        position: Array,
+        velocity: Array,
+    ) -> Callable[[], None]:
+        """Return what takes back all steps that are taken from a state on."""
+        return field.undone(start, position, velocity)
 
     def _one_by_one(
         self, field: MemoisedField, times: list[float], position: Array, velocity: Array

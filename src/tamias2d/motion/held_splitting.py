@@ -6,13 +6,14 @@ as the scheme is without joints.
 Source: Andersen (1983); Hairer, Lubich and Wanner (2006), section VII.1.4.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from tamias2d.generated.schemes import SPLITTING
 from tamias2d.motion.fixed_steps import FixedSteps
-from tamias2d.motion.marching import name_of
+from tamias2d.motion.marching import HeldMarching, Kick, Start, name_of
 from tamias2d.motion.mechanisms import Placed, drifted, fitted
 from tamias2d.motion.memoised_field import MemoisedField
+from tamias2d.motion.step_batch import StepBatch
 from tamias2d.state import Array
 
 
@@ -27,6 +28,44 @@ class HeldSplitting(FixedSteps):
         self._mechanisms = mechanisms
         self.kicks = kicks
         """The accelerations of a kick."""
+
+    def marched(
+        self,
+        field: MemoisedField,
+        marching: HeldMarching,
+        start: float,
+        limit: float,
+        position: Array,
+        velocity: Array,
+        *,
+        most: int,
+    ) -> StepBatch | None:
+        """Take several steps at once, fewer where it is open how one ends, or None."""
+        times, ahead = self.ends(start, limit, most)
+        now = Start(position, velocity, field.known(start, position, velocity))
+        known = self.kicks.known(start, position, velocity)
+        kick = None if known is None else Kick(start, position, velocity, known)
+        found = marching.kicked(name_of(self.scheme), times, now, kick, ahead)
+        if found is None or not field.took(found[0]):
+            return None
+        steps, kick = found
+        self.kicks.forget()
+        if kick is not None:
+            self.kicks.remember(*kick)
+        return StepBatch(steps.times, steps.knots)
+
+    def undone(
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> Callable[[], None]:
+        """Return what takes back all steps that are taken from a state on."""
+        steps = super().undone(field, start, limit, position, velocity)
+        kicks = self.kicks.undone(start, position, velocity)
+
+        def undo() -> None:
+            kicks()
+            steps()
+
+        return undo
 
     def advance(
         self,

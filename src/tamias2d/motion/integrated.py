@@ -10,7 +10,7 @@ from tamias2d.errors import TamiasError
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.answers import Answers
 from tamias2d.motion.constrained import ConstrainedMotion
-from tamias2d.motion.error_equation import ErrorEquation, Watch, rule_beside
+from tamias2d.motion.error_equation import ErrorEquation, Held, Watch, rule_beside
 from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.halved import Halved, Halving
 from tamias2d.motion.held_splitting import HeldSplitting
@@ -19,7 +19,15 @@ from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import JointEvents, joint_events
 from tamias2d.motion.jointed_steps import JointedSteps
 from tamias2d.motion.law_resolution import LawResolution, States
-from tamias2d.motion.loads import Loads, MarchingOf, StateOf, coordinates, quicker, start_states
+from tamias2d.motion.loads import (
+    HeldMarchingOf,
+    Loads,
+    MarchingOf,
+    StateOf,
+    coordinates,
+    quicker,
+    start_states,
+)
 from tamias2d.motion.marching import Rule
 from tamias2d.motion.mechanisms import fitted
 from tamias2d.motion.memoised_field import MemoisedField
@@ -70,9 +78,9 @@ class IntegratedMotion(Answers):
         self.unresolved: str | None = None
         self.notes = notes + self._loads.joint_notes(self.moving)
 
-    def take_joint_codes(self, codes: JointCodes, makers: MarchingOf) -> None:
-        """Let code that is made for mechanisms find the reactions of their joints, and loads."""
-        self._loads.take_codes(codes, makers)
+    def take_joint_codes(self, codes: JointCodes, makers: MarchingOf, held: HeldMarchingOf) -> None:
+        """Let code that is made for mechanisms find the reactions of joints, loads and steps."""
+        self._loads.take_codes(codes, makers, held)
 
     def segment(
         self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]
@@ -84,7 +92,8 @@ class IntegratedMotion(Answers):
         free = [i for i in self.moving if not _state_dependent(constraints[i])]
         field = self._field(free, constraints)
         now = coordinates([states[i] for i in free])
-        plain = isinstance(self._integrator, FixedSteps) and not any(constraints)
+        held = any(constraints) or self._loads.mechanisms(free)
+        plain = isinstance(self._integrator, FixedSteps) and not held
         many = min(self._steps_since_impact // _SHARE, _MOST) if plain else 1
         step = next(self._batches(field, start, self._duration, now, many))
         self._steps_since_impact += len(step.times) - 1 if isinstance(step, StepBatch) else 1
@@ -135,6 +144,8 @@ class IntegratedMotion(Answers):
             now = coordinates([state(i) for i in group])
             many = 1 if any(constraints[i] for i in group) else _MOST
             steps = list(_begun(self._batches(field, start, end, now, many)))
+            if self._loads.mechanisms(group):  # their paths are those of steps one by one
+                steps = list(_apart(steps))
             for k, body in enumerate(group):
                 parts: list[PathPiece] = [step.piece(k) for step in steps]
                 parts = parts or [_instant(start, state(body))]
@@ -202,7 +213,8 @@ class IntegratedMotion(Answers):
         field = self._field(self.moving, [None] * len(self._scene))
         moving = (states[0][self.moving], states[1][self.moving])
         done = int(np.searchsorted(times, 0.0, side="right"))
-        most = _LONGEST if field.marching is not None else 1
+        quick = field.marching is not None or self._loads.mechanisms(self.moving)
+        most = _LONGEST if quick else 1
         try:
             for step in self._followed(field, moving, most):
                 until = int(np.searchsorted(times, step.end, side="right"))
@@ -322,15 +334,26 @@ class IntegratedMotion(Answers):
             self.unresolved = str(missed)
             self.notes += (self.unresolved,)
 
-    def _dense_steps(
-        self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
-    ) -> Iterator[DenseStep]:
-        """Yield steps one by one, up to the first event of a joint."""
+    def _jointed(
+        self, field: MemoisedField, start: float, end: float, now: tuple[Array, Array], most: int
+    ) -> Iterator[DenseStep | StepBatch]:
+        """Yield steps, up to the first event of a joint: one by one where it is not known there."""
         jointed = JointedSteps(self._loads, self._stepping(field), field, field.constraints)
-        for step in jointed.until(start, end, position, velocity):
+        watched = self._batching if jointed.mechanisms else None
+        watched = watched if isinstance(watched, ErrorEquation) else None
+
+        def many() -> int:
+            return most if watched is None else min(most, watched.at_once)
+
+        for step in jointed.until(start, end, *now, most=many):
+            if watched is not None:
+                first = step.times[0] if isinstance(step, StepBatch) else step.start
+                marching = self._loads.marching(field.bodies, first)
+                watched.follow(field, step, Held(partial(fitted, jointed.mechanisms), marching))
+            if isinstance(step, StepBatch):
+                yield from self._counted(field, step)
+                continue
             self._note_missed(field, (step.start, step.end), step.states)
-            if jointed.mechanisms and isinstance(self._batching, ErrorEquation):
-                self._batching.follow(field, step, partial(fitted, jointed.mechanisms))
             self.tally.steps += 1
             if not isinstance(self._integrator, FixedSteps):
                 self.work.step(step.end)
@@ -344,22 +367,26 @@ class IntegratedMotion(Answers):
         compared = isinstance(self._batching, Halved | ErrorEquation)
         alone = most <= 1 and field.marching is None and not compared
         if joined or self._batching is None or alone:
-            yield from self._dense_steps(field, start, end, *now)
+            yield from self._jointed(field, start, end, now, most)
             return
         while start < end:
             batch = self._batching.batch(field, start, end, *now, most=max(most, 1))
-            self._note_missed(field, batch.times, batch.at)
-            for k, time in enumerate(batch.times[1:]):
-                self.tally.steps += 1
-                if not isinstance(self._integrator, FixedSteps):
-                    try:
-                        self.work.step(time)
-                    except WorkLimitError:
-                        if k:
-                            yield batch.only(k)
-                        raise
-            yield batch
+            yield from self._counted(field, batch)
             start, now = batch.end, batch.last
+
+    def _counted(self, field: MemoisedField, batch: StepBatch) -> Iterator[StepBatch]:
+        """Yield steps as far as the work that is allowed goes."""
+        self._note_missed(field, batch.times, batch.at)
+        for k, time in enumerate(batch.times[1:]):
+            self.tally.steps += 1
+            if not isinstance(self._integrator, FixedSteps):
+                try:
+                    self.work.step(time)
+                except WorkLimitError:
+                    if k:
+                        yield batch.only(k)
+                    raise
+        yield batch
 
 
 def _batching(integrator: Integrator) -> _Batching | None:
@@ -385,6 +412,12 @@ def _begun(steps: Iterator[DenseStep | StepBatch]) -> Iterator[DenseStep | StepB
     except TamiasError:
         if not begun:
             raise
+
+
+def _apart(steps: Iterable[DenseStep | StepBatch]) -> Iterator[DenseStep]:
+    """Yield steps one by one."""
+    for step in steps:
+        yield from step.steps() if isinstance(step, StepBatch) else (step,)
 
 
 def _instant(time: float, state: State) -> PathPiece:

@@ -12,7 +12,7 @@ from tamias2d.motion.limited_mechanism import LimitedMechanism, Pusher
 from tamias2d.motion.polynomial import DenseStep
 from tamias2d.state import Array
 
-_LOOKS = 16  # in each step; between two of them a push may not sink below zero and rise again
+LOOKS = 16  # in each step; between two of them a push may not sink below zero and rise again
 _NEAREST = 2.0**-20  # of a step: looks at a distance that turns around are no closer
 _MOST = 1000  # trials of a zero; in a bounce far shorter than the step it takes more than 100
 _FORCE = 1e-10  # of the largest; a smaller one is as good as none
@@ -101,7 +101,7 @@ class JointSearch:
 
     def _looks(self) -> list[_Look]:
         """Return looks, so close that none of the shortest distances is passed through unseen."""
-        times = np.linspace(self.step.start, self.step.end, _LOOKS + 1).tolist()
+        times = np.linspace(self.step.start, self.step.end, LOOKS + 1).tolist()
         looks = [_Look(self, time) for time in times]
         rows = [
             self.mechanism.row[of]

@@ -1,11 +1,13 @@
 """Steps of jointed bodies: they end where joints hold, and at what these do in an instant."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from functools import cached_property
 
 import numpy as np
 
+from tamias2d.motion.adaptive import Adaptive
+from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.held_splitting import HeldSplitting
 from tamias2d.motion.integrator import Integrator
 from tamias2d.motion.joint_decision import begin
@@ -16,6 +18,8 @@ from tamias2d.motion.loads import Field, Loads, state_of
 from tamias2d.motion.mechanisms import fitted
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, moved_end
+from tamias2d.motion.quiet_steps import quiet
+from tamias2d.motion.step_batch import StepBatch
 from tamias2d.state import Array, ExertingConstraint
 
 _REFINED = 6  # times that a step is taken anew to end at an event of a joint
@@ -37,6 +41,8 @@ class JointedSteps:
         self._loads = loads
         self.mechanisms = loads.mechanisms(field.bodies)
         """Those that hold some, with the rows of the bodies in each."""
+        constraints = [each for each in constraints if each is not None]
+        self._constrained = bool(constraints)
         self._pressing: list[ExertingConstraint] = []
         """What lasting contacts do to these bodies, each once."""
         for constraint in constraints:
@@ -47,23 +53,70 @@ class JointedSteps:
         ]
 
     def until(
-        self, start: float, end: float, position: Array, velocity: Array
-    ) -> Iterator[DenseStep]:
-        """Yield steps from a time to another, s, or to the first event of a joint."""
+        self,
+        start: float,
+        end: float,
+        position: Array,
+        velocity: Array,
+        *,
+        most: Callable[[], int] = lambda: 1,
+    ) -> Iterator[DenseStep | StepBatch]:
+        """Yield steps from a time to another, s, or to the first event of a joint.
+
+        Up to `most` are one where they can be taken at once.
+        """
         if self.mechanisms and start == 0:
             position, velocity = fitted(self.mechanisms, start, position, velocity)
         if self._limited:
             velocity = self._begun(start, position, velocity)
+        taken = 0
         while start < end:
+            many = most()
+            some = min(many, max(taken, 1)) if self._limited else many  # those beyond it are lost
+            batch = self._batch(start, end, position, velocity, some)
+            taken += 1 if batch is None else len(batch.times) - 1
+            if batch is not None:
+                middles = (np.array(batch.times[:-1]) + batch.times[1:]) / 2
+                self._grow(middles, batch.at)
+                yield batch if many > 1 else batch.step(0)
+                start, (position, velocity) = batch.end, batch.last
+                continue
             step = self._step(start, end, position, velocity)
             event = self._event(step)
             step = event or step
-            for own, one in self._limited:
-                one.grow(step.at((step.start + step.end) / 2)[0][own])
+            self._grow(np.array([(step.start + step.end) / 2]), step.states)
             yield step
             if event:
                 return  # what follows is another motion
             start, (position, velocity) = step.end, step.last
+
+    def _batch(
+        self, start: float, end: float, position: Array, velocity: Array, most: int
+    ) -> StepBatch | None:
+        """Return several steps if all are known, and surely nothing else happens in joints."""
+        steps = self._integrator
+        if self._constrained or not isinstance(steps, FixedSteps | Adaptive):
+            return None
+        marching = self._loads.marching(self._field.bodies, start)
+        if marching is None:
+            return None
+        field, now = self._field, (position, velocity)
+        undo = steps.undone(field, start, end, *now)
+        batch = steps.marched(field, marching, start, end, *now, most=most)
+        if batch is None:
+            return None
+        count = min((quiet(one, own, batch) for own, one in self._limited), default=most)
+        if count >= len(batch.times) - 1:
+            return batch
+        undo()  # what follows an event is another motion
+        return steps.marched(field, marching, start, end, *now, most=count) if count else None
+
+    def _grow(self, times: Array, states: Callable[[Array], Array]) -> None:
+        """Let mechanisms know how large they have been, by states at times, s."""
+        if self._limited:
+            positions = states(times)[:, 0]
+            for own, one in self._limited:
+                one.grow(positions[:, own])
 
     @cached_property
     def _free(self) -> Field:

@@ -14,7 +14,7 @@ import numpy as np
 from tamias2d.generated import definitions
 from tamias2d.motion.bounded_least import bounded_sum
 from tamias2d.motion.constraint_rows import ConstraintRows
-from tamias2d.motion.joint_code import JointCodes, Pushes
+from tamias2d.motion.joint_code import JointCode, JointCodes, Pushes
 from tamias2d.motion.joint_events import (
     BREAKS,
     STRIKES,
@@ -133,6 +133,25 @@ class LimitedMechanism:
                 )  # fmt: skip
         return self._known[mode]
 
+    def code_at(self, time: float) -> JointCode | None:
+        """Return what finds reactions and places faster from a time in s on, if anything does.
+
+        Nothing does where only what joints exert tells how its mode ends.
+        """
+        mode = self.mode(time)
+        return self.within(mode).code if self.is_measured(mode) else None
+
+    def is_measured(self, mode: Mode) -> bool:
+        """Return whether measures tell where a mode ends: nothing that may give way holds.
+
+        Not so a distance that may turn around at its shortest.
+        """
+        may_slip = any(np.isfinite(self.most(of)) for of in self._keeping(mode))
+        turns = any(
+            side < 0 and self.freedoms[of].measure == "distance" for of, side in self.sides(mode)
+        )
+        return not (mode.held or may_slip or turns or self.breaking(mode))
+
     def take_code(self, codes: JointCodes) -> None:
         """Let code find reactions and places, in each mode."""
         self._codes = codes
@@ -196,9 +215,9 @@ class LimitedMechanism:
             if np.isfinite(self.end(of, side, mode))
         ]
 
-    def grow(self, position: Array) -> None:
-        """Note how large it is between two events: at one, all its places may be the same."""
-        self._largest = max(self._largest, self._whole.extent(position))
+    def grow(self, positions: Array) -> None:
+        """Note how large it is (k, n, 3) between two events: at one its places may be the same."""
+        self._largest = max(self._largest, *map(self._whole.extent, positions))
 
     def length(self, position: Array) -> float:
         """Return a length that is not small, m: of the mechanism, now or where it was largest."""

@@ -7,10 +7,10 @@ import numpy as np
 
 from tamias2d.errors import SimulationError
 from tamias2d.generated import rotation, translation
-from tamias2d.motion.joint_code import JointCodes
+from tamias2d.motion.joint_code import JointCode, JointCodes
 from tamias2d.motion.joint_events import Mode, Timeline
 from tamias2d.motion.limited_mechanism import LimitedMechanism
-from tamias2d.motion.marching import Marching
+from tamias2d.motion.marching import HeldMarching, Marching
 from tamias2d.motion.mechanisms import Mechanisms, Placed
 from tamias2d.motion.terms import Term, terms
 from tamias2d.scene import Scene
@@ -21,6 +21,10 @@ Field: TypeAlias = Callable[[float, Array, Array], Array]
 """Accelerations (n, 3) from a time, the coordinates (n, 3) and their rates (n, 3)."""
 MarchingOf: TypeAlias = Callable[[Sequence[int]], Marching | None]
 """What finds steps and accelerations of some bodies faster, if anything does."""
+HeldMarchingOf: TypeAlias = Callable[
+    [Sequence[int], Sequence[tuple[Sequence[int], JointCode]]], HeldMarching | None
+]
+"""What takes the steps of some bodies, and of mechanisms among them by their code, likewise."""
 StateOf: TypeAlias = Callable[[int], State]
 """The state of a body now, given by its index."""
 
@@ -48,6 +52,7 @@ class Loads:
         self._mechanisms = Mechanisms(scene, self.timeline, codes)
         self._among: dict[tuple[int, ...], list[Placed]] = {}
         self._marching: MarchingOf = lambda _: None
+        self._held: HeldMarchingOf = lambda *_: None
 
     def steady(self, body: int) -> Acceleration:
         """Return what gravity and all constant forces and torques give a body."""
@@ -93,12 +98,23 @@ class Loads:
             self._among[key] = self._mechanisms.among(bodies)
         return self._among[key]
 
-    def take_codes(self, codes: JointCodes, makers: MarchingOf) -> None:
-        """Let code that is made for mechanisms find their reactions, and their loads."""
+    def take_codes(self, codes: JointCodes, makers: MarchingOf, held: HeldMarchingOf) -> None:
+        """Let code that is made for mechanisms find reactions, loads and steps."""
+        self._held = held
         self._mechanisms = Mechanisms(self._scene, self.timeline, codes)
         self._marching = makers
         self._among.clear()
         self._fields.clear()
+
+    def marching(self, bodies: Sequence[int], time: float) -> HeldMarching | None:
+        """Return what takes steps from a time in s on, of some bodies that joints hold."""
+        placed: list[tuple[Sequence[int], JointCode]] = []
+        for own, mechanism in self.mechanisms(bodies):
+            code = mechanism.code_at(time)
+            if code is None:
+                return None
+            placed.append((own, code))
+        return self._held(bodies, placed) if placed else None
 
     def struck(
         self, time: float, impulses: Mapping[int, Acceleration], state: StateOf

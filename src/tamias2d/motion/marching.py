@@ -37,6 +37,8 @@ class Steps:
     """(m, k, n, 3): of an embedded pair, the slopes of the velocity within each step."""
     evaluations: int
     rejected: int
+    reached: Array | None = None
+    """(k, 3, n, 3): where each step led, before joints moved its end; None where none did."""
 
 
 @dataclass
@@ -52,6 +54,15 @@ class Control:
     rate: float
     power: float
     damping: float
+
+
+class Kick(NamedTuple):
+    """What loads alone gave to n bodies at a time in s: coordinates, rates, accelerations."""
+
+    time: float
+    position: Array
+    velocity: Array
+    acceleration: Array
 
 
 class Rule(NamedTuple):
@@ -112,4 +123,41 @@ class Marching(Protocol):
         """Integrate the error of steps along their paths (k, 3, m, n, 3), and change it.
 
         Return whether forces have values beside them all.
+        """
+
+
+class HeldMarching(Protocol):
+    """The steps of some bodies that joints hold, likewise: they end where these do.
+
+    None are returned, or fewer, where it is open what joints exert.
+    """
+
+    def fixed(
+        self, scheme: str, times: Sequence[float], start: Start, ahead: float
+    ) -> Steps | None:
+        """Step by a generated scheme of slopes, as free bodies do."""
+
+    def kicked(
+        self, scheme: str, times: Sequence[float], start: Start, kick: Kick | None, ahead: float
+    ) -> tuple[Steps, Kick | None] | None:
+        """Step by a splitting scheme, likewise; the last kick before comes, and the last goes."""
+
+    def adaptive(
+        self, scheme: str, time: float, limit: float, most: int, start: Start, control: Control
+    ) -> Steps | None:
+        """Step by a generated pair, as free bodies do."""
+
+    def follow(
+        self,
+        times: Sequence[float],
+        paths: Array,
+        ends: Array,
+        rule: Rule,
+        sweeps: int,
+        error: Error,
+    ) -> bool:
+        """Integrate the error of steps along their paths (k, 3, m, n, 3), and change it.
+
+        Exact motion returns to joints beside the end (k, 2, n, 3) of each. Nothing is changed where
+        that is not known for all, which is returned.
         """

@@ -115,6 +115,10 @@ class Mechanism:
             )
         )
 
+    def code_at(self, time: float) -> JointCode | None:  # noqa: ARG002
+        """Return what finds reactions and places faster from a time in s on, if anything does."""
+        return self.code
+
     def accelerations(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
         """Return the accelerations (n, 3) for those by the loads alone.
 

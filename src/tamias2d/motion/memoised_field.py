@@ -1,6 +1,7 @@
 """Accelerations that are counted, and computed only once for one time and state."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -86,6 +87,21 @@ class MemoisedField:
         self._known.clear()
         if known is not None:
             self._known[time] = (position, velocity, known)
+
+    def undone(self, time: float, position: Array, velocity: Array) -> Callable[[], None]:
+        """Return what takes back all that is done from a state on, s: its cost, and what is known.
+
+        Of what was known before, that of this state stays.
+        """
+        known, cost = self.known(time, position, velocity), replace(self.tally)
+
+        def undo() -> None:
+            vars(self.tally).update(vars(cost))
+            self._known.clear()
+            if known is not None:
+                self.remember(time, position, velocity, known)
+
+        return undo
 
     def took(self, steps: Steps) -> bool:
         """Count what steps have cost that were taken at once, and remember how they ended.

@@ -66,11 +66,17 @@ def moved_end(step: DenseStep, position: Array, velocity: Array) -> DenseStep:
     A cubic that is level at the start is added to its path.
     """
     way, change = position - step.last[0], (velocity - step.last[1]) * (step.end - step.start)
-    cubic = (way / 2 - change / 8, 3 * way / 4 - change / 8, change / 8, (change - 2 * way) / 8)
-    powers = np.zeros((max(len(step.coefficients), 4), *position.shape))
-    powers[: len(step.coefficients)] = step.coefficients
-    powers[:4] += np.stack(cubic)
+    powers = moved_path(step.coefficients, way, change)
     return replace(step, last=(position, velocity), coefficients=powers)
+
+
+def moved_path(coefficients: Array, way: Array, change: Array) -> Array:
+    """Return the coefficients of paths that end elsewhere, with a change of rates times lengths."""
+    cubic = (way / 2 - change / 8, 3 * way / 4 - change / 8, change / 8, (change - 2 * way) / 8)
+    powers = np.zeros((max(len(coefficients), 4), *way.shape))
+    powers[: len(coefficients)] = coefficients
+    powers[:4] += np.stack(cubic)
+    return powers
 
 
 def hermite(

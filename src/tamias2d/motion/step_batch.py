@@ -1,7 +1,7 @@
 """A batch of steps as one path, so that contacts are searched for once and not step by step."""
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Self
 
@@ -15,6 +15,7 @@ from tamias2d.motion.polynomial import (
     Polynomial,
     dense_path,
     derivative,
+    moved_path,
     quintic,
     sampled,
 )
@@ -27,13 +28,21 @@ class StepBatch:
 
     `knots` (k + 1, 3, n, 3) are coordinates, rates and accelerations at these times. Paths go
     through all of these; those of an embedded pair follow its slopes `dense` (m, k, n, 3) instead.
+    Where something moves the end of each step, `reached` (k, 3, n, 3) is where it led before.
     """
 
-    def __init__(self, times: list[float], knots: Array, dense: Array | None = None) -> None:
+    def __init__(
+        self,
+        times: list[float],
+        knots: Array,
+        dense: Array | None = None,
+        reached: Array | None = None,
+    ) -> None:
         self.times = times
         self.end = times[-1]
         self.knots = knots
         self.dense = dense
+        self.reached = knots[1:] if reached is None else reached
 
     @classmethod
     def of_pair(cls, start: float, end: float, first: tuple[Array, Array], pair: Pair) -> Self:
@@ -56,12 +65,17 @@ class StepBatch:
     def only(self, count: int) -> "StepBatch":
         """Return the first of the steps."""
         dense = None if self.dense is None else self.dense[:, :count]
-        return StepBatch(self.times[: count + 1], self.knots[: count + 1], dense)
+        knots, reached = self.knots[: count + 1], self.reached[:count]
+        return StepBatch(self.times[: count + 1], knots, dense, reached)
 
     def step(self, k: int) -> DenseStep:
         """Return one of the steps."""
-        first, last = ((knot[0], knot[1]) for knot in self.knots[k : k + 2])
+        first, last = ((knot[0], knot[1]) for knot in (self.knots[k], self.reached[k]))
         return DenseStep(self.times[k], self.times[k + 1], first, last, self.coefficients[:, k])
+
+    def steps(self) -> Iterator[DenseStep]:
+        """Yield the steps one by one."""
+        return map(self.step, range(len(self.times) - 1))
 
     def at(self, times: Array) -> Array:
         """Return coordinates and rates (k, 2, n, 3) at times (k,), s, within the steps.
@@ -73,7 +87,7 @@ class StepBatch:
         rows = np.where(
             (times == start)[:, None, None, None],
             self.knots[after, :2],
-            self.knots[after + 1, :2],
+            self.reached[after, :2],
         )
         inside = np.flatnonzero((times != start) & (times != np.take(self.times, after + 1)))
         if not len(inside):
@@ -99,8 +113,8 @@ class StepBatch:
         if self.dense is not None:
             start = self.knots[:-1, 0], self.knots[:-1, 1]
             length = np.diff(self.times)[:, None, None]
-            return dense_path(length, start, self.knots[1:, 0], tuple(self.dense))
-        first, last = np.moveaxis(self.knots[:-1], 1, 0), np.moveaxis(self.knots[1:], 1, 0)
+            return dense_path(length, start, self.reached[:, 0], tuple(self.dense))
+        first, last = np.moveaxis(self.knots[:-1], 1, 0), np.moveaxis(self.reached, 1, 0)
         return quintic(self.half[:, None, None], tuple(first), tuple(last))
 
     @cached_property
@@ -119,6 +133,25 @@ class StepBatch:
             np.abs(second[0, ..., 2]) + spread[..., 2],
         )
         return np.stack(columns, axis=-1)
+
+
+class MovedBatch(StepBatch):
+    """Steps whose ends are moved to where the next begins, as `moved_end` moves that of one."""
+
+    def __init__(self, steps: StepBatch) -> None:
+        super().__init__(steps.times, steps.knots, steps.dense)
+        self._steps = steps
+
+    def only(self, count: int) -> StepBatch:
+        """Return the first of the steps."""
+        return MovedBatch(self._steps.only(count))
+
+    @cached_property
+    def coefficients(self) -> Array:
+        """(m, k, n, 3), as those of a `DenseStep`."""
+        way, change = np.moveaxis(self.knots[1:, :2] - self._steps.reached[:, :2], 1, 0)
+        length = np.diff(self.times)[:, None, None]
+        return moved_path(self._steps.coefficients, way, change * length)
 
 
 def joined(parts: Sequence[StepBatch]) -> StepBatch:
