@@ -231,20 +231,38 @@ def test_a_soft_network_with_a_contact_swings_on() -> None:
     assert len(sim.contacts) > 0
 
 
-def test_bodies_of_a_network_sleep_and_wake_together() -> None:
-    """What a spring holds wakes when the other end is pulled."""
+@pytest.mark.parametrize("rest", [3.0, 2.97])
+def test_bodies_of_a_network_sleep_and_wake_together(rest: float) -> None:
+    """Also under tension; what a spring holds wakes when the other end is pulled."""
     scene = t2.Scene(gravity=(0.0, -9.81))
     scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **SURFACE)
     for x in (0.0, 3.0):
         box = t2.Box(width=1.0, height=1.0)
         scene.add_body(box, mass=1.0, position=(x, 0.5), name=f"at {x}", **SURFACE)
-    scene.add_spring("at 0.0", "at 3.0", stiffness=50.0, rest_length=3.0)
+    scene.add_spring("at 0.0", "at 3.0", stiffness=50.0, rest_length=rest)
     sim = Simulator(scene, sleeping=True)
     sim.step(300)
     assert sim.asleep[1:].all()
     sim.position[2] = (3.5, 0.5)
     sim.step(2)
     assert not sim.asleep[1:].any()
+
+
+def test_what_a_spring_holds_wakes_as_its_end_goes_away() -> None:
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **SURFACE)
+    box = t2.Box(width=1.0, height=1.0)
+    scene.add_body(box, mass=1.0, position=(0.0, 0.5), **SURFACE)
+    far = t2.Disc(radius=0.1)
+    scene.add_kinematic(far, position=(3.0, 0.5), velocity=(0.0, 0.0), **SURFACE)
+    scene.add_spring(1, 2, stiffness=50.0, rest_length=2.97)
+    sim = Simulator(scene, sleeping=True)
+    sim.step(60)
+    assert sim.asleep[1]
+    sim.velocity[2] = (0.5, 0.0)
+    sim.step(30)
+    assert not sim.asleep[1]
+    assert sim.velocity[1, 0] > 0.1
 
 
 def test_springs_go_with_their_bodies() -> None:

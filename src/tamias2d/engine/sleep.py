@@ -7,7 +7,8 @@ by a moving body does not sleep.
 
 An island wakes as a whole if a body that may wake others touches it, or comes so near that their
 contact has points, unless one of them is a sensor; if a pose, a velocity, a load or gravity differs
-from that at rest; or if a body that supports it was moved.
+from that at rest; if a body that supports it was moved; or if springs pull it otherwise
+(`springs.waking`).
 Cost: a pass over bodies and one over contacts in each step, where sleeping is wanted.
 """
 
@@ -37,6 +38,7 @@ from tamias2d.generated.definitions import gyration_radius
 from tamias2d.generated.sleeping import quiet, quiet_square
 from tamias2d.state import Array
 
+NOT_NOTED = 1e308  # N, a pull of springs
 SLEEP_SPEED = 0.02  # of the velocity of a fall through half the radius: through 1/5000 of it
 
 
@@ -203,12 +205,18 @@ def note_rest(i: int, control: Control, bodies: Bodies, rest: Array) -> None:
         motion[n] = 0.0
         rest[tb.REST_POSE + n] = pose[n] + motion[tb.DX + n]
         rest[tb.REST_LOAD + n] = load[n]
+        rest[tb.REST_PULL + n] = NOT_NOTED  # until the next step
 
 
 def sleep_speed_squared(settings: Array, radius: float) -> float:
     """Return the square of the velocity, m/s, below which a body with contacts is slow."""
+    return quiet_square(SLEEP_SPEED, radius, usual_acceleration(settings, radius))
+
+
+def usual_acceleration(settings: Array, radius: float) -> float:
+    """Return what a body is accelerated by, m/s^2: gravity, or its radius in a second squared."""
     gravity = abs(settings[tb.GRAVITY_X]) + abs(settings[tb.GRAVITY_Y])
-    return quiet_square(SLEEP_SPEED, radius, gravity if gravity > 0.0 else radius)
+    return gravity if gravity > 0.0 else radius
 
 
 def is_slow(time_step: float, limit: float, motion: Array, radius: float) -> bool:

@@ -53,6 +53,7 @@ from tamias2d.engine.sleep import (
 )
 from tamias2d.engine.springs.energy_balance import balance_networks
 from tamias2d.engine.springs.held import hold_springs, release_springs
+from tamias2d.engine.springs.waking import wake_pulled
 from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.substeps import solve_contacts
 from tamias2d.engine.tables import Control, World
@@ -153,8 +154,13 @@ def take_part(world: World) -> int:
     counts, sprung = control.counts, len(world.springs.members) > 0
     if counts[tb.STAGE] == tb.AT_START:  # what has nothing to do is not called: calls take longest
         begin_part(world)
+        if islands.counts[tb.SLEEP_STEPS] > 0:
+            contacts = current_contacts(broad_phase, buffers)
+            update_sleep(control, bodies, broad_phase, contacts, islands, world.joints)
         if sprung:
             hold_springs_of_part(world)
+            if islands.counts[tb.SLEEPING] > 0:
+                wake_pulled(world)
         left = find_moved(world)
         known = list_stays(left, broad_phase) or update_pairs(left, world)
         counts[tb.STAGE] = tb.PAIRS_KNOWN if known else tb.PAIRS_STALE
@@ -255,11 +261,8 @@ def hold_springs_of_part(world: World) -> None:
 
 
 def find_moved(world: World) -> int:
-    """Wake islands that were changed; return how many bodies have left their bounds."""
-    bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
-    contacts = current_contacts(broad_phase, world.buffers)
-    if islands.counts[tb.SLEEP_STEPS] > 0:
-        update_sleep(world.control, bodies, broad_phase, contacts, islands, world.joints)
+    """Return how many bodies have left their bounds."""
+    bodies, broad_phase = world.bodies, world.broad_phase
     left = mark_out_of_bounds(world.control, bodies, broad_phase)
     all_needed = left > 0 or broad_phase.counts[tb.LIST_HOLDS] == 0
     if all_needed or broad_phase.counts[tb.CONTACTS] > 0:

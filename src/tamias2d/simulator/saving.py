@@ -23,7 +23,7 @@ from tamias2d.scene.rules import checked_count
 from tamias2d.simulator.settings import checked_substeps, checked_time_step
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 23  # of the saved state: its arrays, and the columns of the engine's
+VERSION = 24  # of the saved state: its arrays, and the columns of the engine's
 _MARK = "tamias2d simulator"
 _ABOUT, _DIGEST = "about", "digest"
 _PARTS = [1 << level for level in range(MOST_LEVEL + 1)]

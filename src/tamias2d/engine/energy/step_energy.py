@@ -11,6 +11,7 @@ from tamias2d.generated.soft_contact import turn_later
 from tamias2d.state import Array
 
 GRACE = 1e-12  # of the energy, that rounding may add; one impact alone never takes more
+UNTOUCHED_WITHIN = 2.0**-44  # of velocities and ways, that rounding may change in a step
 UNLIMITED = 1e300  # J, that a body which is driven may give
 
 
@@ -28,7 +29,7 @@ def sum_step_energy(
             if moves_on(now):
                 energy[tb.TOTAL_ENERGY_NOW] = 2.0 * UNLIMITED  # each island is looked at
             continue
-        if bodies.moved[i] == tb.MOVED and unchanged_by_contacts(control, then, now):
+        if bodies.moved[i] == tb.MOVED and unchanged_by_contacts(i, control, bodies):
             bodies.moved[i] = tb.UNTOUCHED
         mass, inertia = mass_and_inertia(i, bodies.properties)
         velocity = (then[tb.STEP_START], then[tb.STEP_START + 1])
@@ -46,24 +47,27 @@ def moves_on(motion: Array) -> bool:
     return bool(abs(motion[tb.VX]) + abs(motion[tb.VY]) + abs(motion[tb.SPIN]) > 0.0)
 
 
-def unchanged_by_contacts(control: Control, state: Array, motion: Array) -> bool:
-    """Return whether no contact has changed the velocity or the way of a body in its substeps."""
-    same = True
+def unchanged_by_contacts(i: int, control: Control, bodies: Bodies) -> bool:
+    """Return whether contacts have changed the motion of a body by no more than rounding does."""
+    state, now, time = bodies.substep_state[i], bodies.motion[i], control.progress[tb.PART_TIME]
+    radius = bodies.properties[i, tb.BOUNDING_RADIUS]
+    reach_of_turn = radius if radius > 0.0 else 1.0
+    changed = speed = 0.0
     for n in range(3):
-        same = (
-            same
-            & (state[tb.CONTACT_CHANGE + n] == 0.0)
-            & (motion[n] == state[tb.SUBSTEP_START + n])
-        )
-    for n in range(3 if same else 0):
+        reach = reach_of_turn if n == 2 else 1.0
+        last = state[tb.CONTACT_CHANGE + n] + (now[n] - state[tb.SUBSTEP_START + n])
+        changed += abs(last) * reach
+        speed += (abs(state[tb.STEP_START + n]) + abs(now[n])) * reach
+    for n in range(3 if changed <= UNTOUCHED_WITHIN * speed else 0):
         free, way = state[tb.STEP_START + n], 0.0
         for _ in range(control.counts[tb.PART_SUBSTEPS]):
             free = coordinate_velocity_later(
                 state[tb.DRAG_FACTOR + n], free, state[tb.INCREMENT + n]
             )
             way = turn_later(way, free, control.settings[tb.SUBSTEP])
-        same = same & (motion[n] == free) & (motion[tb.DX + n] == way)
-    return bool(same)
+        other = abs(now[n] - free) + abs(now[tb.DX + n] - way) / time
+        changed += other * (reach_of_turn if n == 2 else 1.0)
+    return bool(changed <= UNTOUCHED_WITHIN * speed)
 
 
 def makes_energy(energy: Array) -> bool:

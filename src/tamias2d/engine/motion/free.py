@@ -25,9 +25,7 @@ def integrate_free(control: Control, bodies: Bodies) -> bool:
     """
     far, of_substeps = False, 1.0 / control.counts[tb.PART_SUBSTEPS]
     for i in range(len(bodies.kind)):
-        if bodies.moved[i] == tb.UNTOUCHED and unchanged_by_contacts(
-            control, bodies.substep_state[i], bodies.motion[i]
-        ):
+        if bodies.moved[i] == tb.UNTOUCHED and unchanged_by_contacts(i, control, bodies):
             for n in range(3):
                 bodies.motion[i, n] = bodies.substep_state[i, tb.STEP_START + n]
             bodies.moved[i] = tb.UNMOVED

@@ -358,10 +358,11 @@ def clip_piece(
     apart = high < low or facing.along1 <= facing.along2
     if apart and not is_over(side, p, q, vertex, x, y, vertices):
         return 0, 0
-    first, second = clip_points(manifold, facing, low, high, p.radius, q.radius, margin)
-    if first or second:
+    first, second = clip_points(
+        manifold, facing, low, high, p.radius, q.radius, margin,
+        feature_of(side.side, end_q, swapped), feature_of(end_p, side_q, swapped),
+    )  # fmt: skip
+    if first > 0:
         manifold[tb.NX] = -side.nx if swapped else side.nx
         manifold[tb.NY] = -side.ny if swapped else side.ny
-    feature1 = feature_of(side.side, end_q, swapped) if first else 0
-    feature2 = feature_of(end_p, side_q, swapped) if second else 0
-    return (feature1, feature2) if first else (feature2, 0)
+    return first, second

@@ -21,6 +21,7 @@ from tamias2d.state import Array
 
 FEATURES = 1 << 15  # more than the vertices of a shape
 PARALLEL = 2.0**-6  # slope to the other side, as if parallel: an error of 2**-13 of the gap
+LEVEL_SLOPE = 2.0**-20  # slope up to which no point is the deeper one
 TINY = 1e-290  # m^2: squares of lengths below are too inexact for a direction
 NO_GAP = 1e308  # m, of a point that is not there
 
@@ -98,10 +99,13 @@ def clip_sides(
             return feature_of(vertex_p, vertex_q, swapped) if near else 0, 0
     manifold[tb.NX] = -facing.nx if swapped else facing.nx
     manifold[tb.NY] = -facing.ny if swapped else facing.ny
-    first, second = clip_points(manifold, facing, low, high, p.radius, q.radius, margin)
-    feature1 = feature_of(side_p, end_q, swapped) if first else 0
-    feature2 = feature_of(end_p, side_q, swapped) if second else 0
-    return (feature1, feature2) if first else (feature2, 0)
+    feature_low, feature_high = (
+        feature_of(side_p, end_q, swapped),
+        feature_of(end_p, side_q, swapped),
+    )
+    return clip_points(
+        manifold, facing, low, high, p.radius, q.radius, margin, feature_low, feature_high
+    )
 
 
 def facing_sides(
@@ -138,8 +142,14 @@ def clip_points(
     radius_p: float,
     radius_q: float,
     margin: float,
-) -> tuple[bool, bool]:
-    """Write the points at both ends of the common part; return which are within the margin."""
+    feature_low: int,
+    feature_high: int,
+) -> tuple[int, int]:
+    """Write the points at both ends of the common part that are within the margin.
+
+    Returns their features. The deeper point comes first, and is solved first, whichever end it is
+    at: so it is in a mirror. Of a shape that lies level rounding must not choose it.
+    """
     if high < low or facing.along1 <= facing.along2:  # no common part: the deepest vertex alone
         deepest_first = facing.gap1 < facing.gap2
         low = high = facing.along1 if deepest_first else facing.along2
@@ -151,13 +161,18 @@ def clip_points(
         if high > low:
             gap_high = facing.gap1 + (facing.gap2 - facing.gap1) * ((facing.along1 - high) / span)
     radii, uneven = radius_p + radius_q, radius_p - radius_q
-    first, second = gap_low - radii < margin, gap_high - radii < margin
-    if first:
-        write_point(manifold, 0, facing, low, 0.5 * (gap_low + uneven), gap_low - radii)
-    if second:
-        at = tb.POINT if first else 0
+    near_low, near_high = gap_low - radii < margin, gap_high - radii < margin
+    high_first = gap_high < gap_low - LEVEL_SLOPE * (high - low)
+    if near_low:
+        at = tb.POINT if high_first else 0
+        write_point(manifold, at, facing, low, 0.5 * (gap_low + uneven), gap_low - radii)
+    if near_high:
+        at = tb.POINT if near_low and not high_first else 0
         write_point(manifold, at, facing, high, 0.5 * (gap_high + uneven), gap_high - radii)
-    return first, second
+    feature_low, feature_high = feature_low if near_low else 0, feature_high if near_high else 0
+    return (
+        (feature_high, feature_low) if high_first or not near_low else (feature_low, feature_high)
+    )
 
 
 def write_point(

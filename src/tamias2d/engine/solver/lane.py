@@ -207,13 +207,17 @@ def warm_started(m: int, at: int, now: Velocities, row: Array) -> Velocities:
 def soften(
     m: int, points: int, now: Velocities, row: Array, scratch: Array, substep: float
 ) -> Velocities:
-    """Correct the impulses of a contact with one or two points; return velocities after it."""
-    then = after_friction(m, tb.FIRST_POINT, now, row)
-    if points == 2:
-        then = after_friction(m, tb.SECOND_POINT, then, row)
-    then = after_soft(m, tb.FIRST_POINT, then, row, scratch, substep)
+    """Correct the impulses of a contact with one or two points; return velocities after it.
+
+    Friction comes last: that of an impact, which the impulses of before hold, ends with its normal
+    impulse, before bodies are moved by it.
+    """
+    then = after_soft(m, tb.FIRST_POINT, now, row, scratch, substep)
     if points == 2:
         then = after_soft(m, tb.SECOND_POINT, then, row, scratch, substep)
+    then = after_friction(m, tb.FIRST_POINT, then, row)
+    if points == 2:
+        then = after_friction(m, tb.SECOND_POINT, then, row)
     return then
 
 

@@ -142,7 +142,7 @@ def warm_start(first: int, last: int, bodies: Bodies, constraints: Constraints) 
 def solve_soft(
     first: int, last: int, bodies: Bodies, constraints: Constraints, substep: float
 ) -> None:
-    """Solve soft constraints once: friction first, so that normal impulses have the last word."""
+    """Solve soft constraints once."""
     motion, scratch = bodies.motion, constraints.scratch
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]

@@ -18,6 +18,7 @@ _rest = Columns()
 REST_POSE = _rest(3)  # m, m, rad, with which the body fell asleep
 REST_LOAD = _rest(3)  # N, N, N m
 REST_GRAVITY = _rest(2)  # m/s^2
+REST_PULL = _rest(3)  # N, N, N m, of springs, noted in the next step
 
 _energy = Columns()
 BEFORE_RESTITUTION = _energy(3)  # m/s, m/s, rad/s, of each body: its velocity
