@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.motion.methods import Method
+from tamias2d.motion import Method
 from tamias2d.replay import check
 from tamias2d.study.pilot import Pilot
 
