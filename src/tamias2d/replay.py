@@ -95,12 +95,12 @@ def _again(recorded: Run, *, where: str) -> Run:
             times=recorded.times,
             work_limit=work_limit_of(recorded),
         )
-    except InputError as fault:
-        raise RecordingError(f"{where}: its inputs are refused: {fault}") from fault
-    except SimulationError as refusal:
-        if not isinstance(refusal.run, Run):
-            raise
-        return refusal.run
+    except (InputError, SimulationError) as fault:
+        if isinstance(fault, SimulationError) and isinstance(fault.run, Run):
+            return fault.run
+        if isinstance(fault, InputError):
+            raise RecordingError(f"{where}: its inputs are refused: {fault}") from fault
+        raise
 
 
 def _why(header: Header, *, intact: bool) -> str:

@@ -11,7 +11,9 @@ from tamias2d.scene import Shape
 from tamias2d.solve import solution, solve_with_error
 from tamias2d.solve.error_through_impacts import error_through_impacts
 from tamias2d.state import Array
+from tamias2d.study.bound import difference
 from tamias2d.study.path_error import HopelessError, hopeless
+from tamias2d.study.scale import scale
 from tests.certificate.test_tolerance import oscillator
 
 METHODS = (t2.Dop853(1e-3), t2.Dop853(1e-6), t2.Dop853(1e-9), t2.DormandPrince5(1e-5))
@@ -205,3 +207,28 @@ def test_a_run_is_given_up_with_what_its_error_grows_to(size: float, tolerance: 
         run()
     found = stopped.value.share / (tolerance * times[-1] / 100)
     assert found == pytest.approx(min((100 / times[-1]) ** 3, 30.0), rel=0.05)
+
+
+@pytest.mark.parametrize("rtol", [2.2e-7, 2.8e-7])
+def test_it_is_known_beside_a_damper_that_stops_much_in_a_step(rtol: float) -> None:
+    scene = t2.Scene(gravity=(0.5, -9.81))
+    scene.add_body(
+        t2.Disc(radius=0.14858203013385557), mass=2.0211679914490888,
+        position=(-1.585099881408432, 1.8674073993029348), orientation=2.1465551351585663,
+        velocity=(-1.075498074724314, -1.7980106926894424), angular_velocity=0.10516872468391814,
+    )  # fmt: skip
+    scene.add_spring(
+        0, (0.20427352879527438, -1.5502689072409046), stiffness=43.982539869813415,
+        rest_length=1.3532620208056747, damping=0.3,
+        anchor=(-0.04552271499894385, 0.01637325896648972),
+    )  # fmt: skip
+    scene.add_field(
+        force=("-239.25[N/m]*x(position) - 94.84[kg/s]*x(velocity)", "-3.687[N/m]*y(position)")
+    )
+    given = {"duration": 4.333790059369254, "times": np.linspace(0.0, 4.333790059369254, 41)}
+    run = t2.certify(t2.simulate(scene, method=t2.Dop853(rtol), **given))  # type: ignore[arg-type]
+    exact = t2.simulate(scene, method=t2.Dop853(1e-12), **given)  # type: ignore[arg-type]
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
+    share = run.certificate.bound * scale(run) / difference(run, exact)
+    assert 1 < share < 4

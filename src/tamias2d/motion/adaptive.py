@@ -104,6 +104,7 @@ class Adaptive:
 
         Raises:
             StepSizeError: it allows none.
+            SimulationError: no force is finite as near ahead as float64 can tell.
         """
         while True:
             end, pair = self._accepted(field, start, limit, position, velocity)
@@ -124,12 +125,13 @@ class Adaptive:
             end = start + step if step < limit - start else limit
             step = end - start
             pair, error = self._trial(field, start, step, position, velocity)
-            if pair is not None and error <= 1:
+            if error <= 1 and not isinstance(pair, SimulationError):
                 break
             field.tally.rejected += 1
             rejected = True
             step *= shrinking(error, self.power)
-            self._refuse_small(start, step, error)
+            if step <= max(_SMALLEST * math.ulp(start), math.ulp(0.0)):
+                raise pair if isinstance(pair, SimulationError) else self._none(start, error)
         longer = step * growth(error, memory.error, self.power, self.damping, rejected)
         memory.step = max(longer, wanted) if end == limit and not rejected else longer
         memory.error = max(error, 1e-4)
@@ -273,13 +275,16 @@ class Adaptive:
 
     def _trial(
         self, field: MemoisedField, start: float, step: float, position: Array, velocity: Array
-    ) -> tuple[Pair | None, float]:
-        """Return a step and its error, the largest of all, in shares of what is allowed."""
+    ) -> tuple[Pair | SimulationError, float]:
+        """Return a step and its error, the largest of all, in shares of what is allowed.
+
+        Where it meets no finite force it went too far: the refusal is returned.
+        """
         with np.errstate(all="ignore"):
             try:
                 pair = self.scheme(start, step, position, velocity, field)
-            except SimulationError:  # no finite force where it went, which was too far
-                return None, math.inf
+            except SimulationError as refusal:
+                return refusal, math.inf
             allowed = self.tolerance.of(
                 np.maximum(np.abs(position), np.abs(pair.position)),
                 np.maximum(np.abs(velocity), np.abs(pair.velocity)),
@@ -291,12 +296,11 @@ class Adaptive:
             error = float(np.max(combined(*estimates), initial=0.0))
         return pair, error if math.isfinite(error) else math.inf
 
-    def _refuse_small(self, start: float, step: float, error: float) -> None:
+    def _none(self, start: float, error: float) -> StepSizeError:
+        """Return the error of no step at all: that of the smallest is too large."""
         smallest = _SMALLEST * math.ulp(start)
-        if step > max(smallest, math.ulp(0.0)):
-            return
         found = f"{error:.3g} times what is allowed" if math.isfinite(error) else "not finite"
-        raise StepSizeError(
+        return StepSizeError(
             f"{self._name} at {start!r} s: the error of a step of {smallest:.3g} s, the smallest "
             f"that float64 can take there, is {found} (R5). Give a larger rtol, end the run "
             "before, or look for a force that jumps or has no limit there."

@@ -201,6 +201,7 @@ def follow_step(
         return way, rate + step * turn
 
     for sweep in range(sweeps):
+        field.forget()  # what a sweep finds as before is counted as code that knows no memory does
         for i in range(1, len(nodes)):
             way, turned = within(i, *((whole, len(nodes)) if sweep else (early, i)))
             pull = field(time + step * nodes[i], path[0, i] + way, path[1, i] + turned)

@@ -37,7 +37,11 @@ from tamias2d.motion.step_batch import BatchPath, StepBatch
 from tamias2d.motion.uniform import Uniform
 from tamias2d.path import PathPiece
 from tamias2d.scene import Scene
-from tamias2d.scene.acting import felt_velocity, loads_feel_velocity, only_slowed
+from tamias2d.scene.acting import (
+    felt_velocity,
+    loads_feel_velocity,
+    only_slowed,
+)
 from tamias2d.state import Acceleration, Array, Constraint, History, SharedConstraint, State
 from tamias2d.work_limit import Work, WorkLimitError
 
@@ -263,8 +267,14 @@ class IntegratedMotion(Answers):
 
     @property
     def _sweeps(self) -> int:
-        """The first knows rates within a step badly; where these are felt, one more knows them."""
-        return 2 if self._felt_velocity and not only_slowed(self._scene) else 1
+        """The first knows rates within a step badly; where these are felt, one more knows them.
+
+        Where loads feel them a third does: a damper may be so strong that it all but stops what
+        moves within one step.
+        """
+        if not self._felt_velocity or only_slowed(self._scene):
+            return 1
+        return 3 if loads_feel_velocity(self._scene) else 2
 
     def beside(self) -> MemoisedField:
         """Return the accelerations of all bodies that move, of which nothing is remembered yet."""

@@ -34,7 +34,7 @@ class _Trials:
     def __init__(self, field: MemoisedField, shape: tuple[int, ...]) -> None:
         self._field, self._shape = field, shape
         self.refusal: SimulationError | None = None
-        """Why the last trial met no finite force, if it did not."""
+        """Why the last trial that met no finite force met none, if any did not."""
 
     def rate(self, time: float, y: Array) -> Array:
         """Return the rate of a state: velocities (n, 3), then accelerations, both in one row."""
@@ -45,7 +45,6 @@ class _Trials:
     def __call__(self, time: float, y: Array) -> Array:
         """Return the rate of a state, or no numbers."""
         if np.isfinite(y).all():
-            self.refusal = None
             try:
                 return self.rate(time, y)
             except SimulationError as refusal:
@@ -139,7 +138,7 @@ class ScipyDop853:
         return _dense_step(start, end, position, velocity, second.reshape(-1, *shape))
 
     def _failed(self, start: float, refusal: SimulationError | None) -> SimulationError:
-        """Return the error of no step at all: where the last trial met no finite force, that."""
+        """Return the error of no step at all: where a longer trial met no finite force, that."""
         if refusal is not None:
             return refusal
         return NoStepError(

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from tamias2d.errors import InputError
+from tamias2d.errors import InputError, SimulationError
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, number, pair
 from tamias2d.spec.check import Type, expect, refuse_not_stated
@@ -32,6 +32,10 @@ _NOTHING = dict.fromkeys((*VARYING, "mass"), math.nan) | dict.fromkeys(
 
 Value: TypeAlias = Any
 """A float or an array of n, for n bodies; a vector is a pair of these."""
+
+
+class LawValueError(InputError, SimulationError):
+    """A law has no finite value where it is asked for: where a run goes, or where a trial did."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +75,8 @@ class StateLaw:
         """Return the value in SI units for given `names`: one, or one a body where these are.
 
         Raises:
-            InputError: there is no finite value, or a name is not given; the message says where.
+            LawValueError: there is no finite value; the message says where.
+            InputError: a name is not given.
         """
         if missing := self.names - state.keys():
             raise InputError(
@@ -80,7 +85,7 @@ class StateLaw:
             )
         value = self.values(state)
         if isinstance(value, complex) or not np.all(np.isfinite(value)):
-            raise InputError(
+            raise LawValueError(
                 f"{self.what}: '{self.text}' has no finite value at {self._place(state, value)} "
                 "(R4). Give a law that has one wherever the run goes."
             )
