@@ -30,3 +30,14 @@ def test_reading_a_kernel_is_no_cost_of_its_calls(monkeypatch: pytest.MonkeyPatc
     kernel = choice.Kernel(TEXT, TEXT, "add")
     assert kernel.plain() == 1
     assert kernel.compiled(1000) is None
+
+
+def test_one_slow_call_says_nothing_of_those_to_come(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The processor may have done something else."""
+    monkeypatch.setattr(choice, "is_kept", lambda _: False)
+    kernel = choice.Kernel(TEXT, TEXT, "add")
+    kernel.otherwise(1, 0.006)
+    assert kernel.compiled(500) is None
+    kernel.otherwise(1, 0.001)
+    assert kernel.compiled(500) is None
+    assert kernel.compiled(100_000) is not None

@@ -8,6 +8,7 @@ import logging
 import sys
 from collections.abc import Callable
 from functools import cache, cached_property
+from math import inf
 from time import perf_counter
 from typing import Any
 
@@ -16,6 +17,7 @@ from tamias2d.kernels.compiled import is_kept, loaded, plainly
 
 _IMPORT = 0.7  # s, of the compiler
 _LOAD = 0.1  # s, of what was compiled before
+_LOOKS = 2  # at what calls cost, before it is told what those to come do
 _COMPILE = 0.8, 6000.0  # s, and characters of source a second
 
 
@@ -28,13 +30,14 @@ class Kernel:
         self._name = name
         self._compiled: Callable[..., Any] | None = None
         self._spent = 0.0
-        self._calls = 0
+        self._looks = 0
+        self._least = inf  # s, of a call: what else the processor does counts for none
         self._barred = False
 
     def compiled(self, ahead: float) -> Callable[..., Any] | None:
         """Return it compiled if that pays for the calls that are ahead, or were made otherwise."""
         if self._compiled is None and not self._barred:
-            coming = ahead * self._spent / self._calls if self._calls else 0.0
+            coming = ahead * self._least if self._looks >= _LOOKS else 0.0
             if self._spent + coming > _LOAD and self._spent + coming > self._price():
                 self._compile()
         return self._compiled
@@ -50,15 +53,16 @@ class Kernel:
     def otherwise(self, calls: int, seconds: float) -> None:
         """Hear that calls, or steps, of some seconds each were made without it."""
         self._spent += calls * seconds
-        self._calls += calls
+        self._looks += 1
+        self._least = min(self._least, seconds)
 
     def plain(self, *arguments: Any) -> int:
         """Run it as plain Python; return what it returns, and take the time of that many calls."""
         function = plainly(self._plain)[self._name]  # read once: that is no cost of a call
         start = perf_counter()
         calls: int = function(*arguments)
-        self.otherwise(1, perf_counter() - start)
-        self._calls += calls - 1
+        took, made = perf_counter() - start, max(calls, 1)
+        self.otherwise(made, took / made)
         return calls
 
     def _price(self) -> float:
