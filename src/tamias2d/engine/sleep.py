@@ -8,7 +8,7 @@ by a moving body does not sleep.
 An island wakes as a whole if a body that may wake others touches it, or comes so near that their
 contact has points, unless one of them is a sensor; if a pose, a velocity, a load or gravity differs
 from that at rest; if a body that supports it was moved; or if springs pull it otherwise
-(`springs.waking`).
+(`pulled`).
 Cost: a pass over bodies and one over contacts in each step, where sleeping is wanted.
 """
 

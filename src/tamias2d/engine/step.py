@@ -42,6 +42,7 @@ from tamias2d.engine.parts import (
     set_level,
     shorten_part,
 )
+from tamias2d.engine.pulled import wake_pulled
 from tamias2d.engine.reports.contact_log import log_events
 from tamias2d.engine.sleep import (
     fall_asleep,
@@ -53,7 +54,6 @@ from tamias2d.engine.sleep import (
 )
 from tamias2d.engine.springs.energy_balance import balance_networks
 from tamias2d.engine.springs.held import hold_springs, release_springs
-from tamias2d.engine.springs.waking import wake_pulled
 from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.substeps import solve_contacts
 from tamias2d.engine.tables import Control, World
@@ -154,13 +154,7 @@ def take_part(world: World) -> int:
     counts, sprung = control.counts, len(world.springs.members) > 0
     if counts[tb.STAGE] == tb.AT_START:  # what has nothing to do is not called: calls take longest
         begin_part(world)
-        if islands.counts[tb.SLEEP_STEPS] > 0:
-            contacts = current_contacts(broad_phase, buffers)
-            update_sleep(control, bodies, broad_phase, contacts, islands, world.joints)
-        if sprung:
-            hold_springs_of_part(world)
-            if islands.counts[tb.SLEEPING] > 0:
-                wake_pulled(world)
+        wake_changed(sprung, world)
         left = find_moved(world)
         known = list_stays(left, broad_phase) or update_pairs(left, world)
         counts[tb.STAGE] = tb.PAIRS_KNOWN if known else tb.PAIRS_STALE
@@ -212,6 +206,20 @@ def take_part(world: World) -> int:
     broad_phase.counts[tb.STEPS_SINCE] += 1
     counts[tb.STAGE] = tb.AT_START
     return tb.DONE
+
+
+def wake_changed(sprung: bool, world: World) -> None:
+    """Wake islands that were changed, and hold the loads of springs; wake what these pull."""
+    islands = world.islands
+    if islands.counts[tb.SLEEP_STEPS] > 0:
+        contacts = current_contacts(world.broad_phase, world.buffers)
+        update_sleep(
+            world.control, world.bodies, world.broad_phase, contacts, islands, world.joints
+        )
+    if sprung:
+        hold_springs_of_part(world)
+        if islands.counts[tb.SLEEPING] > 0:
+            wake_pulled(world)
 
 
 def may_shorten(control: Control) -> bool:
