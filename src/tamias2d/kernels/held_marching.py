@@ -45,6 +45,7 @@ def held_marching(
 
     @cache
     def of(bodies: tuple[int, ...], placed: tuple[Placed, ...]) -> HeldMarching | None:
+        """Return what makes them; None for mechanisms of several demands, or of too many."""
         codes = [code for _, code in placed if isinstance(code, KernelJoints)]
         if len(codes) < len(placed) or len(codes) > _MOST:
             return None
